@@ -30,8 +30,8 @@ int inspect_recording(InspectOptions& options, const Console& console) {
     const scenes::RecordingJudgement judged = scenes::judge_recording(
         bytes, path,
         [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
-        [&] {
-            progress.step("frames");
+        [&](bool frame) {
+            if (frame) progress.step("frames");
             return watch.signal() == 0;
         });
     if (judged.trees.empty() && judged.summary.queries == 0)
@@ -65,7 +65,7 @@ int inspect_recording(InspectOptions& options, const Console& console) {
         text = json_text(json, 2) + "\n";
     } else {
         const auto top = static_cast<std::size_t>(options.top);
-        text = recording_text(judged, path, top, options.asks_top ? top : 1);
+        text = recording_text(judged, settings, path, top, options.asks_top ? top : 1);
         if (settings) text += recording_settings_text(*settings);
         if (!drawn.empty()) text += "\nPictures\n";
         for (const ProblemPicture& picture : drawn)
@@ -90,7 +90,15 @@ int inspect_recording(InspectOptions& options, const Console& console) {
                      std::to_string(frames.size()) + " frames were inspected.");
         return exit_interrupted(watch.signal());
     }
-    return judged.wrong() || !judged.damage.empty() ? exit_different : exit_done;
+    switch (judged.verdict()) {
+        case scenes::Verdict::sound:
+            return exit_done;
+        case scenes::Verdict::partly_judged:
+            return exit_partly_judged;
+        case scenes::Verdict::wrong:
+            break;
+    }
+    return exit_different;
 }
 
 }  // namespace scb::app

@@ -59,7 +59,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
                                 "",
                                 watched.words,
                                 count,
-                                watched.since,
+                                watched.worst_at,
                                 {},
                                 {p.node, p.other},
                                 {p.item},

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/inspect_report.h"
+#include "app/inspect/recording_settings.h"
 #include "core/base/enum_names.h"
+#include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 
@@ -25,23 +27,29 @@ constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
     "nodes are children of two nodes",
     "nodes name another parent than the one that lists them",
     "nodes are not listed by the parent that they name",
-    "nodes have no parent, beside the root",
     "nodes are in cycles, or below them",
     "triangles are in no leaf",
-    "triangles are in two leaves",
     "triangles of leaves are none of the mesh",
+    "triangles have vertices that are not finite",
     "nodes have volumes that are none",
     "nodes have no volume",
     "nodes do not contain what is below them",
+    "nodes do not contain their parts of triangles",
 };
 
 std::string query_words(const scenes::QueryName& query) {
     return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
 }
 
+/// Since when, how large it was there, and where it is worst.
 std::string when(const WatchedProblem& problem) {
     std::string words = "since frame " + std::to_string(problem.since);
-    if (problem.stale) words += ": stale, last told at frame " + std::to_string(problem.told_at);
+    if (problem.worst_at != problem.since)
+        words += ", by " + amount_words(problem.since_amount) + " there; by " +
+                 amount_words(problem.problem.amount) + " at frame " +
+                 std::to_string(problem.worst_at);
+    if (problem.stale)
+        words += "; stale: the volume was last recorded at frame " + std::to_string(problem.told_at);
     return words;
 }
 
@@ -50,8 +58,7 @@ std::string tree_name(const TreeJudgement& tree) {
     return tree.name.empty() ? number : number + " \"" + tree.name + "\"";
 }
 
-/// The problems of one kind: how many, the worst, and the first, which is that farthest from the
-/// root.
+/// The problems of one kind: how many, and the worst.
 std::string faults_text(const std::vector<const WatchedProblem*>& problems, std::size_t top) {
     const TreeFault fault = problems[0]->problem.fault;
     std::string text;
@@ -60,8 +67,8 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
         double most = 0;
         for (const WatchedProblem* problem : problems)
             most = std::max(most, problem->problem.amount);
-        if (most > 0) text += format(", by up to %.6g", most);
-        text += "; the first:\n";
+        if (most > 0) text += ", by up to " + amount_words(most);
+        text += most > 0 ? "; the worst:\n" : "; the first:\n";
     }
     for (std::size_t i = 0; i < std::min(top, problems.size()); ++i)
         text += "    " + std::string(problems.size() > 1 ? "  " : "") + problems[i]->words + " (" +
@@ -101,9 +108,11 @@ std::string tests_text(const RecordingJudgement& judged) {
         if (stage.wrong > 0) text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
         text += "\n";
     }
-    if (judged.unjudged > 0)
-        text += "  " + count_text(judged.unjudged) +
-                " are of nodes without a volume that could be judged\n";
+    const auto farthest = std::max_element(
+        judged.stages.begin(), judged.stages.end(),
+        [](const auto& x, const auto& y) { return x.most_apart < y.most_apart; });
+    if (farthest->most_apart > 0)
+        text += "  the false one farthest apart: " + farthest->farthest + "\n";
     return text + "\n";
 }
 
@@ -149,11 +158,11 @@ bool has_results(const RecordingJudgement& judged) {
     return judged.summary.pairs + judged.summary.item_tests > 0 || judged.summary.tells_pairs;
 }
 
-/// "Sound.", or what is wrong in one line.
-std::string verdict_text(const RecordingJudgement& judged) {
-    std::vector<std::string> parts;
-    const auto add = [&parts](std::uint64_t count, const char* one, const char* several) {
-        if (count > 0) parts.push_back(counted(count, one, several));
+/// What is wrong, in one line.
+std::string wrong_words(const RecordingJudgement& judged) {
+    std::string text;
+    const auto add = [&text](std::uint64_t count, const char* one, const char* several) {
+        if (count > 0) text += (text.empty() ? ": " : ", ") + counted(count, one, several);
     };
     std::uint64_t faults = 0, tests = 0;
     for (const TreeJudgement& tree : judged.trees) faults += tree.problems.size();
@@ -164,14 +173,67 @@ std::string verdict_text(const RecordingJudgement& judged) {
     add(sum(judged, &FrameJudgement::missed), "pair missed", "pairs missed");
     add(sum(judged, &FrameJudgement::false_pairs), "false pair", "false pairs");
     add(judged.odd.size() + judged.more_odd, "oddity", "oddities");
+    return "Wrong" + text;
+}
+
+std::string verdict_words(const RecordingJudgement& judged) {
+    switch (judged.verdict()) {
+        case scenes::Verdict::sound:
+            return "Sound";
+        case scenes::Verdict::partly_judged:
+            return "Nothing wrong in what could be judged";
+        case scenes::Verdict::wrong:
+            break;
+    }
+    return wrong_words(judged);
+}
+
+std::string not_judged_words(const scenes::NotJudged& part) {
+    return count_text(part.count) +
+           (part.of > 0 ? " of " + count_text(part.of) : std::string()) + " " + part.what + ": " +
+           part.why;
+}
+
+std::string cost_finding_words(const scenes::CostFinding& cost) {
+    using Kind = scenes::CostFinding::Kind;
+    switch (cost.kind) {
+        case Kind::repeated:
+            return count_text(cost.count) + " of " + count_text(cost.of) +
+                   " tests of volumes repeat an earlier one of their query; the first: " +
+                   cost.where;
+        case Kind::deep:
+            return cost.where + " is " + count_text(cost.count) + " deep, where " +
+                   count_text(cost.of) + " would do";
+        case Kind::loose:
+            return count_text(cost.count) + " of " + count_text(cost.of) + " boxes of " +
+                   cost.where + " are much larger than what is below them; with boxes that fit, " +
+                   count_text(cost.tests_if_tight) + " of " + count_text(cost.tests) +
+                   " tests of volumes would be made";
+    }
+    return {};
+}
+
+/// What own hierarchies take of the tests of volumes, where the engine's cost more than they need.
+std::string own_words(const std::optional<RecordingSettings>& settings) {
+    if (!settings) return {};
+    const Work& own = settings->tuning.rows[settings->tuning.recommended()].counts;
+    return format("; this project's hierarchies take %.2g of the tests",
+                  ratio(static_cast<double>(own.volume_tests),
+                        static_cast<double>(settings->recorded.volume_tests)));
+}
+
+/// The verdict, then what it does not cover, then what costs.
+std::string verdict_text(const RecordingJudgement& judged,
+                         const std::optional<RecordingSettings>& settings) {
     std::string text = judged.damage.empty() ? "" : "Not whole: " + judged.damage + "\n";
-    if (parts.empty())
-        return text + (judged.wrong()          ? "Wrong.\n\n"
-                       : judged.damage.empty() ? "Sound.\n\n"
-                                               : "What stands before that is sound.\n\n");
-    text += "Wrong: ";
-    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
-    return text + ".\n\n";
+    text += verdict_words(judged) + ".\n";
+    for (const scenes::NotJudged& part : judged.not_judged)
+        text += "Not judged: " + not_judged_words(part) + ".\n";
+    for (const scenes::CostFinding& cost : judged.costs)
+        text += "Cost: " + cost_finding_words(cost) +
+                (cost.kind == scenes::CostFinding::Kind::repeated ? "" : own_words(settings)) +
+                ".\n";
+    return text + "\n";
 }
 
 std::string results_text(const RecordingJudgement& judged) {
@@ -179,32 +241,14 @@ std::string results_text(const RecordingJudgement& judged) {
     const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
     std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
                        (told ? " reported" : " met by the tests of triangles");
-    const std::uint64_t unjudged = judged.self_queries + judged.unknown_items;
-    if (unjudged < sum(judged, &FrameJudgement::queries))
+    if (judged.unknown_items < sum(judged, &FrameJudgement::queries))
         text += ", " + count_text(judged.exact_pairs) + " intersect; " +
                 count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
                 count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
-    if (judged.grazing > 0)
-        text += "; " + count_text(judged.grazing) +
-                " touch within the engine's rounding, and are not judged";
     text += ".\n";
-    if (judged.not_looked_into > 0)
-        text += count_text(judged.not_looked_into) +
-                " more were not reported; of queries with so many, the first 100,000 were looked "
-                "into.\n";
     if (judged.ended_early > 0)
         text += count_text(judged.ended_early) + (judged.ended_early == 1 ? " query" : " queries") +
                 " ended early, or broke off: of what they did not come to, nothing is missed.\n";
-    if (judged.self_queries > 0)
-        text += "Of " +
-                counted(judged.self_queries, "query of a body against itself",
-                        "queries of a body against itself") +
-                " the tests are judged, the pairs are not.\n";
-    if (judged.unknown_items > 0)
-        text +=
-            "Of " + counted(judged.unknown_items, "query", "queries") +
-            " the tests are judged, the pairs are not: objects share leaves, have numbers above "
-            "999,999, or were queried with triangles.\n";
     return text + "\n";
 }
 
@@ -221,6 +265,30 @@ std::string waste_text(const RecordingJudgement& judged) {
            " tests: " + count_text(judged.wasted_loose) +
            " below volumes that meet though nothing below them does, " +
            count_text(judged.wasted_weak) + " below volumes that do not even meet.\n";
+}
+
+/// Lengths within which results are not judged.
+std::string tolerance_text(const RecordingJudgement& judged) {
+    const scenes::FrameJudgement* least = nullptr;
+    const scenes::FrameJudgement* most = nullptr;
+    const auto of = [](const FrameJudgement& f) {
+        return std::max(f.tolerance.volumes, f.tolerance.triangles);
+    };
+    for (const FrameJudgement& f : judged.frames) {
+        if (f.queries == 0) continue;
+        if (!least || of(f) < of(*least)) least = &f;
+        if (!most || of(f) > of(*most)) most = &f;
+    }
+    if (!most) return {};
+    const auto words = [&](const FrameJudgement& f) {
+        return format("%.3g", of(f)) + (judged.frames.size() > 1 ? " at frame " + std::to_string(f.frame) : "");
+    };
+    std::string text = "Tolerance: " + words(*most);
+    if (of(*most) > 2 * of(*least)) text = "Tolerance: " + words(*least) + ", " + words(*most);
+    text += most->tolerance.single ? ", of 32-bit numbers" : ", of 64-bit numbers";
+    if (most->tolerance.away > 0)
+        text += format(", up to %.3g from the origin", most->tolerance.away);
+    return text + ". Results are not judged within it.\n\n";
 }
 
 std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
@@ -250,6 +318,12 @@ std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
     return "\nThe frames with the most errors, then with the most waste\n" + text;
 }
 
+const char* verdict_name(scenes::Verdict verdict) {
+    return verdict == scenes::Verdict::sound ? "sound"
+           : verdict == scenes::Verdict::wrong ? "wrong"
+                                               : "partly judged";
+}
+
 Json case_json(const scenes::ProblemCase& one) {
     Json json = {
         {"frame", one.query.frame}, {"bodies", {one.query.a, one.query.b}}, {"words", one.words}};
@@ -273,18 +347,19 @@ Json groups_json(const std::vector<ProblemGroup>& groups) {
 
 }  // namespace
 
-std::string recording_text(const RecordingJudgement& judged, const std::string& file,
-                           std::size_t top, std::size_t cases) {
+std::string recording_text(const RecordingJudgement& judged,
+                           const std::optional<RecordingSettings>& settings,
+                           const std::string& file, std::size_t top, std::size_t cases) {
     std::string text = file + (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
                        counted(judged.frames.size(), "frame", "frames") + ", " +
                        counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
                        counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
                        " of volumes, " + count_text(sum(judged, &FrameJudgement::item_tests)) +
-                       " of triangles\n" + verdict_text(judged);
+                       " of triangles\n" + verdict_text(judged, settings);
     text += poses_text(judged, top);
     text += trees_text(judged, top) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
-            results_text(judged) + groups_text("Missed pairs, by cause", judged.missed, cases) +
+            tolerance_text(judged) + results_text(judged) + groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
             frames_text(judged, top);
     for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
@@ -294,7 +369,15 @@ std::string recording_text(const RecordingJudgement& judged, const std::string& 
 }
 
 Json recording_json(const RecordingJudgement& judged, const std::string& file) {
-    Json json = {{"recording", file}, {"engine", judged.engine}, {"wrong", judged.wrong()}};
+    Json json = {{"recording", file}, {"engine", judged.engine}, {"verdict", verdict_name(judged.verdict())},
+                 {"wrong", judged.wrong()}};
+    json["not_judged"] = Json::array();
+    for (const scenes::NotJudged& part : judged.not_judged)
+        json["not_judged"].push_back(
+            {{"count", part.count}, {"of", part.of}, {"what", part.what}, {"why", part.why}});
+    json["costs"] = Json::array();
+    for (const scenes::CostFinding& cost : judged.costs)
+        json["costs"].push_back(cost_finding_words(cost));
     if (!judged.damage.empty()) json["damage"] = judged.damage;
     json["trees"] = Json::array();
     for (const TreeJudgement& tree : judged.trees) {
@@ -305,6 +388,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
             if (watched.problem.item != no_index) problem["triangle"] = watched.problem.item;
             if (watched.problem.fault == TreeFault::outside)
                 problem.update({{"amount", watched.problem.amount},
+                                {"worst_at", watched.worst_at},
+                                {"since_amount", watched.since_amount},
                                 {"told_at", watched.told_at},
                                 {"stale", watched.stale},
                                 {"frames", watched.frames}});
@@ -333,10 +418,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["missed"] = groups_json(judged.missed);
     json["false"] = groups_json(judged.false_pairs);
     json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
-    json["unjudged"] = judged.unjudged;
     json["not_looked_into"] = judged.not_looked_into;
     json["ended_early"] = judged.ended_early;
-    json["unjudged_results"] = judged.self_queries + judged.unknown_items;
     json["grazing"] = judged.grazing;
     json["frames"] = Json::array();
     for (const FrameJudgement& f : judged.frames)
@@ -348,7 +431,10 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                                   {"wrong", f.wrong},
                                   {"missed", f.missed},
                                   {"false_pairs", f.false_pairs},
-                                  {"pairs", f.pairs}});
+                                  {"pairs", f.pairs},
+                                  {"tolerance", f.tolerance.volumes},
+                                  {"triangle_tolerance", f.tolerance.triangles},
+                                  {"from_origin", f.tolerance.away}});
     json["odd"] = judged.odd;
     json["notes"] = judged.notes;
     return json;

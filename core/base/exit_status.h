@@ -8,6 +8,7 @@ enum ExitStatus {
     exit_different = 1,    ///< a comparison found differences, or a baseline is missing
     exit_bad_input = 2,    ///< bad usage or bad input
     exit_environment = 3,  ///< the environment failed: disk full, cannot write, out of memory
+    exit_partly_judged = 4,  ///< nothing is wrong in what could be judged, and that was not all
     exit_no_gl = 77,       ///< no OpenGL context
 };
 

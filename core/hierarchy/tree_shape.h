@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "scb/topology.h"
@@ -22,11 +23,16 @@ struct TreeShape {
     std::vector<std::uint32_t> roots;
     std::vector<std::uint32_t> holder;  ///< per item: the first node in `order` that has it;
                                         ///< no_index: none
+    /// Further nodes that have an item, with the item, ascending: a triangle may be split between
+    /// leaves.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> more_holders;
 
     std::size_t size() const { return parents.size(); }
     bool is_leaf(std::uint32_t node) const { return first_child[node] == no_index; }
     /// Whether a root leads to it.
     bool hangs(std::uint32_t node) const { return depths[node] != no_index; }
+    /// All nodes that have the item, the first in `order` first.
+    std::vector<std::uint32_t> holders_of(std::uint32_t item) const;
     /// Of whatever number: no_index where no node has it.
     std::uint32_t holder_of(std::uint32_t item) const {
         return item < holder.size() ? holder[item] : no_index;

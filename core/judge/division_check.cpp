@@ -1,5 +1,6 @@
 #include "core/judge/division_check.h"
 
+#include <algorithm>
 #include <set>
 
 namespace scb {
@@ -18,6 +19,23 @@ struct Division {
     std::set<std::uint32_t> of_a, of_b;
     std::size_t pairs = 0;  ///< of a child of each
 };
+
+bool overlap(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
+    return exact_verdict((*query.sides[0].tree)[a].volume, (*query.sides[1].tree)[b].volume,
+                         query.b_to_a, query.tolerance)
+               .contact == Contact::overlapping;
+}
+
+/// Whether the child of a node of `side` overlaps what stands against it: the other node of the
+/// test or, where that was divided too, one of its children.
+bool overlaps_other(const EngineQuery& query, std::uint32_t side, std::uint32_t child,
+                    std::uint32_t other, bool divided) {
+    const std::vector<std::uint32_t> others =
+        divided ? children_of(*query.sides[1 - side].shape, other) : std::vector{other};
+    return std::any_of(others.begin(), others.end(), [&](std::uint32_t node) {
+        return side == 0 ? overlap(query, child, node) : overlap(query, node, child);
+    });
+}
 
 }  // namespace
 
@@ -45,8 +63,12 @@ DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedT
             const TreeShape& shape = *query.sides[side].shape;
             const std::vector<std::uint32_t> children =
                 children_of(shape, side == 0 ? tests[i].nodes.a : tests[i].nodes.b);
+            const std::uint32_t other = side == 0 ? tests[i].nodes.b : tests[i].nodes.a;
             std::uint32_t place = 0;
-            while (place < children.size() && tested.contains(children[place])) ++place;
+            while (place < children.size() &&
+                   (tested.contains(children[place]) ||
+                    !overlaps_other(query, side, children[place], other, both)))
+                ++place;
             if (place == children.size()) continue;
             if (counts.lacking == 0)
                 counts.first = {i, side, (*query.sides[side].tree)[children[place]].number, place};

@@ -4,8 +4,9 @@
 
 namespace scb {
 
-/// Adds what the tests of a query that passed led to: of a node that was divided, each child is
-/// tested, unless the engine knows better, or forgets one.
+/// Counts the tests that divided a node, and those of them that led to no test of a child although
+/// its volume overlaps the other node, or each node that was tested in place of that. Of a child
+/// that is apart from it, a test need not be recorded.
 DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests);
 
 }  // namespace scb

@@ -30,7 +30,8 @@ struct EngineEvent {
 struct EngineSide {
     const NodeTree* tree = nullptr;
     const TreeShape* shape = nullptr;
-    const Mesh* mesh = nullptr;  ///< nullptr: items are no triangles
+    /// nullptr: items are no triangles. Vertices need not be finite, see has_finite_corners.
+    const Mesh* mesh = nullptr;
     /// Items are objects, each alone in a leaf, whose volume is all that is known of them.
     bool objects_by_volume = false;
 };
@@ -39,8 +40,8 @@ struct EngineSide {
 struct EngineQuery {
     int frame = 0;
     std::array<EngineSide, 2> sides;
-    bool self = false;  ///< of one body against itself
-    bool rigid = true;  ///< whether both poses are
+    bool self = false;   ///< of one body against itself
+    bool placed = true;  ///< whether both bodies have a pose that keeps their volumes
     Pose b_to_a;
     std::optional<Pose> b_to_a_before;  ///< of the frame before, where there is one
     std::vector<EngineEvent> events;
@@ -51,6 +52,15 @@ struct EngineQuery {
     /// Lengths up to which the engine's arithmetic may differ from exact one: of volumes, and of
     /// triangles.
     double tolerance = 0, triangle_tolerance = 0;
+    /// The largest |coordinate| of the places of both bodies, which the tolerance follows.
+    double away = 0;
+    bool single = false;  ///< the engine's numbers are of 32 bits
 };
+
+/// Whether all coordinates are numbers of at most max_coordinate.
+inline bool is_usable(const Vec3& point) { return (point.array().abs() <= max_coordinate).all(); }
+
+/// Whether all corners of the triangle are usable.
+bool has_finite_corners(const Mesh& mesh, std::uint32_t triangle);
 
 }  // namespace scb

@@ -1,6 +1,7 @@
 #include "core/judge/engine_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 
@@ -13,7 +14,9 @@ using SharedPolytope = std::shared_ptr<const Polytope>;
 
 class EngineTree final : public VolumeTree {
   public:
-    EngineTree(const NodeTree& tree, const TreeShape& shape) : VolumeTree(shape), tree_(tree) {}
+    EngineTree(const NodeTree& tree, const TreeShape& shape) : VolumeTree(shape), tree_(tree) {
+        cut_open_boxes();
+    }
 
     bool has_volume(std::uint32_t node) const override {
         return scb::has_volume(tree_[node].volume);
@@ -23,7 +26,7 @@ class EngineTree final : public VolumeTree {
         const NodeVolume& told = tree_[node].volume;
         return std::visit(
             [&]<class V>(const V& v) -> AnyVolume {
-                if constexpr (std::is_same_v<V, std::monostate> ||
+                if constexpr (std::is_same_v<V, std::monostate> || std::is_same_v<V, OpenBox> ||
                               std::is_same_v<V, SharedPolytope>)
                     return convex_shape(told);
                 else
@@ -61,6 +64,40 @@ class EngineTree final : public VolumeTree {
     std::string name(std::uint32_t node) const override { return tree_.name_of(node); }
 
   private:
+    /// A picture shows a box without an end as far as the other volumes reach, and a bit farther.
+    void cut_open_boxes() {
+        Box all;
+        bool any = false;
+        for (std::uint32_t node = 0; node < tree_.size(); ++node) {
+            const NodeVolume& volume = tree_[node].volume;
+            if (const auto* open = std::get_if<OpenBox>(&volume)) {
+                any = true;
+                for (const Vec3& corner : {open->lower, open->upper})
+                    for (int i = 0; i < 3; ++i)
+                        if (std::isfinite(corner[i])) {
+                            all.lower[i] = std::min(all.lower[i], corner[i]);
+                            all.upper[i] = std::max(all.upper[i], corner[i]);
+                        }
+            } else if (scb::has_volume(volume)) {
+                const ConvexShape shape = convex_shape(volume);
+                for (int i = 0; i < 3; ++i) {
+                    all.lower[i] = std::min(
+                        all.lower[i], shape.center[i] - support(shape, Vec3(-Vec3::Unit(i))));
+                    all.upper[i] =
+                        std::max(all.upper[i], shape.center[i] + support(shape, Vec3::Unit(i)));
+                }
+            }
+        }
+        if (!any) return;
+        for (int i = 0; i < 3; ++i)
+            if (!(all.lower[i] <= all.upper[i])) all.lower[i] = all.upper[i] = 0;
+        const double size = (all.upper - all.lower).maxCoeff(), more = size > 0 ? size / 4 : 1;
+        for (std::uint32_t node = 0; node < tree_.size(); ++node)
+            if (const auto* open = std::get_if<OpenBox>(&tree_[node].volume))
+                tree_[node].volume =
+                    cut_box(*open, all.lower.array() - more, all.upper.array() + more);
+    }
+
     template <class Measures, class Measure>
     Measures measured(std::uint32_t node, Measure&& measure) const {
         const NodeVolume& told = tree_[node].volume;
@@ -68,7 +105,7 @@ class EngineTree final : public VolumeTree {
             [&]<class V>(const V& v) -> Measures {
                 if constexpr (std::is_same_v<V, std::monostate>)
                     return {};
-                else if constexpr (std::is_same_v<V, SharedPolytope>)
+                else if constexpr (std::is_same_v<V, OpenBox> || std::is_same_v<V, SharedPolytope>)
                     return measure(convex_shape(told));
                 else
                     return measure(v);
@@ -81,6 +118,7 @@ class EngineTree final : public VolumeTree {
                : std::holds_alternative<Scb2>(volume) ? VolumeFamily::two_slabs
                : std::holds_alternative<Ball>(volume) ? VolumeFamily::ball
                : std::holds_alternative<Obb>(volume)  ? VolumeFamily::box
+               : std::holds_alternative<OpenBox>(volume) ? VolumeFamily::box
                                                       : VolumeFamily::convex;
     }
 
@@ -93,6 +131,7 @@ std::string title_of(const NodeVolume& volume) {
         std::string operator()(const Obb& box) const {
             return box.axes == Mat3::Identity() ? "AABB" : "OBB";
         }
+        std::string operator()(const OpenBox&) const { return "AABB"; }
         std::string operator()(const Ball&) const { return "ball"; }
         std::string operator()(const Capsule&) const { return "capsule"; }
         std::string operator()(const Rss&) const { return "RSS"; }

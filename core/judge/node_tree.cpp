@@ -64,6 +64,20 @@ std::string NodeTree::volume_fault(std::uint32_t index) const {
     return found == volume_faults_.end() ? std::string() : found->second;
 }
 
+void NodeTree::set_object_volume(std::uint32_t object, NodeVolume volume) {
+    object_volumes_[object] = std::move(volume);
+}
+
+const NodeVolume* NodeTree::object_volume(std::uint32_t object) const {
+    const auto found = object_volumes_.find(object);
+    return found == object_volumes_.end() ? nullptr : &found->second;
+}
+
+void NodeTree::change_volumes(const std::function<NodeVolume(const NodeVolume&)>& change) {
+    for (TreeNode& node : nodes_) node.volume = change(node.volume);
+    for (auto& [object, volume] : object_volumes_) volume = change(volume);
+}
+
 TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
     const auto size = static_cast<std::uint32_t>(tree.size());
     TreeShape shape;
@@ -88,7 +102,10 @@ TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
         left.pop_back();
         shape.order.push_back(i);
         for (const std::uint32_t item : tree.items(i))
-            if (item < items && shape.holder[item] == no_index) shape.holder[item] = i;
+            if (item < items && shape.holder[item] == no_index)
+                shape.holder[item] = i;
+            else if (item < items)
+                shape.more_holders.emplace_back(item, i);
         const auto children = tree.children(i);
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
             const std::uint32_t c = tree.index_of(*child);
@@ -100,6 +117,9 @@ TreeShape tree_shape(const NodeTree& tree, std::size_t items) {
             left.push_back(c);
         }
     }
+    // Those of one item in the order of `order`.
+    std::stable_sort(shape.more_holders.begin(), shape.more_holders.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
     return shape;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +30,7 @@ struct TreeNode {
 class NodeTree {
   public:
     std::string name;
+    bool has_objects = false;  ///< items are objects, not triangles
 
     /// `node.first_child` to `node.item_count` are set here. The second node of a number is not
     /// taken.
@@ -57,12 +60,20 @@ class NodeTree {
     /// Why the node has none; empty where it has one, or was told to have none.
     std::string volume_fault(std::uint32_t index) const;
 
+    /// The extent of an object, in the tree's frame, from now on.
+    void set_object_volume(std::uint32_t object, NodeVolume volume);
+    /// nullptr where none was recorded.
+    const NodeVolume* object_volume(std::uint32_t object) const;
+    /// Changes all volumes, those of nodes and those of objects.
+    void change_volumes(const std::function<NodeVolume(const NodeVolume&)>& change);
+
   private:
     std::vector<TreeNode> nodes_;
     std::vector<std::uint32_t> children_, items_, told_twice_;
     bool tells_parents_ = false;  ///< not all are the same
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
     std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
+    std::map<std::uint32_t, NodeVolume> object_volumes_;
 };
 
 /// `items` is how many there are: those of higher numbers are left out.

@@ -40,6 +40,18 @@ ConvexShape shape(const Obb& box) {
     return result;
 }
 
+ConvexShape shape(const OpenBox& box) {
+    ConvexShape result = shape(
+        cut_box(box, Vec3::Constant(-max_coordinate), Vec3::Constant(max_coordinate)));
+    std::erase_if(result.faces, [&](const FacePlane& face) {
+        for (int i = 0; i < 3; ++i)
+            if (face.normal[i] != 0)
+                return std::isinf(face.normal[i] > 0 ? box.upper[i] : box.lower[i]);
+        return false;
+    });
+    return result;
+}
+
 ConvexShape shape(const Ball& ball) {
     return {ball.center,
             ball.radius,
@@ -104,6 +116,15 @@ struct Excess {
         const double most = outside.maxCoeff();
         return most <= 0 ? most : std::sqrt(squared_norm(outside.cwiseMax(0)));
     }
+    double operator()(const OpenBox& box) const {
+        double most = -HUGE_VAL, squares = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double outside = std::max(box.lower[i] - p[i], p[i] - box.upper[i]);
+            most = std::max(most, outside);
+            if (outside > 0) squares += outside * outside;
+        }
+        return most <= 0 ? most : std::sqrt(squares);
+    }
     double operator()(const Ball& ball) const {
         return std::sqrt(squared_norm(p - ball.center)) - ball.radius;
     }
@@ -145,6 +166,19 @@ ContactCertificate verdict(const V& a, const V& b, const Pose& b_to_a, double to
 }
 
 }  // namespace
+
+Obb box_between(const Vec3& lower, const Vec3& upper) {
+    return {lower + (upper - lower) / 2, Mat3::Identity(), (upper - lower) / 2};
+}
+
+Obb cut_box(const OpenBox& box, const Vec3& lower, const Vec3& upper) {
+    Vec3 from = box.lower, to = box.upper;
+    for (int i = 0; i < 3; ++i) {
+        if (std::isinf(from[i])) from[i] = std::min(to[i], lower[i]);
+        if (std::isinf(to[i])) to[i] = std::max(from[i], upper[i]);
+    }
+    return box_between(from, to);
+}
 
 Polytope slabs_polytope(std::span<const double> directions, std::span<const double> bounds) {
     const std::size_t count = directions.size() / 3;
@@ -229,11 +263,54 @@ bool has_slab_beside_center(const NodeVolume& volume) {
                               [](const Slab& slab) { return slab.f > 0 || slab.e < 0; });
 }
 
+/// How far the open box must reach so that it meets the other volume where it meets it without an
+/// end: beyond that volume's extents, `to_box` being that volume's pose in the box's frame.
+Obb cut_about(const OpenBox& box, const ConvexShape& other, const Pose& to_box) {
+    const ConvexShape seen = placed(other, to_box);
+    Vec3 lower, upper;
+    for (int i = 0; i < 3; ++i) {
+        lower[i] = seen.center[i] - support(seen, Vec3(-Vec3::Unit(i)));
+        upper[i] = seen.center[i] + support(seen, Vec3::Unit(i));
+    }
+    const double beyond = (upper - lower).maxCoeff() + std::sqrt(squared_norm(seen.center)) + 1;
+    return cut_box(box, lower.array() - beyond, upper.array() + beyond);
+}
+
+double finite_reach(const OpenBox& box) {
+    double reach = 1;
+    for (int i = 0; i < 3; ++i)
+        for (const double at : {box.lower[i], box.upper[i]})
+            if (std::isfinite(at)) reach = std::max(reach, std::abs(at));
+    return reach;
+}
+
+ContactCertificate open_verdict(const OpenBox& a, const OpenBox& b, const Pose& b_to_a,
+                                double tolerance) {
+    const double reach = 8 * (finite_reach(a) + finite_reach(b) +
+                              std::sqrt(squared_norm(b_to_a.translation)));
+    const Vec3 far = Vec3::Constant(reach);
+    const ContactCertificate found =
+        verdict(cut_box(a, -far, far), cut_box(b, -far, far), b_to_a, tolerance);
+    // Of boxes along the same axes each axis has its own intervals, so that the cut decides.
+    const bool along = (b_to_a.rotation.cwiseAbs().array().round() == b_to_a.rotation.cwiseAbs().array()).all();
+    return found.contact == Contact::disjoint && !along ? ContactCertificate{} : found;
+}
+
+/// The inverse of a rigid pose.
+Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
+
 }  // namespace
 
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
     if (!has_volume(a) || !has_volume(b)) return {};
+    const auto *open_a = std::get_if<OpenBox>(&a), *open_b = std::get_if<OpenBox>(&b);
+    if (open_a && open_b) return open_verdict(*open_a, *open_b, b_to_a, tolerance);
+    if (open_a)
+        return exact_verdict(cut_about(*open_a, convex_shape(b), b_to_a), b, b_to_a, tolerance);
+    if (open_b)
+        return exact_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a)), b_to_a,
+                             tolerance);
     // What scb2_reach gives is then only a bound.
     if (has_slab_beside_center(a) || has_slab_beside_center(b)) return {};
     return std::visit(

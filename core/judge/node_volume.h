@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,10 +21,22 @@ struct Polytope {
     std::vector<FacePlane> faces;  ///< from the center, with unit normals; empty: not known
 };
 
+/// A box along the axes of its body, of which at least one side is at infinity: that of a plane or
+/// a half space.
+struct OpenBox {
+    Vec3 lower = Vec3::Constant(-HUGE_VAL);  ///< -HUGE_VAL where it is open
+    Vec3 upper = Vec3::Constant(HUGE_VAL);
+};
+
+/// The box between these corners.
+Obb box_between(const Vec3& lower, const Vec3& upper);
+/// The part of the box between these corners, which has at least one point.
+Obb cut_box(const OpenBox& box, const Vec3& lower, const Vec3& upper);
+
 /// The volume of a node, of whatever engine, in the body's frame. `monostate`: none that one could
 /// judge. Axes and normals are as the engine has them: of one that computes in 32 bits, unit
 /// vectors to some 1e-7.
-using NodeVolume = std::variant<std::monostate, Obb, Ball, Capsule, Rss, Scb, Scb2,
+using NodeVolume = std::variant<std::monostate, Obb, OpenBox, Ball, Capsule, Rss, Scb, Scb2,
                                 std::shared_ptr<const Polytope>>;
 
 inline bool has_volume(const NodeVolume& volume) { return volume.index() != 0; }
@@ -37,13 +50,15 @@ Polytope slabs_polytope(std::span<const double> directions, std::span<const doub
 /// of the farthest plane. Not positive: it is inside.
 double excess(const NodeVolume& volume, const Vec3& point);
 
-/// The same volume by its farthest points.
+/// The same volume by its farthest points; an open box ends at max_coordinate, and has the faces
+/// of its finite sides.
 ConvexShape convex_shape(const NodeVolume& volume);
 
 /// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
 /// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,
-/// where one has no volume, and of a ball cut by two slabs with a volume of another type, or one
-/// whose center is not in both of its slabs.
+/// where one has no volume, of a ball cut by two slabs with a volume of another type, or one whose
+/// center is not in both of its slabs, and of two open boxes that are turned against each other and
+/// do not meet near their finite sides.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance);
 

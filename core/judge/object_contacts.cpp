@@ -6,19 +6,20 @@
 namespace scb {
 namespace {
 
-/// An object, and how far its leaf's volume reaches in A's frame.
+/// An object, and how far its volume reaches in A's frame.
 struct Extent {
-    std::uint32_t object = 0, node = 0;
+    std::uint32_t object = 0;
+    const NodeVolume* volume = nullptr;
     Vec3 lower, upper;
 };
 
 std::vector<Extent> extents(const EngineSide& side, const Pose& to_a, double tolerance) {
     std::vector<Extent> result;
     for (std::uint32_t object = 0; object < side.shape->holder.size(); ++object) {
-        const std::uint32_t node = side.shape->holder[object];
-        if (node == no_index || !has_volume((*side.tree)[node].volume)) continue;
-        const ConvexShape shape = placed(convex_shape((*side.tree)[node].volume), to_a);
-        Extent extent{object, node, Vec3::Zero(), Vec3::Zero()};
+        const NodeVolume* volume = volume_of_object(side, object);
+        if (!volume || !has_volume(*volume)) continue;
+        const ConvexShape shape = placed(convex_shape(*volume), to_a);
+        Extent extent{object, volume, Vec3::Zero(), Vec3::Zero()};
         for (int k = 0; k < 3; ++k) {
             extent.lower[k] = shape.center[k] - support(shape, Vec3(-Vec3::Unit(k))) - tolerance;
             extent.upper[k] = shape.center[k] + support(shape, Vec3::Unit(k)) + tolerance;
@@ -39,6 +40,12 @@ bool apart(const Extent& a, const Extent& b) {
 
 }  // namespace
 
+const NodeVolume* volume_of_object(const EngineSide& side, std::uint32_t object) {
+    if (const NodeVolume* extent = side.tree->object_volume(object)) return extent;
+    const std::uint32_t node = side.shape->holder_of(object);
+    return node == no_index ? nullptr : &(*side.tree)[node].volume;
+}
+
 bool has_object_volumes(const EngineQuery& query) {
     return query.sides[0].objects_by_volume && query.sides[1].objects_by_volume;
 }
@@ -49,10 +56,9 @@ std::vector<IndexPair> object_contacts(const EngineQuery& query) {
                               of_b = extents(side_b, query.b_to_a, query.tolerance);
     std::vector<IndexPair> contacts;
     const auto take = [&](const Extent& a, const Extent& b) {
-        if (apart(a, b)) return;
+        if (apart(a, b) || (query.self && a.object >= b.object)) return;
         const ContactCertificate found =
-            exact_verdict((*side_a.tree)[a.node].volume, (*side_b.tree)[b.node].volume,
-                          query.b_to_a, query.tolerance);
+            exact_verdict(*a.volume, *b.volume, query.b_to_a, query.tolerance);
         if (found.contact != Contact::disjoint) contacts.push_back({a.object, b.object});
     };
     // Each begins at its lower end, and meets those that began before and have not ended.

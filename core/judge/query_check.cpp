@@ -7,7 +7,9 @@
 
 #include "core/geometry/triangle_distance.h"
 #include "core/judge/division_check.h"
+#include "core/judge/missed_pairs.h"
 #include "core/judge/object_contacts.h"
+#include "core/judge/self_pairs.h"
 #include "core/judge/test_links.h"
 #include "scb/triangle_overlap.h"
 
@@ -16,15 +18,19 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return static_cast<std::uint64_t>(a) << 32 | b;
-}
-
 bool has_items(const EngineQuery& query, IndexPair items) {
     const auto has = [](const EngineSide& side, std::uint32_t item) {
         return !side.mesh || item < side.mesh->triangles.size();
     };
     return has(query.sides[0], items.a) && has(query.sides[1], items.b);
+}
+
+/// Of items that there are.
+bool are_finite(const EngineQuery& query, IndexPair items) {
+    const auto finite = [](const EngineSide& side, std::uint32_t item) {
+        return !side.mesh || has_finite_corners(*side.mesh, item);
+    };
+    return finite(query.sides[0], items.a) && finite(query.sides[1], items.b);
 }
 
 /// Two triangles of the query: whether they intersect, and whether that is within the tolerance.
@@ -42,14 +48,11 @@ std::array<TriangleCorners, 2> triangles_of(const EngineQuery& query, const Pose
 
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
     if (has_object_volumes(query)) {
-        // That of the leaves' volumes, of which one touches nothing where it is not known.
-        const auto volume_of = [](const EngineSide& side, std::uint32_t object) {
-            const std::uint32_t node = side.shape->holder_of(object);
-            return node == no_index ? NodeVolume{} : (*side.tree)[node].volume;
-        };
+        const NodeVolume *a = volume_of_object(query.sides[0], items.a),
+                         *b = volume_of_object(query.sides[1], items.b);
+        // An object without a volume touches all, which claims nothing.
         const ContactCertificate found =
-            exact_verdict(volume_of(query.sides[0], items.a), volume_of(query.sides[1], items.b),
-                          b_to_a, query.tolerance);
+            a && b ? exact_verdict(*a, *b, b_to_a, query.tolerance) : ContactCertificate{};
         return {found.contact == Contact::overlapping, found.contact == Contact::touching,
                 found.margin};
     }
@@ -65,7 +68,8 @@ bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query
 std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
                                const EngineEvent& event) {
     const IndexPair items{event.a, event.b};
-    if (!have_meshes(query) || !has_items(query, items)) return std::nullopt;
+    if (!have_meshes(query) || !has_items(query, items) || !are_finite(query, items))
+        return std::nullopt;
     const auto [a, b] = triangles_of(query, b_to_a, items);
     if (triangles_overlap(a, b) == (event.kind == Kind::items_meet)) return std::nullopt;
     const ItemContact contact = contact_of(query, b_to_a, items);
@@ -98,16 +102,24 @@ constexpr std::size_t most_looked_into = 100'000;
 class Judge {
   public:
     Judge(const EngineQuery& query, std::span<const IndexPair> contacts)
-        : query_(query), contacts_(contacts), links_(query) {}
+        : query_(query), contacts_(contacts), links_(query) {
+        if (!query.self || !have_meshes(query)) return;
+        const Mesh& mesh = *query.sides[0].mesh;
+        if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                        [](const Vec3& v) { return v.allFinite(); }))
+            self_.emplace(mesh);
+    }
 
     QueryJudgement judged() && {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
         count_waste();
         if (query_.complete) result_.divisions = check_divisions(query_, result_.tests);
         // Without results there is nothing to compare.
-        if (has_known_items(query_) && !query_.self && (query_.tells_pairs || query_.tells_items)) {
+        if (has_known_items(query_) && (query_.tells_pairs || query_.tells_items)) {
             if (query_.complete) find_missed();
             find_false();
+        } else if (has_known_items(query_) && query_.complete) {
+            result_.without_results = contacts_.size();
         }
         return std::move(result_);
     }
@@ -133,8 +145,7 @@ class Judge {
         const IndexPair items{event.a, event.b};
         const std::uint32_t led_by = links_.led_to_items(items);
         ++result_.item_tests;
-        item_tests_.try_emplace(key(event.a, event.b), item_parent_.size());
-        item_event_.push_back(i);
+        item_tests_.try_emplace(pair_key(query_, event.a, event.b), ItemTest{i, led_by});
         item_parent_.push_back(led_by);
         if (have_meshes(query_) && !has_items(query_, items))
             result_.wrong_item_tests.push_back({i, led_by, 0, false, true});
@@ -145,12 +156,6 @@ class Judge {
             result_.stray_item_tests.push_back({i, led_by, 0, true});
         if (event.kind == Kind::items_meet) mark_above(led_by);
         if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
-    }
-
-    /// A problem that a test of items is the cause of.
-    void blame(PairProblem& problem, std::size_t item_test) const {
-        problem.event = item_event_[item_test];
-        problem.test = item_parent_[item_test];
     }
 
     /// There is a pair below this test.
@@ -165,6 +170,7 @@ class Judge {
             const ContactCertificate found = certificate_of(query_, query_.b_to_a, test.nodes);
             test.verdict = verdict_of(found, event.stage);
             test.margin = found.margin;
+            result_.touching += found.contact == Contact::touching;
         }
         const TestLinks::Link link = links_.take_volumes(test.nodes, event.stage == 0);
         test.parent = link.led_by;
@@ -173,7 +179,14 @@ class Judge {
     }
 
     void report(std::uint32_t i, const EngineEvent& event) {
-        if (!reported_.try_emplace(key(event.a, event.b), i).second) return twice_.push_back(i);
+        if (!reported_.insert(pair_key(query_, event.a, event.b)).second) {
+            // Of a body against itself, a pair and the same the other way round are one.
+            if (!query_.self || event.a == event.b ||
+                !ordered_.insert(std::uint64_t{event.a} << 32 | event.b).second)
+                twice_.push_back(i);
+            return;
+        }
+        if (query_.self) ordered_.insert(std::uint64_t{event.a} << 32 | event.b);
         ++result_.reported;
         order_.push_back(i);
     }
@@ -199,96 +212,31 @@ class Judge {
 
     void find_missed() {
         std::size_t looked = 0;
+        std::optional<MissedPairs> missed;
         for (const IndexPair contact : contacts_) {
-            if (reported_.count(key(contact.a, contact.b)) > 0) continue;
+            if (reported_.contains(pair_key(query_, contact.a, contact.b))) continue;
             if (looked == most_looked_into) {
                 ++result_.not_looked_into;
                 continue;
             }
             ++looked;
-            if (contact_of(query_, query_.b_to_a, contact).grazing)
+            if (contact_of(query_, query_.b_to_a, contact).grazing) {
                 ++result_.grazing;
-            else
-                result_.pairs.push_back(cause_of(contact));
+                continue;
+            }
+            if (!missed) missed.emplace(query_, result_.tests, item_tests_);
+            result_.pairs.push_back(missed->cause_of(contact));
         }
         result_.exact = contacts_.size();
     }
 
-    PairProblem cause_of(IndexPair items) const {
-        PairProblem problem{items};
-        const std::uint32_t leaves[2] = {query_.sides[0].shape->holder[items.a],
-                                         query_.sides[1].shape->holder[items.b]};
-        for (std::uint32_t side = 0; side < 2; ++side)
-            if (leaves[side] == no_index) {
-                problem.cause = PairCause::in_no_leaf;
-                problem.side = side;
-                return problem;
-            }
-        const NodeTree &tree_a = *query_.sides[0].tree, &tree_b = *query_.sides[1].tree;
-        if (const auto tested = item_tests_.find(key(items.a, items.b));
-            tested != item_tests_.end()) {
-            blame(problem, tested->second);
-            const bool meet = query_.events[problem.event].kind == Kind::items_meet;
-            problem.cause = meet ? PairCause::not_reported : PairCause::items_apart;
-            problem.nodes = {tree_a[leaves[0]].number, tree_b[leaves[1]].number};
-            return problem;
-        }
-        // The first rejection on the way to the pair, else how far the query came.
-        std::uint32_t rejected = no_index, deepest = no_index, most = 0;
-        for (std::uint32_t a = leaves[0]; a != no_index; a = query_.sides[0].shape->parents[a])
-            for (std::uint32_t b = leaves[1]; b != no_index;
-                 b = query_.sides[1].shape->parents[b]) {
-                const std::optional<std::uint32_t> found = links_.test_of({a, b});
-                if (!found) continue;
-                const JudgedTest& test = result_.tests[*found];
-                const std::uint32_t depth =
-                    query_.sides[0].shape->depths[a] + query_.sides[1].shape->depths[b];
-                if (query_.events[test.event].stage != 0)
-                    rejected = std::min(rejected, *found);
-                else if (deepest == no_index || depth > most) {
-                    deepest = *found;
-                    most = depth;
-                }
-            }
-        const std::uint32_t at = rejected != no_index ? rejected : deepest;
-        if (at == no_index) {
-            problem.cause = PairCause::never_tested;
-            return problem;
-        }
-        const JudgedTest& test = result_.tests[at];
-        problem.event = test.event;
-        problem.test = at;
-        problem.nodes = {tree_a[test.nodes.a].number, tree_b[test.nodes.b].number};
-        if (rejected == no_index) {
-            const bool leaf_pair = test.nodes.a == leaves[0] && test.nodes.b == leaves[1];
-            problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
-            problem.next = {next_number(0, test.nodes.a, leaves[0]),
-                            next_number(1, test.nodes.b, leaves[1])};
-            return problem;
-        }
-        problem.cause = PairCause::rejected;
-        for (std::uint32_t side = 0; side < 2; ++side) {
-            const std::uint32_t item = side == 0 ? items.a : items.b,
-                                node = side == 0 ? test.nodes.a : test.nodes.b;
-            const EngineSide& of = query_.sides[side];
-            if (!of.mesh) continue;
-            for (const Vec3& corner : corners(*of.mesh, item)) {
-                const double amount = excess((*of.tree)[node].volume, corner);
-                if (!(amount > query_.tolerance) || !(amount > problem.amount)) continue;
-                problem.cause = PairCause::not_contained;
-                problem.side = side;
-                problem.amount = amount;
-            }
-        }
-        return problem;
-    }
-
-    /// The number of the child of `node` that has `leaf` below it; no_index of the leaf itself.
-    std::uint32_t next_number(std::size_t side, std::uint32_t node, std::uint32_t leaf) const {
-        const EngineSide& of = query_.sides[side];
-        std::uint32_t next = no_index;
-        for (std::uint32_t i = leaf; i != node && i != no_index; i = of.shape->parents[i]) next = i;
-        return next == no_index ? no_index : (*of.tree)[next].number;
+    /// A broadphase may report objects by the boxes of its leaves, which are larger than theirs.
+    bool leaves_meet(IndexPair items) const {
+        if (!has_object_volumes(query_)) return false;
+        const IndexPair leaves{query_.sides[0].shape->holder_of(items.a),
+                               query_.sides[1].shape->holder_of(items.b)};
+        return can_judge(query_, leaves) &&
+               certificate_of(query_, query_.b_to_a, leaves).contact == Contact::overlapping;
     }
 
     void find_false() {
@@ -298,16 +246,27 @@ class Judge {
             PairProblem problem{items, PairCause::unknown_item};
             problem.event = i;
             if (has_items(query_, items)) {
+                if (!are_finite(query_, items)) {
+                    ++result_.broken;
+                    continue;
+                }
+                if (query_.self && (items.a == items.b || (self_ && self_->share_vertex(items.a, items.b)))) {
+                    if (items.a != items.b && self_->may_meet_elsewhere(items.a, items.b, query_.triangle_tolerance)) continue;
+                    problem.cause = PairCause::neighbours;
+                    result_.pairs.push_back(problem);
+                    continue;
+                }
                 const ItemContact contact = contact_of(query_, query_.b_to_a, items);
-                if (contact.meet) continue;
+                if (contact.meet || leaves_meet(items)) continue;
                 if (contact.grazing) {
                     ++result_.grazing;
                     continue;
                 }
-                const auto tested = item_tests_.find(key(items.a, items.b));
+                const auto tested = item_tests_.find(pair_key(query_, items.a, items.b));
                 problem.cause = PairCause::reported_untested;
                 if (tested != item_tests_.end()) {
-                    blame(problem, tested->second);
+                    problem.event = tested->second.event;
+                    problem.test = tested->second.test;
                     problem.cause = query_.events[problem.event].kind == Kind::items_meet
                                         ? PairCause::items_meet
                                         : PairCause::reported_in_spite;
@@ -327,12 +286,14 @@ class Judge {
     std::span<const IndexPair> contacts_;
     QueryJudgement result_;
     TestLinks links_;
-    // By items: lookups only.
-    std::unordered_map<std::uint64_t, std::size_t> item_tests_;  ///< the first, as a place below
-    std::unordered_map<std::uint64_t, std::uint32_t> reported_;
-    std::vector<std::uint32_t> order_, twice_;  ///< reports
-    /// Per test of items: the event, and the test of volumes that led to it.
-    std::vector<std::uint32_t> item_event_, item_parent_;
+    std::optional<SelfPairs> self_;  ///< of triangles of a body against itself
+    // By pair_key: lookups only.
+    std::unordered_map<std::uint64_t, ItemTest> item_tests_;  ///< the first
+    std::unordered_set<std::uint64_t> reported_;
+    std::unordered_set<std::uint64_t> ordered_;  ///< of a body against itself: as reported
+    std::vector<std::uint32_t> order_, twice_;   ///< reports
+    /// Per test of items the test of volumes that led to it.
+    std::vector<std::uint32_t> item_parent_;
 };
 
 }  // namespace
@@ -346,6 +307,11 @@ std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
 std::uint64_t QueryJudgement::repeated() const {
     return static_cast<std::uint64_t>(std::count_if(
         tests.begin(), tests.end(), [](const JudgedTest& test) { return test.repeated; }));
+}
+
+bool has_finite_corners(const Mesh& mesh, std::uint32_t triangle) {
+    const TriangleCorners of = corners(mesh, triangle);
+    return std::all_of(of.begin(), of.end(), is_usable);
 }
 
 bool has_known_items(const EngineQuery& query) {

@@ -31,11 +31,16 @@ struct JudgedTest {
 /// Why a pair that intersects is not among those that were reported, or one that does not is. From
 /// `reported_in_spite` on it is the latter.
 enum class PairCause : std::uint8_t {
+    no_tree,            ///< no node of the tree was recorded
     in_no_leaf,         ///< no node that a root leads to has the triangle
     not_contained,      ///< rejected at a node that does not contain the triangle
+    bad_volume,         ///< rejected at a node whose volume is none
     rejected,           ///< rejected although the volumes overlap
     never_visited,      ///< nodes overlapped, and what is below them was not tested
-    never_tested,       ///< no test of two nodes that have them below was told
+    below_outside,      ///< no test was recorded, and a node above does not contain the triangle
+    below_bad_volume,   ///< no test was recorded, and a node above has a volume that is none
+    no_tests,           ///< the query has no tests of volumes, so that the cause is not known
+    never_tested,       ///< no test of two nodes that have them below was recorded
     items_not_tested,   ///< the leaves overlapped, and the triangles were not tested
     items_apart,        ///< the test of the two triangles said that they are apart
     not_reported,       ///< it said that they meet, but the pair was not reported
@@ -43,10 +48,11 @@ enum class PairCause : std::uint8_t {
                         ///< apart
     items_meet,         ///< the test of the two triangles said that they meet
     reported_untested,  ///< reported without a test
+    neighbours,         ///< of one mesh: they have a vertex in common and meet nowhere else
     unknown_item,       ///< one of the two does not exist
     reported_twice,
 };
-inline constexpr std::size_t pair_cause_count = 13;
+inline constexpr std::size_t pair_cause_count = 19;
 inline bool is_missed(PairCause cause) { return cause < PairCause::reported_in_spite; }
 
 /// A pair of items that is missed or false, and why.
@@ -76,7 +82,7 @@ struct WrongItemTest {
 };
 
 /// Of the tests that led to others, those that led to tests of some children of a node but not of
-/// all.
+/// one that overlaps what stands against it, see check_divisions.
 struct DivisionCounts {
     struct Lack {
         std::uint32_t test = no_index;  ///< the judged test
@@ -99,7 +105,11 @@ struct QueryJudgement {
     std::vector<WrongItemTest> stray_item_tests;
     std::uint64_t reported = 0;      ///< pairs, each once
     std::uint64_t exact = 0;         ///< pairs that intersect
+    /// Of a query whose results were not recorded: pairs that intersect.
+    std::uint64_t without_results = 0;
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
+    std::uint64_t broken = 0;        ///< reported, of triangles that are not finite: not judged
+    std::uint64_t touching = 0;      ///< tests of volumes that are within the tolerance
     DivisionCounts divisions;        ///< of a complete query
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
     /// Pairs that were not reported, beyond the first 100,000: whether they only touch, and why
@@ -117,8 +127,9 @@ struct QueryJudgement {
 /// as of has_object_volumes.
 bool has_known_items(const EngineQuery& query);
 
-/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted; of objects those
-/// of object_contacts; empty where only one side has a mesh. O(tests) exact verdicts.
+/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted, of finite
+/// triangles; of a body against itself those of SelfPairs; of objects those of object_contacts;
+/// empty where only one side has a mesh. O(tests) exact verdicts.
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
 
 /// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,

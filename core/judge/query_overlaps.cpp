@@ -5,7 +5,7 @@
 namespace scb {
 
 std::vector<std::size_t> level_overlaps(const EngineQuery& query, std::size_t most) {
-    if (query.self || !query.rigid) return {};
+    if (query.self || !query.placed) return {};
     const EngineSide &a = query.sides[0], &b = query.sides[1];
     return level_overlaps(
         *a.shape, *b.shape,

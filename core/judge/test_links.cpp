@@ -60,8 +60,19 @@ bool TestLinks::strays(IndexPair items) const {
 bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }
 
 std::optional<std::uint32_t> TestLinks::test_of_items(IndexPair items) const {
-    return test_of(
-        {query_.sides[0].shape->holder_of(items.a), query_.sides[1].shape->holder_of(items.b)});
+    std::optional<std::uint32_t> latest;
+    const auto take = [&](IndexPair nodes) {
+        const std::optional<std::uint32_t> found = test_of(nodes);
+        if (found && (!latest || *found > *latest)) latest = found;
+    };
+    const TreeShape &shape_a = *query_.sides[0].shape, &shape_b = *query_.sides[1].shape;
+    for (const std::uint32_t a : shape_a.holders_of(items.a))
+        for (const std::uint32_t b : shape_b.holders_of(items.b)) take({a, b});
+    // A body against itself may be entered the other way round.
+    if (query_.self && !latest)
+        for (const std::uint32_t a : shape_a.holders_of(items.b))
+            for (const std::uint32_t b : shape_b.holders_of(items.a)) take({a, b});
+    return latest;
 }
 
 std::optional<std::uint32_t> TestLinks::test_of(IndexPair nodes) const {

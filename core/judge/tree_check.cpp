@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/text_format.h"
+#include "core/judge/engine_query.h"
+#include "core/judge/triangle_cover.h"
 
 namespace scb {
 namespace {
@@ -33,7 +35,8 @@ double excess(const NodeVolume& volume, const Mesh& mesh, std::uint32_t triangle
     return most;
 }
 
-/// How far the child reaches beyond the parent, at least.
+}  // namespace
+
 double reach_beyond(const ConvexShape& parent, const ConvexShape& child) {
     double most = -HUGE_VAL;
     const Vec3 moved = child.center - parent.center;
@@ -53,25 +56,70 @@ double reach_beyond(const ConvexShape& parent, const ConvexShape& child) {
     return most;
 }
 
-using Worst = std::vector<TreeProblem>;  // per node
+namespace {
 
-void note(TreeProblem& worst, std::uint32_t item, std::uint32_t other, double amount) {
-    if (worst.node != no_index && !(amount > worst.amount)) return;
-    worst.fault = TreeFault::outside;
-    worst.item = item;
-    worst.other = other;
-    worst.amount = amount;
+/// Per node its worst problem.
+struct Worst {
+    const NodeTree& tree;
+    std::vector<TreeProblem> problems;
+    std::vector<bool> found;
+
+    explicit Worst(const NodeTree& of) : tree(of), problems(of.size()), found(of.size(), false) {}
+
+    void note(std::uint32_t node, TreeFault fault, std::uint32_t item, std::uint32_t other,
+              double amount) {
+        TreeProblem& worst = problems[node];
+        if (found[node] && !(amount > worst.amount)) return;
+        worst = {fault, tree[node].number, other, item, amount};
+        found[node] = true;
+    }
+};
+
+/// Of a triangle in several leaves.
+void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
+                 std::uint32_t item, double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
+    std::vector<LeafWay> ways;
+    std::vector<std::vector<std::uint32_t>> nodes;
+    for (const std::uint32_t holder : shape.holders_of(item)) {
+        LeafWay& way = ways.emplace_back();
+        std::vector<std::uint32_t>& of_way = nodes.emplace_back();
+        for (std::uint32_t node = holder; node != no_index; node = shape.parents[node])
+            if (has_volume(tree[node].volume)) {
+                way.push_back(&tree[node].volume);
+                of_way.push_back(node);
+            }
+    }
+    const TriangleCover cover = cover_of(corners(mesh, item), ways, tolerance);
+    unjudged.splits += cover.kind == TriangleCover::Kind::undecided;
+    if (cover.kind != TriangleCover::Kind::open) return;
+    std::uint32_t farthest = no_index;
+    double most = -HUGE_VAL;
+    for (const std::uint32_t node : nodes[cover.nearest])
+        if (const double amount = excess(tree[node].volume, cover.point); amount > most) {
+            most = amount;
+            farthest = node;
+        }
+    worst.note(farthest, TreeFault::part_outside, item, no_index, cover.amount);
 }
 
 void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
-                     double tolerance, Worst& worst, std::vector<bool>& found) {
+                     double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
+    std::vector<bool> split(mesh.triangles.size(), false);
+    for (const auto& [item, node] : shape.more_holders)
+        if (!split[item] && has_finite_corners(mesh, item)) {
+            split[item] = true;
+            check_split(tree, shape, mesh, item, tolerance, worst, unjudged);
+        }
+    const auto is_whole = [&](std::uint32_t item) {
+        return item < mesh.triangles.size() && !split[item] && has_finite_corners(mesh, item);
+    };
     // From the leaves up: the box of all below, which settles most nodes.
     std::vector<Box> boxes(tree.size());
     std::vector<bool> open(tree.size(), false);
     for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
         Box& box = boxes[*i];
         for (const std::uint32_t item : tree.items(*i))
-            if (item < mesh.triangles.size()) box.add(box_of(mesh, item));
+            if (is_whole(item)) box.add(box_of(mesh, item));
         if (const std::uint32_t parent = shape.parents[*i]; parent != no_index)
             boxes[parent].add(box);
         open[*i] = has_volume(tree[*i].volume) && box.lower[0] <= box.upper[0] &&
@@ -79,31 +127,56 @@ void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& m
     }
     for (const std::uint32_t i : shape.order)
         for (const std::uint32_t item : tree.items(i)) {
-            if (item >= mesh.triangles.size()) continue;
+            if (!is_whole(item)) continue;
             for (std::uint32_t above = i; above != no_index; above = shape.parents[above]) {
                 if (!open[above]) continue;
                 const double amount = excess(tree[above].volume, mesh, item);
-                if (amount <= tolerance) continue;
-                note(worst[above], item, no_index, amount);
-                worst[above].node = tree[above].number;
-                found[above] = true;
+                if (amount > tolerance)
+                    worst.note(above, TreeFault::outside, item, no_index, amount);
             }
         }
 }
 
-void check_children(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst,
-                    std::vector<bool>& found) {
+/// Of a tree whose items are objects.
+void check_objects(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst,
+                   UnjudgedVolumes& unjudged) {
+    for (const std::uint32_t leaf : shape.order) {
+        if (tree.items(leaf).empty() || !has_volume(tree[leaf].volume)) continue;
+        bool known = true;
+        for (const std::uint32_t object : tree.items(leaf)) {
+            const NodeVolume* extent = tree.object_volume(object);
+            known = known && extent;
+            if (!extent) continue;
+            const ConvexShape of_object = convex_shape(*extent);
+            for (std::uint32_t node = leaf; node != no_index; node = shape.parents[node]) {
+                if (!has_volume(tree[node].volume)) continue;
+                const double amount = reach_beyond(convex_shape(tree[node].volume), of_object);
+                if (amount > tolerance)
+                    worst.note(node, TreeFault::outside, object, no_index, amount);
+            }
+        }
+        ++unjudged.of_leaves;
+        unjudged.leaves += !known;
+    }
+}
+
+void check_children(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst) {
     for (const std::uint32_t i : shape.order) {
         const std::uint32_t parent = shape.parents[i];
         if (parent == no_index || !has_volume(tree[i].volume) || !has_volume(tree[parent].volume))
             continue;
         const double amount =
             reach_beyond(convex_shape(tree[parent].volume), convex_shape(tree[i].volume));
-        if (!(amount > tolerance)) continue;
-        note(worst[parent], no_index, tree[i].number, amount);
-        worst[parent].node = tree[parent].number;
-        found[parent] = true;
+        if (amount > tolerance)
+            worst.note(parent, TreeFault::outside, no_index, tree[i].number, amount);
     }
+}
+
+/// The first that is not finite.
+std::uint32_t broken_vertex(const Mesh& mesh, std::uint32_t item) {
+    for (const std::uint32_t vertex : mesh.triangles[item])
+        if (!is_usable(mesh.vertices[vertex])) return vertex;
+    return no_index;
 }
 
 std::string number_words(const NodeTree& tree, std::uint32_t number) {
@@ -143,47 +216,45 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
         const bool is_entered = shape.depths[i] != no_index && shape.depths[i] > 0;
         if (!is_entered && lister[i] != no_index) add(TreeFault::unreachable, node.number);
     }
-    for (std::size_t k = 1; k < shape.roots.size(); ++k)
-        add(TreeFault::second_root, tree[shape.roots[k]].number, tree[shape.roots[0]].number);
-    if (!mesh) return problems;
+    // Of a tree without nodes nothing is known.
+    if (!mesh || tree.size() == 0) return problems;
 
-    const std::size_t count = mesh->triangles.size();
-    std::vector<std::uint32_t> holder(count, no_index);
+    const auto count = static_cast<std::uint32_t>(mesh->triangles.size());
     for (const std::uint32_t i : shape.order)
-        for (const std::uint32_t item : tree.items(i)) {
-            if (item >= count)
-                add(TreeFault::triangle_unknown, tree[i].number, no_index, item);
-            else if (holder[item] != no_index)
-                add(TreeFault::triangle_twice, tree[holder[item]].number, tree[i].number, item);
-            else
-                holder[item] = i;
-        }
+        for (const std::uint32_t item : tree.items(i))
+            if (item >= count) add(TreeFault::triangle_unknown, tree[i].number, no_index, item);
     for (std::uint32_t item = 0; item < count; ++item)
-        if (holder[item] == no_index) add(TreeFault::triangle_nowhere, no_index, no_index, item);
+        if (shape.holder_of(item) == no_index)
+            add(TreeFault::triangle_nowhere, no_index, no_index, item);
+    for (std::uint32_t item = 0; item < count; ++item)
+        if (!has_finite_corners(*mesh, item))
+            add(TreeFault::triangle_broken, no_index, broken_vertex(*mesh, item), item);
     return problems;
 }
 
 std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
-                                       const Mesh* mesh, double tolerance) {
+                                       const Mesh* mesh, double tolerance,
+                                       UnjudgedVolumes* unjudged) {
     std::vector<TreeProblem> problems;
     bool any = false;
     for (const std::uint32_t i : shape.order) any |= has_volume(tree[i].volume);
-    Worst worst(tree.size());
-    std::vector<bool> found(tree.size(), false);
-    if (mesh)
-        check_triangles(tree, shape, *mesh, tolerance, worst, found);
-    else
-        check_children(tree, shape, tolerance, worst, found);
+    Worst worst(tree);
+    UnjudgedVolumes not_judged;
+    if (mesh) {
+        check_triangles(tree, shape, *mesh, tolerance, worst, not_judged);
+    } else {
+        check_children(tree, shape, tolerance, worst);
+        check_objects(tree, shape, tolerance, worst, not_judged);
+    }
+    if (unjudged) *unjudged = not_judged;
     for (const std::uint32_t i : shape.order) {
         if (!tree.volume_fault(i).empty())
-            worst[i].fault = TreeFault::bad_volume;
+            worst.problems[i] = {TreeFault::bad_volume, tree[i].number};
         else if (any && !has_volume(tree[i].volume))
-            worst[i].fault = TreeFault::no_volume;
-        else if (!found[i])
+            worst.problems[i] = {TreeFault::no_volume, tree[i].number};
+        else if (!worst.found[i])
             continue;
-        worst[i].node = tree[i].number;
-        found[i] = true;
-        problems.push_back(worst[i]);
+        problems.push_back(worst.problems[i]);
     }
     std::stable_sort(problems.begin(), problems.end(),
                      [&](const TreeProblem& a, const TreeProblem& b) {
@@ -195,10 +266,15 @@ std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& sh
     return problems;
 }
 
+std::string amount_words(double length) {
+    return length >= max_coordinate / 2 ? "an infinite length" : format("%.6g", length);
+}
+
 std::string words_of(const TreeProblem& problem, const NodeTree& tree) {
     const std::string node = problem.node == no_index ? "" : number_words(tree, problem.node),
                       other = problem.other == no_index ? "" : number_words(tree, problem.other),
-                      triangle = "triangle " + std::to_string(problem.item);
+                      triangle = (tree.has_objects ? "object " : "triangle ") +
+                                 std::to_string(problem.item);
     switch (problem.fault) {
         case TreeFault::told_twice:
             return node + " is described twice";
@@ -213,16 +289,15 @@ std::string words_of(const TreeProblem& problem, const NodeTree& tree) {
         case TreeFault::dropped:
             return node + " says that its parent is " + other +
                    ", which does not list it: no query comes there";
-        case TreeFault::second_root:
-            return node + " has no parent, as " + other;
         case TreeFault::unreachable:
             return node + " is in a cycle, or below one";
         case TreeFault::triangle_nowhere:
             return triangle + " is in no leaf";
-        case TreeFault::triangle_twice:
-            return triangle + " is in two leaves, " + node + " and " + other;
         case TreeFault::triangle_unknown:
             return node + " has " + triangle + ", which the mesh does not have";
+        case TreeFault::triangle_broken:
+            return triangle + " has vertex " + std::to_string(problem.other) +
+                   ", which is not finite";
         case TreeFault::bad_volume:
             return node +
                    " has a volume that is none: " + tree.volume_fault(tree.index_of(problem.node));
@@ -231,7 +306,10 @@ std::string words_of(const TreeProblem& problem, const NodeTree& tree) {
         case TreeFault::outside:
             return node + " does not contain " +
                    (problem.item != no_index ? triangle : "the volume of " + other) + ", by " +
-                   format("%.6g", problem.amount);
+                   amount_words(problem.amount);
+        case TreeFault::part_outside:
+            return node + " does not contain its part of " + triangle + ", by " +
+                   amount_words(problem.amount);
     }
     return {};
 }

@@ -14,14 +14,15 @@ enum class TreeFault {
                        ///< second that lists it
     wrong_parent,      ///< `node` says that its parent is `other`, and another lists it
     dropped,           ///< `node` says that its parent is `other`, which does not list it
-    second_root,       ///< `node` has no parent, as the first root
     unreachable,       ///< no root leads to `node`, which is in or below a cycle
     triangle_nowhere,  ///< no node that a root leads to has `item`
-    triangle_twice,    ///< `node` and `other` both have `item`
     triangle_unknown,  ///< `node` has `item`, which the mesh does not
+    triangle_broken,   ///< `item` has the vertex `other`, which is not finite
     bad_volume,        ///< of `node`: see NodeTree::volume_fault
     no_volume,         ///< `node` has none, where others do
     outside,  ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
+    part_outside,  ///< a part of `item` is in none of the leaves that have it; the nearest is below
+                   ///< `node`, `amount` away
 };
 inline constexpr std::size_t tree_fault_count = 13;
 
@@ -38,12 +39,28 @@ struct TreeProblem {
 std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shape,
                                      const Mesh* mesh);
 
+/// What of the volumes of a tree could not be judged.
+struct UnjudgedVolumes {
+    /// Leaves of objects whose own extents were not recorded, and how many leaves there are.
+    std::uint64_t leaves = 0, of_leaves = 0;
+    std::uint64_t splits = 0;  ///< triangles in several leaves, see TriangleCover::undecided
+};
+
 /// Checks all volumes: that there are some, and that each contains, but for `tolerance`, the
 /// triangles of all nodes below it; of a tree without mesh, the volumes of its children, where a
-/// few directions tell. One problem per node, that of the greatest amount; the nodes farthest from
-/// the root first. O(n) where the box of what is below shows that it is contained, else O(n depth).
+/// few directions tell, and the extents of objects. A triangle in several leaves must be in all of
+/// them together, see cover_of. One problem per node, that of the greatest amount; the nodes
+/// farthest from the root first. O(n) where the box of what is below shows that it is contained,
+/// else O(n depth).
 std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
-                                       const Mesh* mesh, double tolerance);
+                                       const Mesh* mesh, double tolerance,
+                                       UnjudgedVolumes* unjudged = nullptr);
+
+/// How far the child reaches beyond the parent, at least.
+double reach_beyond(const ConvexShape& parent, const ConvexShape& child);
+
+/// A length, which may be infinite.
+std::string amount_words(double length);
 
 /// The problem as a sentence that begins with the node: "node 7 does not contain triangle 12 by
 /// 0.03."

@@ -1,50 +1,85 @@
 #include "core/judge/tree_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scb {
 
-void TreeWatch::look(int frame, const NodeTree& tree, const TreeShape& shape, const Mesh* mesh,
-                     double tolerance, int version, int volume_version) {
-    if (frame == looked_ && version == version_ && volume_version == volume_version_) return;
-    if (version != version_) {
-        version_ = version;
-        std::vector<TreeProblem> found = check_shape(tree, shape, mesh);
-        if (found != shape_problems_)
-            for (const TreeProblem& problem : found)
-                of_shape_.push_back({problem, words_of(problem, tree), frame, frame});
-        shape_problems_ = std::move(found);
+void TreeWatch::look_at_shape(int frame, const WatchedTree& tree) {
+    version_ = tree.version;
+    std::vector<TreeProblem> found = check_shape(tree.tree, tree.shape, tree.mesh);
+    if (found != shape_problems_)
+        for (const TreeProblem& problem : found)
+            of_shape_.push_back(
+                {problem, words_of(problem, tree.tree), frame, 0, frame, false, frame});
+    shape_problems_ = std::move(found);
+}
+
+void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& problem) {
+    const int told_at = tree.tree[tree.tree.index_of(problem.node)].told_at;
+    const auto last = amounts_.find(problem.node);
+    const double before = last == amounts_.end() ? 0 : last->second;
+    const bool stale = told_at < frame && looked_ >= told_at && 2 * before <= problem.amount;
+    const auto [known, added] = by_node_.try_emplace(problem.node, of_volumes_.size());
+    present_.push_back(known->second);
+    if (added) {
+        of_volumes_.push_back({problem, words_of(problem, tree.tree), frame, problem.amount, frame,
+                               stale, told_at});
+        return;
     }
-    if (volume_version == volume_version_) {
+    WatchedProblem& watched = of_volumes_[known->second];
+    watched.frames += frame != looked_;
+    if (!(problem.amount > watched.problem.amount)) return;
+    if (stale) {
+        watched.stale = true;
+        watched.told_at = told_at;
+    }
+    watched.problem = problem;
+    watched.words = words_of(problem, tree.tree);
+    watched.worst_at = frame;
+}
+
+void TreeWatch::look(int frame, const WatchedTree& tree) {
+    if (frame == looked_ && tree.version == version_ && tree.volume_version == volume_version_)
+        return;
+    if (tree.version != version_) look_at_shape(frame, tree);
+    if (tree.volume_version == volume_version_) {
         if (frame != looked_)
             for (const std::size_t i : present_) ++of_volumes_[i].frames;
         looked_ = frame;
         return;
     }
-    volume_version_ = volume_version;
+    volume_version_ = tree.volume_version;
     present_.clear();
-    for (const TreeProblem& problem : check_volumes(tree, shape, mesh, tolerance)) {
-        const auto [known, added] = by_node_.try_emplace(problem.node, of_volumes_.size());
-        present_.push_back(known->second);
-        const int told_at = tree[tree.index_of(problem.node)].told_at;
-        if (added) {
-            of_volumes_.push_back(
-                {problem, words_of(problem, tree), frame, told_at, looked_ >= told_at});
-            continue;
-        }
-        WatchedProblem& before = of_volumes_[known->second];
-        before.frames += frame != looked_;
-        if (problem.amount > before.problem.amount) {
-            before.problem = problem;
-            before.words = words_of(problem, tree);
-        }
+    UnjudgedVolumes unjudged;
+    const std::vector<TreeProblem> problems =
+        check_volumes(tree.tree, tree.shape, tree.mesh, tree.tolerance, &unjudged);
+    std::map<std::uint32_t, double> amounts;
+    std::size_t outside = 0;
+    for (const TreeProblem& problem : problems) {
+        note(frame, tree, problem);
+        amounts.emplace(problem.node, problem.amount);
+        outside += problem.fault == TreeFault::outside;
     }
+    amounts_ = std::move(amounts);
+    if (outside > most_outside_) {
+        most_outside_ = outside;
+        most_outside_at_ = frame;
+    }
+    unjudged_.leaves = std::max(unjudged_.leaves, unjudged.leaves);
+    unjudged_.of_leaves = std::max(unjudged_.of_leaves, unjudged.of_leaves);
+    unjudged_.splits = std::max(unjudged_.splits, unjudged.splits);
     looked_ = frame;
 }
 
 std::vector<WatchedProblem> TreeWatch::problems() const {
-    std::vector<WatchedProblem> all = of_shape_;
-    all.insert(all.end(), of_volumes_.begin(), of_volumes_.end());
+    std::vector<WatchedProblem> all = of_shape_, of_volumes = of_volumes_;
+    // Those of one look stand farthest from the root first.
+    std::stable_sort(of_volumes.begin(), of_volumes.end(),
+                     [](const WatchedProblem& x, const WatchedProblem& y) {
+                         return x.problem.amount > y.problem.amount;
+                     });
+    all.insert(all.end(), of_volumes.begin(), of_volumes.end());
     return all;
 }
 

@@ -8,33 +8,54 @@ namespace scb {
 
 /// A problem of a tree, and when it was there.
 struct WatchedProblem {
-    TreeProblem problem;       ///< of a volume: where it is worst
-    std::string words;         ///< a clause, see words_of
-    int since = 0;             ///< the first frame
-    int told_at = 0;           ///< the frame at which the volume was told that was wrong first
-    bool stale = false;        ///< the same volume contained all in an earlier frame
+    TreeProblem problem;      ///< of a volume: where it is worst
+    std::string words;        ///< a clause, see words_of
+    int since = 0;            ///< the first frame
+    double since_amount = 0;  ///< of a volume: how large the problem was there
+    int worst_at = 0;         ///< the frame at which it is worst
+    /// An earlier frame had the same volume, which was right there or at most half as wrong.
+    bool stale = false;
+    int told_at = 0;           ///< the frame at which the wrong volume was recorded
     std::uint64_t frames = 1;  ///< in how many of the frames that were looked at
 };
 
-/// Checks a tree frame by frame.
+/// A tree to be checked, and how often what was recorded of it has changed.
+struct WatchedTree {
+    const NodeTree& tree;
+    const TreeShape& shape;
+    const Mesh* mesh = nullptr;
+    double tolerance = 0;
+    int version = 0;         ///< counts changes of the shape
+    int volume_version = 0;  ///< counts changes of anything that decides what is contained
+};
+
+/// Checks a tree frame by frame. What did not change is not checked again.
 class TreeWatch {
   public:
-    /// `version` and `volume_version` count how often the tree, or anything that decides what it
-    /// contains, changed: what did not is not checked again.
-    void look(int frame, const NodeTree& tree, const TreeShape& shape, const Mesh* mesh,
-              double tolerance, int version, int volume_version);
+    void look(int frame, const WatchedTree& tree);
 
-    /// Those of the shape, then those of volumes: the first frame first, and there the farthest
-    /// from the root.
+    /// Those of the shape, then those of volumes: the largest first; of equally large ones the
+    /// farthest from the root.
     std::vector<WatchedProblem> problems() const;
+    const UnjudgedVolumes& unjudged() const { return unjudged_; }
+    /// The most nodes that did not contain what is below them in a frame, and the first such frame.
+    std::size_t most_outside() const { return most_outside_; }
+    int most_outside_at() const { return most_outside_at_; }
 
   private:
+    void look_at_shape(int frame, const WatchedTree& tree);
+    void note(int frame, const WatchedTree& tree, const TreeProblem& problem);
+
     int version_ = -1, volume_version_ = -1;
     int looked_ = -1;                          ///< frame
     std::vector<TreeProblem> shape_problems_;  ///< at the last look
     std::vector<WatchedProblem> of_shape_, of_volumes_;
     std::map<std::uint32_t, std::size_t> by_node_;  ///< number to index into of_volumes_
     std::vector<std::size_t> present_;              ///< at the last look
+    std::map<std::uint32_t, double> amounts_;       ///< by number: at the last look
+    UnjudgedVolumes unjudged_;                      ///< the most of any look
+    std::size_t most_outside_ = 0;
+    int most_outside_at_ = 0;
 };
 
 }  // namespace scb

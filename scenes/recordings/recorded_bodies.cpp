@@ -8,31 +8,40 @@
 
 namespace scb::scenes {
 
-BodyAtFrame BodyCopies::copy(RecordedQueries& queries, const std::string& name, std::uint32_t tree,
-                             const Pose& pose) {
-    std::shared_ptr<const VolumeTree>& known =
-        trees_[{tree, queries.trees().at(tree).volume_version}];
-    if (!known) {
-        const EngineSide told = queries.side_of(tree);
-        known = volume_tree(*told.tree, *told.shape);
-        for (std::string& title : volumes_titles(*told.tree))
-            if (std::find(titles_.begin(), titles_.end(), title) == titles_.end())
-                titles_.push_back(std::move(title));
-    }
-    return {name, mesh_of(queries, tree), known, pose, tree};
+std::shared_ptr<const VolumeTree> BodyCopies::tree_of(const EngineSide& side, std::uint32_t tree,
+                                                      int version, const Mat3& stretch) {
+    std::array<double, 9> key{};
+    std::copy_n(stretch.data(), key.size(), key.begin());
+    std::shared_ptr<const VolumeTree>& known = trees_[{tree, version, key}];
+    if (known) return known;
+    known = volume_tree(*side.tree, *side.shape);
+    for (std::string& title : volumes_titles(*side.tree))
+        if (std::find(titles_.begin(), titles_.end(), title) == titles_.end())
+            titles_.push_back(std::move(title));
+    return known;
+}
+
+BodyAtFrame BodyCopies::copy_tree(RecordedQueries& queries, const std::string& name,
+                                  std::uint32_t tree) {
+    return {name, mesh_of(queries, tree),
+            tree_of(queries.side_of(tree), tree, queries.trees().at(tree).volume_version,
+                    Mat3::Identity()),
+            Pose{}, tree};
 }
 
 BodyAtFrame BodyCopies::copy(RecordedQueries& queries, const Recording& recording,
-                             std::uint32_t body) {
-    const BodyState& told = queries.bodies().at(body);
-    if (!told.is_rigid())
-        throw InputError(
-            recording.path + ": the pose of " +
-            (told.name.empty() ? "a body" : "'" + told.name + "'") + " at frame " +
-            std::to_string(queries.frame()) +
-            " is not rigid; `scb inspect` judges the rest, and --frames names others.");
-    return copy(queries, recording.scene.bodies[recording.bodies.at(body)].name, told.tree,
-                told.pose);
+                             std::uint32_t number) {
+    const BodyState& body = queries.bodies().at(number);
+    if (!body.pose_fault.empty())
+        throw InputError(recording.path + ": the pose of " +
+                         (body.name.empty() ? "a body" : "'" + body.name + "'") + " at frame " +
+                         std::to_string(queries.frame()) + " " + body.pose_fault +
+                         "; `scb inspect` judges the rest, and --frames names others.");
+    return {recording.scene.bodies[recording.bodies.at(number)].name,
+            mesh_of_body(queries, number),
+            tree_of(queries.side_of_body(number), body.tree,
+                    queries.trees().at(body.tree).volume_version, body.stretch),
+            body.pose, body.tree};
 }
 
 std::string BodyCopies::volumes() const {
@@ -53,7 +62,7 @@ RecordedBodies bodies_at(const Recording& recording, int frame) {
         result.bodies.push_back(copies.copy(queries, recording, number));
     if (result.bodies.empty())
         for (const auto& [number, tree] : queries.trees())
-            result.bodies.push_back(copies.copy(queries, name_of(tree, number), number, {}));
+            result.bodies.push_back(copies.copy_tree(queries, name_of(tree, number), number));
     if (result.bodies.empty())
         throw InputError(recording.path + ": at frame " + std::to_string(frame) +
                          " it has no tree yet; name a later one with --frames.");

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "core/hierarchy/volume_tree.h"
@@ -23,16 +24,21 @@ struct BodyAtFrame {
 /// Copies of bodies as they are at some step; trees that did not change are copied once.
 class BodyCopies {
   public:
-    BodyAtFrame copy(RecordedQueries& queries, const std::string& name, std::uint32_t tree,
-                     const Pose& pose);
-    /// The same of a body by its number. Throws InputError where its pose is not rigid.
+    /// Of a tree that no body has.
+    BodyAtFrame copy_tree(RecordedQueries& queries, const std::string& name, std::uint32_t tree);
+    /// Of a body by its number, stretched as its pose says. Throws InputError where it has no pose.
     BodyAtFrame copy(RecordedQueries& queries, const Recording& recording, std::uint32_t body);
     /// "OBB", "AABB and hull": of all volumes that were copied.
     std::string volumes() const;
 
   private:
-    /// By tree and what was told of it.
-    std::map<std::pair<std::uint32_t, int>, std::shared_ptr<const VolumeTree>> trees_;
+    std::shared_ptr<const VolumeTree> tree_of(const EngineSide& side, std::uint32_t tree,
+                                              int version, const Mat3& stretch);
+
+    /// By tree, what was told of it, and the stretch.
+    std::map<std::tuple<std::uint32_t, int, std::array<double, 9>>,
+             std::shared_ptr<const VolumeTree>>
+        trees_;
     std::vector<std::string> titles_;
 };
 
@@ -43,7 +49,7 @@ struct RecordedBodies {
     std::string volumes;  ///< see TraceEngine
 };
 
-/// Throws InputError where there is no tree yet, or a pose is not rigid.
+/// Throws InputError where there is no tree yet, or a body has no pose.
 RecordedBodies bodies_at(const Recording& recording, int frame);
 /// At the one frame that the list names; where it is empty, at the first. Throws InputError.
 RecordedBodies bodies_at(const Recording& recording, const std::string& frames);

@@ -6,9 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <span>
 #include <utility>
 
+#include "core/base/text_format.h"
 #include "core/base/word_hash.h"
+#include "core/judge/mapped_volume.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_volume.h"
 #include "scenes/scene/pose_rows.h"
@@ -22,12 +26,25 @@ constexpr std::size_t most_oddities = 20;
 /// Shares of the lengths in question, by how exact the engine's numbers are: some units in the last
 /// place of products of a few.
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
+/// Where a body stands, each coordinate is rounded once: of this share of the lengths above.
+constexpr double placing_share = 0.125;
 /// A pose that is nearer to rigid is one, of 64 bits.
 constexpr double double_defect = 1e-12;
-/// A pose that is farther from rigid is none: see rigidity_defect.
+/// A pose that is farther from rigid stretches its body: see rigidity_defect.
 constexpr double most_defect = 1e-4;
+/// A pose that makes a length so much shorter than another one is none.
+constexpr double most_flat = 1e-9;
 
-bool is_single(double value) {
+/// A number that says that its engine computes in 32 bits: one that takes most of these. Whole
+/// numbers and short fractions do not.
+bool is_long(double value) {
+    constexpr double short_bits = 0x1p16;
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent) * short_bits;
+    return std::isfinite(value) && mantissa != std::trunc(mantissa);
+}
+
+bool is_of_32_bits(double value) {
     return static_cast<double>(static_cast<float>(value)) == value || !std::isfinite(value);
 }
 
@@ -42,6 +59,61 @@ Pose made_rigid(Pose pose) {
     pose.rotation.col(1) = y;
     pose.rotation.col(2) = cross(x, y);
     return pose;
+}
+
+/// The pose as a rigid one after a stretch of the body: along the body's axes where its columns are
+/// at right angles, else of the body as it stands in the world.
+void take_pose(BodyState& body, const Pose& told) {
+    body.stretch = Mat3::Identity();
+    body.defect = 0;
+    body.pose_fault.clear();
+    body.pose = {Mat3::Identity(), told.translation};
+    body.is_finite = told.rotation.allFinite() && is_usable(told.translation);
+    if (!body.is_finite) {
+        body.pose = Pose{};
+        body.pose_fault = "is not finite";
+        return;
+    }
+    Vec3 lengths;
+    for (int i = 0; i < 3; ++i) lengths[i] = std::sqrt(squared_norm(Vec3(told.rotation.col(i))));
+    Pose rigid = told;
+    double defect = rigidity_defect(told);
+    if (!(defect <= most_defect)) {
+        Vec3 scales = lengths;
+        if (determinant(told.rotation) < 0) scales[0] = -scales[0];
+        // Equal up to the engine's rounding: one scale.
+        if ((scales.cwiseAbs().array() - lengths[0]).abs().maxCoeff() <= most_defect * lengths[0])
+            scales = scales.cwiseSign() * lengths[0];
+        for (int i = 0; i < 3; ++i) rigid.rotation.col(i) /= scales[i];
+        defect = rigidity_defect(rigid);
+        if (!(std::abs(determinant(told.rotation)) >
+              most_flat * std::pow(lengths.maxCoeff(), 3))) {
+            body.pose_fault = "makes the body flat";
+            return;
+        }
+        if (!(defect <= most_defect)) {
+            body.stretch = told.rotation;
+            return;
+        }
+        body.stretch = Mat3(scales.asDiagonal());
+    }
+    body.defect = defect;
+    body.pose = defect > double_defect ? made_rigid(rigid) : rigid;
+}
+
+/// See MeshState::finite.
+Mesh made_finite(Mesh mesh) {
+    const auto some = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), is_usable);
+    const Vec3 place = some == mesh.vertices.end() ? Vec3(Vec3::Zero()) : *some;
+    for (Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t v : triangle)
+            if (v < mesh.vertices.size() && !is_usable(mesh.vertices[v])) {
+                triangle = {v, v, v};
+                break;
+            }
+    for (Vec3& vertex : mesh.vertices)
+        if (!is_usable(vertex)) vertex = place;
+    return mesh;
 }
 
 /// Above the numbers of a tree's objects; 0 where these are so large that they are no numbers.
@@ -69,6 +141,23 @@ std::string shown(std::string text) {
     return printable(std::move(text)) + (cut ? "..." : "");
 }
 
+void tell_apart(std::map<std::uint32_t, std::string>& names) {
+    std::set<std::string> taken;
+    for (auto& [number, name] : names) {
+        if (name.empty()) name = "body " + std::to_string(number);
+        std::replace(name.begin(), name.end(), ',', ';');
+        while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
+    }
+}
+
+/// What a node is known by in a tree that is built anew: a leaf by its items, others by number.
+std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> items) {
+    WordHash hash;
+    if (items.empty()) hash.add(number);
+    for (const std::uint32_t item : items) hash.add(std::uint64_t{item} << 32);
+    return hash.value;
+}
+
 /// The tree that the record is about.
 std::optional<std::uint32_t> tree_told_by(const Record& record) {
     if (const auto* tree = std::get_if<RecordedTree>(&record)) return tree->tree;
@@ -79,7 +168,19 @@ std::optional<std::uint32_t> tree_told_by(const Record& record) {
 
 }  // namespace
 
-bool BodyState::is_rigid() const { return defect <= most_defect; }
+std::string stretch_words(const Mat3& stretch) {
+    if (!stretch.isDiagonal()) return "sheared";
+    const Vec3 scales = stretch.diagonal().cwiseAbs();
+    std::string words;
+    if (scales[0] == scales[1] && scales[0] == scales[2]) {
+        if (scales[0] != 1) words = "scaled by " + format("%.6g", scales[0]);
+    } else {
+        words = format("scaled by %.6g, ", scales[0]) + format("%.6g and ", scales[1]) +
+                format("%.6g", scales[2]);
+    }
+    if (determinant(stretch) < 0) words += words.empty() ? "mirrored" : " and mirrored";
+    return words;
+}
 
 RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     RecordingSummary summary;
@@ -97,12 +198,15 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
             }
         } else if (const auto* frame = std::get_if<RecordedFrame>(record)) {
             summary.frames.push_back(static_cast<int>(frame->frame));
+        } else if (const auto* body = std::get_if<RecordedBody>(record)) {
+            summary.body_names[body->body] = shown(body->name);
         }
         if (const auto* setting = std::get_if<RecordedSetting>(record))
             summary.tells_pairs |= setting->key == "results" && setting->value == "pairs";
         summary.queries += std::holds_alternative<RecordedQuery>(*record);
     }
     if (summary.frames.empty()) summary.frames.push_back(0);
+    tell_apart(summary.body_names);
     // Those of a file whose frames do not ascend, too, which cannot be read on.
     std::sort(summary.frames.begin(), summary.frames.end());
     return summary;
@@ -174,6 +278,7 @@ void RecordedQueries::take(const RecordedEvent& event) {
 
 void RecordedQueries::take(const RecordedSetting& setting) {
     settings_.push_back({shown(setting.key), shown(setting.value)});
+    exact_tests_ |= setting.key == "tests" && setting.value == "exact";
     if (setting.key != "tolerance") return;
     double told = 0;
     const char* end = setting.value.data() + setting.value.size();
@@ -194,14 +299,18 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
     made->triangles.reserve(mesh.indices.size() / 3);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         made->triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    check_mesh(*made, name_ + ": mesh " + std::to_string(mesh.mesh));
-    const Box box = bounding_box(*made);
+    std::shared_ptr<const Mesh> finite = made;
+    if (!std::all_of(made->vertices.begin(), made->vertices.end(), is_usable))
+        finite = std::make_shared<const Mesh>(made_finite(*made));
+    check_mesh(*finite, name_ + ": mesh " + std::to_string(mesh.mesh));
+    const Box box = bounding_box(*finite);
     state.name = shown(mesh.name);
-    const bool is_same = state.mesh && state.mesh->vertices == made->vertices &&
+    const bool is_same = state.mesh && finite == made && state.mesh->vertices == made->vertices &&
                          state.mesh->triangles == made->triangles &&
                          state.coordinate_bytes == mesh.coordinate_bytes;
     if (is_same) return;
     state.mesh = std::move(made);
+    state.finite = std::move(finite);
     state.coordinate_bytes = mesh.coordinate_bytes;
     state.reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
     state.told_at = frame_;
@@ -214,9 +323,15 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
 void RecordedQueries::take(const RecordedTree& tree) {
     TreeState& state = trees_[tree.tree];
     const int version = state.version + 1, volume_version = state.volume_version + 1;
+    std::map<std::uint64_t, ToldVolume> before;
+    for (std::uint32_t i = 0; i < state.tree.size(); ++i)
+        before[node_key(state.tree[i].number, state.tree.items(i))] = {state.told_volumes[i],
+                                                                       state.tree[i].told_at};
     state = {};
+    state.before = std::move(before);
     state.name = shown(tree.name);
     state.mesh = tree.mesh;
+    state.tree.has_objects = tree.mesh == record_none;
     state.directions = tree.directions;
     state.version = version;
     state.volume_version = volume_version;
@@ -247,7 +362,8 @@ void RecordedQueries::take(const RecordedRefit& refit) {
 
 void RecordedQueries::take(const RecordedBody& body) {
     known(trees_, body.tree, "tree");
-    BodyState& state = bodies_[body.body] = {};
+    // A body that is announced again stays where it is.
+    BodyState& state = bodies_[body.body];
     state.name = shown(body.name);
     state.tree = body.tree;
 }
@@ -272,11 +388,9 @@ void RecordedQueries::take(const RecordedFrame& frame) {
 
 void RecordedQueries::take(const RecordedPose& pose) {
     BodyState& body = known(bodies_, pose.body, "body");
-    const Pose told = pose_of(pose.rows);
-    body.defect =
-        told.translation.cwiseAbs().maxCoeff() <= max_coordinate ? rigidity_defect(told) : HUGE_VAL;
-    const bool is_nearly_rigid = body.defect > double_defect && body.defect <= most_defect;
-    body.pose = is_nearly_rigid ? made_rigid(told) : told;
+    take_pose(body, pose_of(pose.rows));
+    body.has_single_pose = std::all_of(pose.rows.begin(), pose.rows.end(), is_of_32_bits) &&
+                           std::any_of(pose.rows.begin(), pose.rows.end(), is_long);
     body.placed = true;
 }
 
@@ -304,24 +418,34 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
     query_.complete = end.complete;
     query_.nanoseconds = end.nanoseconds;
     std::array<const BodyState*, 2> bodies{};
-    double share = 0, length = 0, length_of_meshes = 0, defect = 0;
+    double length = 0, length_of_meshes = 0, placing = 0, distances = 0, askew = 0;
+    query_.single = false;
+    query_.placed = true;
+    query_.away = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         bodies[k] = &bodies_.at(bodies_of_query_[k]);
-        query_.sides[k] = side_of(bodies[k]->tree);
+        query_.sides[k] = side_of_body(bodies_of_query_[k]);
+        query_.placed = query_.placed && bodies[k]->pose_fault.empty();
         const TreeState& tree = trees_.at(bodies[k]->tree);
-        share = std::max(share, share_of(tree));
-        const double away = std::sqrt(squared_norm(bodies[k]->pose.translation));
-        length += reach_of(tree) + away;
-        length_of_meshes += mesh_reach(tree) + away;
-        defect = std::max(defect, bodies[k]->defect);
+        query_.single = query_.single || is_single(tree) || bodies[k]->has_single_pose;
+        const double stretch = std::sqrt(bodies[k]->stretch.squaredNorm() / 3),
+                     of_volumes = stretch * reach_of(tree), of_mesh = stretch * mesh_reach(tree),
+                     away = bodies[k]->pose.translation.cwiseAbs().maxCoeff();
+        length += of_volumes;
+        length_of_meshes += of_mesh;
+        placing += placing_share * away;
+        distances += std::sqrt(squared_norm(bodies[k]->pose.translation));
+        query_.away = std::max(query_.away, away);
+        askew = std::max(askew, bodies[k]->defect);
     }
-    query_.rigid = bodies[0]->is_rigid() && bodies[1]->is_rigid();
-    query_.b_to_a = query_.rigid ? relative_pose(bodies[0]->pose, bodies[1]->pose) : Pose{};
-    if (!query_.rigid) defect = 0;
-    query_.tolerance = tolerance_of(share, length) + defect * length;
-    query_.triangle_tolerance = tolerance_of(share, length_of_meshes) + defect * length_of_meshes;
+    const double share = query_.single ? single_tolerance : double_tolerance;
+    // A body against itself stands where it stands.
+    query_.b_to_a = query_.self ? Pose{} : relative_pose(bodies[0]->pose, bodies[1]->pose);
+    query_.tolerance = tolerance_of(share, length + placing) + askew * (length + distances);
+    query_.triangle_tolerance =
+        tolerance_of(share, length_of_meshes + placing) + askew * (length_of_meshes + distances);
     query_.b_to_a_before.reset();
-    if (query_.rigid && bodies[0]->last && bodies[1]->last)
+    if (query_.placed && bodies[0]->last && bodies[1]->last)
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);
 }
 
@@ -330,23 +454,30 @@ void RecordedQueries::set_volume(TreeState& tree, std::uint32_t index,
     WordHash told;
     told.add(static_cast<std::uint64_t>(volume.kind));
     for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
-    if (index == tree.told_volumes.size())
+    int told_at = frame_;
+    if (index == tree.told_volumes.size()) {
         tree.told_volumes.push_back(told.value);
-    else if (std::exchange(tree.told_volumes[index], told.value) == told.value)
+        // Of a tree that is built anew: the volume may be the one that it had.
+        const auto old = tree.before.find(node_key(tree.tree[index].number, tree.tree.items(index)));
+        if (old != tree.before.end() && old->second.hash == told.value) told_at = old->second.told_at;
+    } else if (std::exchange(tree.told_volumes[index], told.value) == told.value) {
         return;  // an engine may tell all again, also those that it forgot to change
+    }
     std::string fault;
     NodeVolume made = node_volume(volume, tree.directions, fault);
-    tree.single = tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_single);
+    tree.has_long = tree.has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
+    tree.single = tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
     for (const double value : volume.values)
         if (std::isfinite(value)) tree.reach = std::max(tree.reach, std::abs(value));
-    tree.tree.set_volume(index, std::move(made), frame_, std::move(fault));
+    tree.tree.set_volume(index, std::move(made), told_at, std::move(fault));
 }
 
-double RecordedQueries::share_of(const TreeState& tree) const {
+bool RecordedQueries::is_single(const TreeState& tree) const {
     const auto mesh = meshes_.find(tree.mesh);
-    const bool single = (tree.single && tree.reach > 0) ||
-                        (mesh != meshes_.end() && mesh->second.coordinate_bytes == 4);
-    return single ? single_tolerance : double_tolerance;
+    const bool has_mesh = mesh != meshes_.end();
+    if (has_mesh && mesh->second.coordinate_bytes == 4) return true;
+    // Numbers that are short in any case say nothing of the engine's.
+    return tree.single && tree.reach > 0 && (tree.has_long || !has_mesh);
 }
 
 double RecordedQueries::mesh_reach(const TreeState& tree) const {
@@ -364,7 +495,7 @@ double RecordedQueries::tolerance_of(double share, double length) const {
 }
 
 double RecordedQueries::tolerance_of(const TreeState& tree) const {
-    return tolerance_of(share_of(tree), reach_of(tree));
+    return tolerance_of(is_single(tree) ? single_tolerance : double_tolerance, reach_of(tree));
 }
 
 EngineSide RecordedQueries::side_of(std::uint32_t tree) {
@@ -377,6 +508,41 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
         state.whole = true;
     }
     return {&state.tree, &state.shape, of, state.mesh == record_none && state.single_objects};
+}
+
+const StretchedBody& RecordedQueries::stretched(std::uint32_t number) {
+    const BodyState& body = bodies_.at(number);
+    const TreeState& tree = trees_.at(body.tree);
+    StretchedBody& made = stretched_[number];
+    if (made.volume_version == tree.volume_version && made.stretch == body.stretch) return made;
+    made.stretch = body.stretch;
+    made.volume_version = tree.volume_version;
+    made.tree = mapped(tree.tree, body.stretch);
+    made.mesh = made.finite = nullptr;
+    if (const auto mesh = meshes_.find(tree.mesh); mesh != meshes_.end()) {
+        made.mesh = std::make_shared<const Mesh>(mapped(*mesh->second.mesh, body.stretch));
+        made.finite = mesh->second.mesh == mesh->second.finite
+                          ? made.mesh
+                          : std::make_shared<const Mesh>(mapped(*mesh->second.finite, body.stretch));
+    }
+    return made;
+}
+
+EngineSide RecordedQueries::side_of_body(std::uint32_t number) {
+    const BodyState& body = bodies_.at(number);
+    EngineSide side = side_of(body.tree);
+    if (!body.is_stretched()) return side;
+    const StretchedBody& made = stretched(number);
+    side.tree = &made.tree;
+    side.mesh = made.mesh.get();
+    return side;
+}
+
+std::shared_ptr<const Mesh> RecordedQueries::finite_mesh(std::uint32_t number) {
+    const BodyState& body = bodies_.at(number);
+    if (body.is_stretched()) return stretched(number).finite;
+    const auto mesh = meshes_.find(trees_.at(body.tree).mesh);
+    return mesh == meshes_.end() ? nullptr : mesh->second.finite;
 }
 
 void RecordedQueries::note_odd(const std::string& what) {

@@ -16,11 +16,20 @@ namespace scb::scenes {
 /// A mesh of a recording, as it is from some frame on.
 struct MeshState {
     std::string name;
-    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Mesh> mesh;  ///< as it was told: vertices need not be finite
+    /// The same where all are. Else each triangle that has one that is not is a single point, at
+    /// some other vertex.
+    std::shared_ptr<const Mesh> finite;
     int coordinate_bytes = 8;
     double reach = 0;  ///< the largest |coordinate|
     int told_at = 0;   ///< the frame at which it was told last
     int version = 0;   ///< counts how often it was told
+};
+
+/// What was recorded of the volume of a node.
+struct ToldVolume {
+    std::uint64_t hash = 0;
+    int told_at = 0;  ///< frame
 };
 
 /// A tree of a recording, as it is from some frame on.
@@ -31,22 +40,40 @@ struct TreeState {
     TreeShape shape;
     std::vector<double> directions;
     std::vector<std::uint64_t> told_volumes;  ///< per node a hash of what was told
+    std::map<std::uint64_t, ToldVolume> before;  ///< of the tree that this one replaces
     int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
     int volume_version = 0;  ///< counts what was told of it, or of its mesh
     bool whole = false;      ///< `shape` is that of `tree`
     bool single_objects = false;  ///< its items are alone in leaves
     bool single = true;           ///< all numbers of its volumes are such of 32 bits
+    bool has_long = false;        ///< and some take most of these bits
     double reach = 0;             ///< the largest of these
 };
 
 struct BodyState {
     std::string name;
     std::uint32_t tree = 0;
-    Pose pose;          ///< from the body to the world; rigid, where is_rigid() says so
-    double defect = 0;  ///< how far from rigid it was told, see rigidity_defect
-    bool is_rigid() const;
-    std::optional<Pose> last;  ///< that of the frame before, where there is one
-    bool placed = false;       ///< a pose was told
+    /// From the body to the world, after `stretch`: rigid.
+    Pose pose;
+    Mat3 stretch = Mat3::Identity();  ///< scales, mirrors or shears the body in its own frame
+    double defect = 0;                ///< how far the pose that was told is from these two
+    std::string pose_fault;           ///< why there is none: "is not finite"; empty: there is one
+    bool is_finite = true;            ///< the pose
+    std::optional<Pose> last;         ///< that of the frame before, where there is one
+    bool placed = false;              ///< a pose was told
+    bool has_single_pose = false;     ///< its numbers are such of 32 bits
+
+    bool is_stretched() const { return stretch != Mat3::Identity(); }
+};
+/// "scaled by 2", "mirrored", "scaled by 1, 2 and 3", "sheared": the stretch of a body.
+std::string stretch_words(const Mat3& stretch);
+
+/// The tree and the mesh of a body whose pose stretches it.
+struct StretchedBody {
+    Mat3 stretch = Mat3::Identity();
+    int volume_version = -1;  ///< of the tree that it was made of
+    NodeTree tree;
+    std::shared_ptr<const Mesh> mesh, finite;  ///< nullptr: items are no triangles
 };
 
 /// What of tests and results a recording has anywhere.
@@ -56,6 +83,8 @@ struct RecordingSummary {
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` says that pairs are told, though there may be none.
     bool tells_pairs = false;
+    /// By number: each told from the others, and without the comma that stands between two of them.
+    std::map<std::uint32_t, std::string> body_names;
 };
 
 /// Reads all of it once. Throws InputError as RecordingReader does.
@@ -82,6 +111,15 @@ class RecordedQueries {
     int frame() const { return frame_; }
     /// A tree, by its number, as it is now.
     EngineSide side_of(std::uint32_t tree);
+    /// A body, by its number: its tree and mesh, stretched as its pose says.
+    EngineSide side_of_body(std::uint32_t body);
+    /// The mesh of a body, all of it finite, stretched as its pose says; nullptr where items are no
+    /// triangles.
+    std::shared_ptr<const Mesh> finite_mesh(std::uint32_t body);
+    /// Those of the bodies of the query.
+    std::array<std::shared_ptr<const Mesh>, 2> finite_meshes() {
+        return {finite_mesh(bodies_of_query_[0]), finite_mesh(bodies_of_query_[1])};
+    }
     /// The query that ended last, valid until the next step.
     const EngineQuery& query() const { return query_; }
     /// Its bodies' numbers.
@@ -108,6 +146,10 @@ class RecordedQueries {
     /// What was told of nodes that there are not, as sentences: the first, and how many more.
     const std::vector<std::string>& oddities() const { return oddities_; }
     std::size_t more_oddities() const { return more_oddities_; }
+    /// Records of later versions.
+    std::uint64_t unknown_records() const { return unknown_records_; }
+    /// Whether the setting `tests` says that tests pass no volumes that are apart.
+    bool has_exact_tests() const { return exact_tests_; }
 
   private:
     void take(const Record& record);
@@ -124,12 +166,13 @@ class RecordedQueries {
     void take(const RecordedQuery& query);
     void take(const RecordedQueryEnd& end);
     void take(const RecordedEnd&) {}
-    void take(const RecordedUnknown&) {}
+    void take(const RecordedUnknown&) { ++unknown_records_; }
 
     static void changed(TreeState& tree);
     void set_volume(TreeState& tree, std::uint32_t index, const RecordedVolume& volume);
+    const StretchedBody& stretched(std::uint32_t body);
     void note_odd(const std::string& what);
-    double share_of(const TreeState& tree) const;
+    bool is_single(const TreeState& tree) const;
     /// The largest |coordinate| of its mesh, and of its volumes too.
     double mesh_reach(const TreeState& tree) const;
     double reach_of(const TreeState& tree) const;
@@ -144,6 +187,7 @@ class RecordedQueries {
     std::map<std::uint32_t, MeshState> meshes_;
     std::map<std::uint32_t, TreeState> trees_;
     std::map<std::uint32_t, BodyState> bodies_;
+    std::map<std::uint32_t, StretchedBody> stretched_;  ///< by body
     std::map<std::uint8_t, std::string> stages_;
     std::vector<std::uint8_t> stage_order_;
     std::vector<RecordedSetting> settings_;
@@ -152,6 +196,8 @@ class RecordedQueries {
     std::array<std::uint32_t, 2> bodies_of_query_{};
     std::vector<std::string> oddities_;
     std::size_t more_oddities_ = 0;
+    std::uint64_t unknown_records_ = 0;
+    bool exact_tests_ = false;
     std::set<std::uint32_t> without_mesh_;  ///< trees of which that was noted
     std::optional<std::uint32_t> telling_;  ///< the tree of the last record
     std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet

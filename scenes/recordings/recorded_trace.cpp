@@ -165,8 +165,8 @@ const TraceFrame& RecordedTrace::frame(int number) {
 
 Attribution RecordedTrace::attribution(const TraversalTree& tree) {
     const EngineQuery& query = queries_->query();
-    if (!query.rigid) return {};
-    return scb::attribution(query, judge_query(query, own_.contacts(query, queries_->meshes())),
+    if (!query.placed) return {};
+    return scb::attribution(query, judge_query(query, own_.contacts(query, queries_->finite_meshes())),
                             header_, frame_, tree);
 }
 

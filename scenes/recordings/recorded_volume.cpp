@@ -69,8 +69,11 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
     if (count && v.size() != *count)
         throw InputError("it has " + std::to_string(v.size()) + " numbers in place of " +
                          std::to_string(*count));
+    // The box of a plane has sides at infinity.
+    const bool may_be_open = recorded.kind == RecordedKind::aabb;
     for (const double value : v)
-        require(std::abs(value) <= max_coordinate, "not all of its numbers are numbers of use");
+        require(std::abs(value) <= max_coordinate || (may_be_open && std::isinf(value)),
+                "not all of its numbers are numbers of use");
     const auto radius_at = [&](std::size_t at) {
         require(v[at] >= 0, "its radius is below 0");
         return v[at];
@@ -82,7 +85,10 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
             const Vec3 lower = vector_at(v, 0), upper = vector_at(v, 3);
             require((lower.array() <= upper.array()).all(),
                     "its lower corner is above the upper one");
-            return Obb{lower + (upper - lower) / 2, Mat3::Identity(), (upper - lower) / 2};
+            if (lower.allFinite() && upper.allFinite()) return box_between(lower, upper);
+            require((lower.array() < HUGE_VAL).all() && (upper.array() > -HUGE_VAL).all(),
+                    "a side of it begins where space ends");
+            return OpenBox{lower, upper};
         }
         case RecordedKind::obb: {
             Obb box{vector_at(v, 0), Mat3::Identity(), vector_at(v, 12)};

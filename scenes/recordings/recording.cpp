@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <set>
 
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
@@ -34,13 +33,13 @@ class RecordingContents {
   public:
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
-    void take(const RecordedQueries& queries, Step step) {
+    void take(RecordedQueries& queries, Step step) {
         take_bodies(queries);
         if (step == Step::query) take_query(queries);
     }
 
     /// After the last step.
-    void finish(const RecordedQueries& queries) {
+    void finish(RecordedQueries& queries) {
         Scene& scene = recording_.scene;
         const std::string& path = recording_.path;
         // Trees alone stand where they are.
@@ -49,7 +48,9 @@ class RecordingContents {
                 body_of(queries, number, number).name = name_of(tree, number);
         if (scene.bodies.empty())
             throw InputError(path + ": it has no tree; record one with scb_record_tree.");
-        name_bodies(queries);
+        for (const auto& [number, name] : recording_.summary.body_names)
+            if (const auto body = recording_.bodies.find(number); body != recording_.bodies.end())
+                scene.bodies[body->second].name = name;
         scene.name = file_name_of(setting_of(queries, "scene", path));
         scene.file = path;
         scene.listed = recording_.summary.frames;
@@ -57,9 +58,9 @@ class RecordingContents {
         recording_.engine = setting_of(queries, "engine", path);
         if (askew_)
             recording_.refusal = path + ": the pose of '" + printable(askew_->name) +
-                                 "' at frame " + std::to_string(askew_->frame) +
-                                 " is not rigid, so that there is no query of it; `scb inspect` "
-                                 "judges the rest.";
+                                 "' at frame " + std::to_string(askew_->frame) + " " + fault_ +
+                                 ", so that there is no query of it; `scb inspect` judges the "
+                                 "rest.";
         else if (changed_)
             recording_.refusal = path + ": the mesh of '" + printable(changed_->name) +
                                  "' changes at frame " + std::to_string(changed_->frame) +
@@ -75,7 +76,7 @@ class RecordingContents {
     };
 
     /// The poses of a frame are those at its first query or, where that has none, at its end.
-    void take_bodies(const RecordedQueries& queries) {
+    void take_bodies(RecordedQueries& queries) {
         Scene& scene = recording_.scene;
         const bool again = taken_ == queries.frame();
         taken_ = queries.frame();
@@ -84,10 +85,15 @@ class RecordingContents {
             const std::uint32_t mesh = queries.trees().at(body.tree).mesh;
             if (mesh_of_body_.try_emplace(number, mesh).first->second != mesh && !changed_)
                 changed_ = {body.name, queries.frame()};
-            if (!body.is_rigid()) {
+            if (!body.pose_fault.empty()) {
+                if (!askew_) fault_ = body.pose_fault;
                 if (!askew_) askew_ = {body.name, queries.frame()};
                 continue;
             }
+            // A body that is stretched has a mesh of its own.
+            if (stretches_.try_emplace(number, body.stretch).first->second != body.stretch &&
+                !changed_)
+                changed_ = {body.name, queries.frame()};
             if (poses.empty() || (!again && !is_same(poses.back().pose, body.pose)))
                 poses.push_back({queries.frame(), body.pose});
         }
@@ -118,36 +124,30 @@ class RecordingContents {
         pair.frames.push_back(frame);
     }
 
-    /// Each told from the others, and without the comma that stands between two of them.
-    void name_bodies(const RecordedQueries& queries) {
-        std::set<std::string> taken;
-        for (const auto& [number, body] : queries.bodies()) {
-            std::string name =
-                body.name.empty() ? "body " + std::to_string(number) : printable(body.name);
-            std::replace(name.begin(), name.end(), ',', ';');
-            while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
-            recording_.scene.bodies[recording_.bodies.at(number)].name = name;
-        }
-    }
-
-    Body& body_of(const RecordedQueries& queries, std::uint32_t number, std::uint32_t tree) {
+    Body& body_of(RecordedQueries& queries, std::uint32_t number, std::uint32_t tree) {
         Scene& scene = recording_.scene;
         const auto [place, added] = recording_.bodies.try_emplace(number, scene.bodies.size());
-        if (added) {
-            const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
-            const bool has_mesh = told != queries.meshes().end();
-            const auto [mesh, is_new] =
-                meshes_.try_emplace(has_mesh ? told->first : record_none, scene.meshes.size());
-            if (is_new)
-                scene.meshes.push_back({has_mesh ? told->second.name : "objects",
-                                        *mesh_of(queries, tree), recording_.path});
-            scene.bodies.push_back({"", mesh->second, {}});
-        }
-        return scene.bodies[place->second];
+        if (!added) return scene.bodies[place->second];
+        const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
+        const bool has_mesh = told != queries.meshes().end();
+        const auto body = queries.bodies().find(number);
+        const bool is_stretched = body != queries.bodies().end() && body->second.is_stretched();
+        std::size_t mesh = scene.meshes.size();
+        if (!is_stretched)
+            mesh = meshes_.try_emplace(has_mesh ? told->first : record_none, mesh).first->second;
+        if (mesh == scene.meshes.size())
+            scene.meshes.push_back(
+                {has_mesh ? told->second.name : "objects",
+                 is_stretched ? *mesh_of_body(queries, number) : *mesh_of(queries, tree),
+                 recording_.path});
+        scene.bodies.push_back({"", mesh, {}});
+        return scene.bodies.back();
     }
 
     Recording& recording_;
     std::optional<Place> askew_, changed_;  ///< a body; a mesh, or a body that gets another one
+    std::string fault_;                     ///< of the pose of `askew_`
+    std::map<std::uint32_t, Mat3> stretches_;  ///< by body: the first
     int taken_ = -1;                        ///< frame
     std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
     std::map<std::uint32_t, std::uint32_t> mesh_of_body_{};        ///< numbers: the first
@@ -196,8 +196,8 @@ Scene scene_at(const Recording& recording, int frame) {
         if (queries.frame() == frame) break;
     for (const auto& [number, body] : queries.bodies()) {
         Body& of_scene = scene.bodies[recording.bodies.at(number)];
-        const NamedMesh named = {scene.meshes[of_scene.mesh].name, *mesh_of(queries, body.tree),
-                                 recording.path};
+        const NamedMesh named = {scene.meshes[of_scene.mesh].name,
+                                 *mesh_of_body(queries, number), recording.path};
         // Bodies may have shared one that is no longer theirs.
         of_scene.mesh = scene.meshes.size();
         scene.meshes.push_back(named);
@@ -205,10 +205,22 @@ Scene scene_at(const Recording& recording, int frame) {
     return scene;
 }
 
-std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {
+namespace {
+
+std::shared_ptr<const Mesh> mesh_or_none(std::shared_ptr<const Mesh> mesh) {
     static const auto none = std::make_shared<const Mesh>();
+    return mesh ? mesh : none;
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree) {
     const auto told = queries.meshes().find(queries.trees().at(tree).mesh);
-    return told == queries.meshes().end() ? none : told->second.mesh;
+    return mesh_or_none(told == queries.meshes().end() ? nullptr : told->second.finite);
+}
+
+std::shared_ptr<const Mesh> mesh_of_body(RecordedQueries& queries, std::uint32_t body) {
+    return mesh_or_none(queries.finite_mesh(body));
 }
 
 std::string name_of(const TreeState& tree, std::uint32_t number) {

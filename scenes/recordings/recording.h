@@ -42,16 +42,19 @@ Recording read_recording(const std::string& path);
 /// The same of bytes that are the file's.
 Recording read_recording(std::string bytes, const std::string& path);
 
-/// The scene, for hierarchies of this project, which are of one mesh and have rigid poses: of
+/// The scene, for hierarchies of this project, which are of one mesh and need poses: of
 /// meshes that change as they are at the one frame that `frames` names: the first where it is
 /// empty, that with the most pairs of auto_frames. Throws InputError also where it names several
-/// and a mesh changes, or a pose is not rigid.
+/// and a mesh changes, or a body has no pose.
 Scene scene_of_recording(const std::string& path, const std::string& frames);
 /// The scene with its meshes as they are at that frame, which is its default one.
 Scene scene_at(const Recording& recording, int frame);
 
-/// Where a tree has no mesh, its items are objects: one mesh without triangles stands for all.
+/// All of it finite, see MeshState. Where a tree has no mesh, its items are objects: one mesh
+/// without triangles stands for all.
 std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree);
+/// The same of a body, stretched as its pose says.
+std::shared_ptr<const Mesh> mesh_of_body(RecordedQueries& queries, std::uint32_t body);
 
 /// What a tree is called that no body has.
 std::string name_of(const TreeState& tree, std::uint32_t number);

@@ -1,21 +1,30 @@
 #include "scenes/recordings/recording_judgement.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
+#include "core/judge/tight_tests.h"
 #include "scenes/recordings/own_contacts.h"
 
 namespace scb::scenes {
 namespace {
 
 constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
+    "the tree has no nodes",
     "a triangle is in no leaf",
     "rejected at a node that does not contain the triangle",
+    "rejected at a node whose volume is none",
     "rejected although the volumes overlap",
     "what is below two overlapping nodes was never tested",
+    "below a node that does not contain the triangle",
+    "below a node whose volume is none",
+    "no tests of volumes were recorded, so that the cause is not known",
     "no test of nodes above the triangles was made",
     "the triangles of two overlapping leaves were never tested",
     "the test of the two triangles said that they are apart",
@@ -23,6 +32,7 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "reported although their test said that they are apart",
     "the test of the two triangles said that they meet",
     "reported without a test of the two triangles",
+    "the two triangles share a vertex and meet nowhere else",
     "one of the two does not exist",
     "reported twice",
 };
@@ -40,11 +50,6 @@ std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
     return std::string(what) + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
 }
 
-std::string name_of_body(const RecordedQueries& recording, std::uint32_t number) {
-    const std::string& name = recording.bodies().at(number).name;
-    return name.empty() ? "body " + std::to_string(number) : name;
-}
-
 std::string query_words(const QueryName& query) {
     return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
 }
@@ -58,19 +63,20 @@ class RecordingJudge {
     }
 
     RecordingJudgement judged(const std::function<bool(int)>& wanted,
-                              const std::function<bool()>& done) && {
+                              const std::function<bool(bool)>& done) && {
         for (;;) {
             const RecordedQueries::Step step = recording_->next();
             if (step == RecordedQueries::Step::end) break;
             const bool want = wanted(recording_->frame());
             if (step == RecordedQueries::Step::query) {
                 if (want) take_query(recording_->query());
+                if (want && !done(false)) break;
                 continue;
             }
             if (!want) continue;
             for (const auto& [number, tree] : recording_->trees()) look(number);
             frame();
-            if (!done()) break;
+            if (!done(true)) break;
         }
         finish();
         return std::move(result_);
@@ -79,7 +85,7 @@ class RecordingJudge {
   private:
     FrameJudgement& frame() {
         if (result_.frames.empty() || result_.frames.back().frame != recording_->frame())
-            result_.frames.push_back({recording_->frame()});
+            result_.frames.emplace_back().frame = recording_->frame();
         return result_.frames.back();
     }
 
@@ -88,34 +94,170 @@ class RecordingJudge {
         if (recording_->unfinished_tree() == number) return;
         const EngineSide side = recording_->side_of(number);
         const TreeState& tree = recording_->trees().at(number);
-        watch.look(recording_->frame(), *side.tree, *side.shape, side.mesh,
-                   recording_->tolerance_of(tree), tree.version, tree.volume_version);
+        watch.look(recording_->frame(),
+                   {*side.tree, *side.shape, side.mesh, recording_->tolerance_of(tree),
+                    tree.version, tree.volume_version});
     }
 
     void take_query(const EngineQuery& query) {
         const auto bodies = recording_->query_bodies();
         for (const std::uint32_t body : bodies) look(recording_->bodies().at(body).tree);
-        const QueryName name{query.frame, name_of_body(*recording_, bodies[0]),
-                             name_of_body(*recording_, bodies[1])};
+        const QueryName name{query.frame, name_of(bodies[0]), name_of(bodies[1])};
         FrameJudgement& row = frame();
         ++row.queries;
+        ++queries_;
         result_.nanoseconds += query.nanoseconds;
-        result_.self_queries += query.self;
         result_.ended_early += !query.complete;
-        result_.unknown_items += !query.self && !has_known_items(query);
-        if (!query.rigid) {
-            add(tests_, "a query's pose is not rigid", {name, "it is not judged"});
+        if (!query.placed) {
+            take_faulty_pose(name);
             return;
         }
+        note_stretch(bodies);
+        const bool known = has_known_items(query);
+        result_.unknown_items += !known;
         note_moves(query, name);
         const QueryJudgement judged =
-            judge_query(query, own_.contacts(query, recording_->meshes()));
+            judge_query(query, own_.contacts(query, recording_->finite_meshes()));
+        take_tolerance(query, row);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
+        take_looseness(query, judged);
+        without_result_ += !query.complete && known && judged.reported == 0;
         const bool errs =
             std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
                         [](const WrongItemTest& test) { return !test.unknown; });
-        if (judged.count(TestVerdict::wrong) > 0 || errs) find_pose(query, name);
+        if (judged.count(TestVerdict::wrong) > 0 || errs)
+            poses_.take(query, name, recording_->bodies().at(bodies[0]),
+                        recording_->bodies().at(bodies[1]));
+    }
+
+    std::string name_of(std::uint32_t body) const {
+        return result_.summary.body_names.at(body);
+    }
+
+    void take_faulty_pose(const QueryName& name) {
+        for (const std::uint32_t number : recording_->query_bodies()) {
+            const BodyState& body = recording_->bodies().at(number);
+            if (body.pose_fault.empty()) continue;
+            if (!body.is_finite) {
+                add(tests_, "a query's pose is not finite", {name, "it is not judged"});
+            } else if (unplaced_++ == 0) {
+                unplaced_why_ = "the pose of " + name_of(number) + " at frame " +
+                                std::to_string(name.frame) + " " + body.pose_fault;
+            }
+            return;
+        }
+    }
+
+    void note_stretch(const std::array<std::uint32_t, 2>& bodies) {
+        for (const std::uint32_t number : bodies) {
+            const BodyState& body = recording_->bodies().at(number);
+            if (!body.is_stretched() || !stretched_.insert(number).second) continue;
+            result_.notes.push_back(name_of(number) + " is " + stretch_words(body.stretch) +
+                                    " by its pose at frame " +
+                                    std::to_string(recording_->frame()) +
+                                    ", and judged so");
+        }
+    }
+
+    /// The tolerance of the frame, and whether it is larger than what is to be judged.
+    void take_tolerance(const EngineQuery& query, FrameJudgement& row) {
+        FrameTolerance& tolerance = row.tolerance;
+        tolerance.volumes = std::max(tolerance.volumes, query.tolerance);
+        tolerance.triangles = std::max(tolerance.triangles, query.triangle_tolerance);
+        tolerance.away = std::max(tolerance.away, query.away);
+        tolerance.single |= query.single;
+        const auto bodies = recording_->query_bodies();
+        for (std::size_t side = 0; side < 2; ++side) {
+            const double size = size_of_items(bodies[side], query.sides[side]);
+            const bool has_mesh = query.sides[side].mesh;
+            const double within = has_mesh ? query.triangle_tolerance : query.tolerance;
+            if (!(size > 0) || within < size) continue;
+            ++hidden_;
+            if (tolerance.hides.empty())
+                tolerance.hides =
+                    (has_mesh ? "half of the triangles of " : "half of the leaf volumes of ") +
+                    name_of(bodies[side]) + " are smaller than " + format("%.3g", size);
+            if (hidden_why_.empty())
+                hidden_why_ = "at frame " + std::to_string(query.frame) + " the tolerance is " +
+                              format("%.3g", within) + ", and " + tolerance.hides +
+                              cause_of_tolerance(query);
+            return;
+        }
+    }
+
+    static std::string cause_of_tolerance(const EngineQuery& query) {
+        if (!(query.away > 0)) return "";
+        const double step = query.away * (query.single ? 0x1p-23 : 0x1p-52);
+        return "; bodies stand " + format("%.3g", query.away) + " from the origin, where " +
+               (query.single ? "32" : "64") + "-bit numbers are up to " + format("%.2g", step) +
+               " apart";
+    }
+
+    /// Half of the triangles, or of the volumes of leaves, of a body are smaller.
+    double size_of_items(std::uint32_t body, const EngineSide& side) {
+        const int version =
+            recording_->trees().at(recording_->bodies().at(body).tree).volume_version;
+        SizeOfItems& known = sizes_[body];
+        if (known.tree == side.tree && known.version == version) return known.size;
+        known.tree = side.tree;
+        known.version = version;
+        std::vector<double> sizes;
+        if (side.mesh) {
+            for (std::uint32_t i = 0; i < side.mesh->triangles.size(); ++i) {
+                if (!has_finite_corners(*side.mesh, i)) continue;
+                const TriangleCorners t = corners(*side.mesh, i);
+                sizes.push_back(std::sqrt(std::max({squared_norm(Vec3(t[1] - t[0])),
+                                                    squared_norm(Vec3(t[2] - t[1])),
+                                                    squared_norm(Vec3(t[0] - t[2]))})));
+            }
+        } else {
+            for (const std::uint32_t node : side.shape->order)
+                if (side.shape->is_leaf(node) && has_volume((*side.tree)[node].volume))
+                    sizes.push_back(diameter(convex_shape((*side.tree)[node].volume)));
+        }
+        if (sizes.empty()) return known.size = 0;
+        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+        std::nth_element(sizes.begin(), middle, sizes.end());
+        return known.size = *middle;
+    }
+
+    /// What boxes that fit would save, where many do not.
+    void take_looseness(const EngineQuery& query, const QueryJudgement& judged) {
+        if (judged.tests.empty()) return;
+        const auto bodies = recording_->query_bodies();
+        bool any = false;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::uint32_t number = recording_->bodies().at(bodies[side]).tree;
+            const TightBoxes& tight = tight_of(bodies[side], query.sides[side]);
+            if (tight.boxes < 8 || 4 * tight.loose < tight.boxes) continue;
+            any = true;
+            const auto [known, added] = loose_.try_emplace(number);
+            if (added)
+                known->second.where = tree_words(number) + " since frame " +
+                                      std::to_string(recording_->frame());
+            if (tight.loose > known->second.count)
+                known->second = {CostFinding::Kind::loose, tight.loose, tight.boxes,
+                                 known->second.where, 0, 0};
+        }
+        loose_tests_ += judged.tests.size();
+        loose_tests_if_tight_ += any ? tests_with(query, judged.tests, tight_[bodies[0]].boxes,
+                                                  tight_[bodies[1]].boxes)
+                                     : judged.tests.size();
+    }
+
+    const TightBoxes& tight_of(std::uint32_t body, const EngineSide& side) {
+        const int version =
+            recording_->trees().at(recording_->bodies().at(body).tree).volume_version;
+        TightOfBody& known = tight_[body];
+        if (known.tree != side.tree || known.version != version)
+            known = {side.tree, version, tight_boxes(side)};
+        return known.boxes;
+    }
+
+    std::string tree_words(std::uint32_t number) const {
+        const std::string& name = recording_->trees().at(number).name;
+        return "tree " + std::to_string(number) + (name.empty() ? "" : " \"" + name + "\"");
     }
 
     void take_tests(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
@@ -126,8 +268,8 @@ class RecordingJudge {
             StageJudgement& stage = stages_[event.stage];
             ++stage.tests;
             ++row.volume_tests;
-            stage.false_positives += test.verdict == TestVerdict::false_positive;
-            result_.unjudged += test.verdict == TestVerdict::unjudged;
+            unjudged_tests_ += test.verdict == TestVerdict::unjudged;
+            tests_of_all_ += 1;
             const auto note = [&](const std::string& what, const std::string& more = {}) {
                 add(tests_, what,
                     {name,
@@ -138,7 +280,24 @@ class RecordingJudge {
             };
             if (test.nodes.a == no_index || test.nodes.b == no_index)
                 note("a test of a node that its tree does not have");
-            if (test.repeated) note("a test that the query had made before");
+            if (test.repeated && repeated_++ == 0)
+                first_repeated_ = query_words(name) + ": " +
+                                  pair_words("nodes", event.a, event.b) + test_words(number);
+            if (test.verdict == TestVerdict::false_positive) {
+                ++stage.false_positives;
+                if (test.margin > stage.most_apart) {
+                    stage.most_apart = test.margin;
+                    stage.farthest = query_words(name) + ": " +
+                                     pair_words("nodes", event.a, event.b) + test_words(number) +
+                                     ", " + format("%.6g", test.margin) + " apart";
+                }
+                // Else a test may pass too many.
+                if (recording_->has_exact_tests()) {
+                    ++row.wrong;
+                    note("a test of an engine whose tests are exact passed volumes that are apart",
+                         ", " + format("%.6g", test.margin) + " apart");
+                }
+            }
             if (test.verdict != TestVerdict::wrong) continue;
             ++row.wrong;
             stage.least_depth =
@@ -215,24 +374,13 @@ class RecordingJudge {
         lacks_ += here.lacking;
     }
 
-    /// Who leaves out children in most divisions means it.
-    void note_lacking_children() {
-        if (lacks_ == 0 || 2 * lacks_ > divided_) return;
-        std::string note =
-            std::to_string(lacks_) + " of " + std::to_string(divided_) +
-            " divisions of a node did not lead to a test of each child; the first: " + lacking_;
-        if (lacks_alike_ && lacks_ > 1)
-            note += std::string("; in all of them it is child ") +
-                    std::to_string(first_lack_.place + 1) + " of the node of " +
-                    (first_lack_.side == 0 ? "A" : "B");
-        result_.notes.push_back(std::move(note));
-    }
-
     void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
                     FrameJudgement& row) {
         row.pairs += judged.reported;
         result_.exact_pairs += judged.exact;
         result_.not_looked_into += judged.not_looked_into;
+        without_results_ += judged.without_results;
+        broken_pairs_ += judged.broken;
         for (const PairProblem& problem : judged.pairs) {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
@@ -249,24 +397,28 @@ class RecordingJudge {
 
     std::string words_of(const EngineQuery& query, const QueryJudgement& judged,
                          const PairProblem& problem) const {
-        const std::string words = triangle_words(query, judged, problem);
-        return query.sides[0].mesh ? words : for_objects(words);
-    }
-
-    std::string triangle_words(const EngineQuery& query, const QueryJudgement& judged,
-                               const PairProblem& problem) const {
-        std::string words = pair_words("triangles", problem.items.a, problem.items.b);
+        const std::string what = query.sides[0].mesh ? "triangle" : "object";
+        std::string words = pair_words((what + "s").c_str(), problem.items.a, problem.items.b);
         const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
                             node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;
         const std::string side = problem.side == 0 ? "A" : "B";
+        const std::string of_node = "node " + std::to_string(node) + " of " + side;
         if (problem.cause == PairCause::in_no_leaf)
-            words += "; no leaf of " + side + " has triangle " + std::to_string(item);
-        if (problem.nodes.a != no_index)
+            words += "; no leaf of " + side + " has " + what + " " + std::to_string(item);
+        if (problem.cause == PairCause::no_tree)
+            words += "; the tree of " + side + " was recorded without nodes";
+        if (problem.nodes.a != no_index && problem.nodes.b != no_index)
             words += "; at " + pair_words("nodes", problem.nodes.a, problem.nodes.b);
         if (problem.cause == PairCause::not_contained)
-            words += ", of which node " + std::to_string(node) + " of " + side +
-                     " does not contain triangle " + std::to_string(item) + ", by " +
-                     format("%.6g", problem.amount);
+            words += ", of which " + of_node + " does not contain " + what + " " +
+                     std::to_string(item) + ", by " + amount_words(problem.amount);
+        if (problem.cause == PairCause::below_outside)
+            words += "; " + of_node + " does not contain " + what + " " + std::to_string(item) +
+                     ", by " + amount_words(problem.amount);
+        if (problem.cause == PairCause::bad_volume)
+            words += ", of which " + of_node + " has a volume that is none";
+        if (problem.cause == PairCause::below_bad_volume)
+            words += "; " + of_node + " has a volume that is none";
         if (problem.cause == PairCause::never_visited) {
             std::string next;
             if (problem.next.a != no_index)
@@ -298,77 +450,6 @@ class RecordingJudge {
 
     static std::string test_words(std::uint32_t number) {
         return number == no_index ? "" : ", test " + std::to_string(number);
-    }
-
-    /// Other poses that the tests may have been made with, the likeliest first.
-    std::vector<std::pair<std::string, Pose>> other_poses(const EngineQuery& query) const {
-        std::vector<std::pair<std::string, Pose>> others;
-        if (query.b_to_a_before)
-            others.emplace_back("the pose of the frame before", *query.b_to_a_before);
-        const auto transposed = [](const Pose& pose) {
-            return Pose{pose.rotation.transpose(), pose.translation};
-        };
-        const Pose& pose = query.b_to_a;
-        others.emplace_back("the pose with its rotation transposed", transposed(pose));
-        const Mat3 turned = pose.rotation.transpose();
-        others.emplace_back("the inverse of the pose",
-                            Pose{turned, -rotate(turned, pose.translation)});
-        const auto bodies = recording_->query_bodies();
-        const Pose &a = recording_->bodies().at(bodies[0]).pose,
-                   &b = recording_->bodies().at(bodies[1]).pose;
-        others.emplace_back("the poses with the rotation of B transposed",
-                            relative_pose(a, transposed(b)));
-        others.emplace_back("the poses with the rotation of A transposed",
-                            relative_pose(transposed(a), b));
-        others.emplace_back("the poses with both rotations transposed",
-                            relative_pose(transposed(a), transposed(b)));
-        others.emplace_back("the pose without its rotation",
-                            Pose{Mat3::Identity(), pose.translation});
-        others.emplace_back("the pose without its translation", Pose{pose.rotation, Vec3::Zero()});
-        return others;
-    }
-
-    /// Another pose with which no test is wrong, or at least none of volumes.
-    void find_pose(const EngineQuery& query, const QueryName& name) {
-        ++erring_queries_;
-        const PoseFit told = fit_of_pose(query, query.b_to_a);
-        const auto fits_all = [&](const EngineQuery& asked, const Pose& with,
-                                  const std::string& what, bool only_volumes) {
-            const PoseFit fits = fit_of_pose(asked, with);
-            if (fits.wrong > 0 || fits.false_positive > told.false_positive) return false;
-            if (only_volumes ? told.wrong_items > 0 || told.wrong == 0 : fits.wrong_items > 0)
-                return false;
-            result_.poses.push_back({name, what, told, fits, only_volumes});
-            return true;
-        };
-        const auto others = other_poses(query);
-        for (const auto& [what, other] : others)
-            if (fits_all(query, other, what, false)) return;
-        EngineQuery swapped = query;
-        for (EngineEvent& event : swapped.events) std::swap(event.a, event.b);
-        if (fits_all(swapped, query.b_to_a,
-                     "the pose that was told if each names a node of " + name.b +
-                         " first, and of " + name.a + " second, the other way round than the query",
-                     false))
-            return;
-        for (const auto& [what, other] : others)
-            if (fits_all(query, other, what, true)) return;
-        const auto bodies = recording_->query_bodies();
-        not_placed_ |= !recording_->bodies().at(bodies[0]).placed &&
-                       !recording_->bodies().at(bodies[1]).placed;
-    }
-
-    /// What fits only here and there fits by chance.
-    void keep_likely_poses() {
-        std::map<std::string, std::size_t> counts;
-        for (const PoseProblem& problem : result_.poses) ++counts[problem.pose];
-        std::erase_if(result_.poses, [&](const PoseProblem& problem) {
-            return 2 * counts[problem.pose] <= erring_queries_;
-        });
-        if (not_placed_ && result_.poses.empty())
-            result_.notes.push_back(
-                "no pose was told of the bodies of a query whose tests are wrong; tell those that "
-                "the engine has, with scb_record_pose");
     }
 
     /// Of several queries of the same bodies in a frame, commands other than this one show the
@@ -403,9 +484,81 @@ class RecordingJudge {
         if (group->cases.size() < ProblemGroup::most_cases) group->cases.push_back(std::move(one));
     }
 
+    void not_judged(std::uint64_t count, std::uint64_t of, const std::string& what,
+                    const std::string& why) {
+        if (count > 0) result_.not_judged.push_back({count, of, what, why});
+    }
+
+    void list_not_judged() {
+        not_judged(hidden_, queries_, "queries", hidden_why_);
+        not_judged(unplaced_, queries_, "queries", unplaced_why_);
+        not_judged(result_.unknown_items, queries_, "queries, of which the pairs",
+                   "objects share leaves, have numbers above 999,999, or were queried with "
+                   "triangles");
+        not_judged(without_result_, queries_, "queries", "they ended early without a pair");
+        for (const auto& [number, watch] : watches_) {
+            const UnjudgedVolumes& of = watch.unjudged();
+            not_judged(of.leaves, of.of_leaves, "leaf volumes of " + tree_words(number),
+                       "the extents of their objects were not recorded (scb_record_object)");
+            not_judged(of.splits, of.splits, "triangles in several leaves of " + tree_words(number),
+                       "the surfaces of these leaves run along each other");
+            const TreeState& tree = recording_->trees().at(number);
+            if (tree.tree.size() == 0) not_judged(1, watches_.size(), "trees", tree_words(number) + " was recorded without nodes");
+        }
+        not_judged(unjudged_tests_, tests_of_all_, "tests of volumes",
+                   "a node has no volume, or one that is none");
+        not_judged(lacks_, divided_, "divisions of nodes",
+                   "a child that overlaps the other node was not tested; the first: " + lacking_ +
+                       (lacks_alike_ && lacks_ > 1
+                            ? "; in all of them child " + std::to_string(first_lack_.place + 1) +
+                                  " of the node of " + (first_lack_.side == 0 ? "A" : "B")
+                            : ""));
+        std::uint64_t reported = 0;
+        for (const FrameJudgement& row : result_.frames) reported += row.pairs;
+        const std::uint64_t pairs = std::max(reported, result_.exact_pairs);
+        not_judged(result_.grazing, std::max(pairs, result_.grazing), "pairs",
+                   "they touch, or miss each other, by less than the tolerance");
+        not_judged(result_.not_looked_into, pairs, "pairs",
+                   "they were not reported, and of a query the first 100,000 are looked into");
+        not_judged(broken_pairs_, reported, "pairs", "their triangles are not finite");
+        not_judged(without_results_, without_results_, "pairs that intersect",
+                   "the results of their queries were not recorded");
+        if (recording_->unfinished_tree())
+            not_judged(1, watches_.size(), "trees", "the file breaks off in " + tree_words(*recording_->unfinished_tree()));
+        not_judged(recording_->unknown_records(), 0, "records",
+                   "this version does not know their kind");
+    }
+
+    void list_costs() {
+        if (repeated_ > 0)
+            result_.costs.push_back({CostFinding::Kind::repeated, repeated_, tests_of_all_,
+                                     first_repeated_, 0, 0});
+        for (const TreeJudgement& tree : result_.trees) {
+            const EngineSide side = recording_->side_of(tree.number);
+            std::uint64_t leaves = 0;
+            for (const std::uint32_t node : side.shape->order) leaves += side.shape->is_leaf(node);
+            std::uint64_t enough = 0;
+            while ((std::uint64_t{1} << enough) < leaves) ++enough;
+            if (leaves >= 16 && tree.depth > 4 * enough)
+                result_.costs.push_back({CostFinding::Kind::deep, tree.depth, enough,
+                                         tree_words(tree.number), 0, 0});
+        }
+        for (auto& [number, finding] : loose_) {
+            finding.tests = loose_tests_;
+            finding.tests_if_tight = loose_tests_if_tight_;
+            // Of a tree that does not contain its triangles, its size is the lesser problem.
+            const bool is_wrong = watches_.at(number).most_outside() > 0;
+            if (!is_wrong && 50 * finding.tests_if_tight < 49 * finding.tests)
+                result_.costs.push_back(finding);
+        }
+    }
+
     void finish() {
-        keep_likely_poses();
-        note_lacking_children();
+        result_.poses = poses_.likely();
+        if (poses_.lacks_poses() && result_.poses.empty())
+            result_.notes.push_back(
+                "no pose was told of the bodies of a query whose tests are wrong; tell those that "
+                "the engine has, with scb_record_pose");
         for (const RecordedSetting& setting : recording_->settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         for (const auto& [number, watch] : watches_) {
@@ -437,7 +590,21 @@ class RecordingJudge {
         result_.odd = recording_->oddities();
         result_.more_odd = recording_->more_oddities();
         result_.damage = recording_->damage();
+        list_not_judged();
+        list_costs();
     }
+
+    /// Known as long as the tree, which may be a stretched one, has this version.
+    struct TightOfBody {
+        const NodeTree* tree = nullptr;
+        int version = -1;
+        TightBoxes boxes;
+    };
+    struct SizeOfItems {
+        const NodeTree* tree = nullptr;
+        int version = -1;
+        double size = 0;
+    };
 
     RecordingJudgement result_;
     std::optional<RecordedQueries> recording_;
@@ -445,8 +612,19 @@ class RecordingJudge {
     std::map<std::uint32_t, TreeWatch> watches_;
     std::map<std::uint8_t, StageJudgement> stages_;
     Groups missed_, false_, tests_;
-    std::size_t erring_queries_ = 0;
-    bool not_placed_ = false, moves_noted_ = false;
+    PoseSearch poses_;
+    bool moves_noted_ = false;
+    // What was not judged, and why.
+    std::uint64_t queries_ = 0, hidden_ = 0, unplaced_ = 0, without_result_ = 0,
+                  without_results_ = 0, broken_pairs_ = 0, unjudged_tests_ = 0, tests_of_all_ = 0;
+    std::string hidden_why_, unplaced_why_;
+    std::map<std::uint32_t, SizeOfItems> sizes_;  ///< by body
+    std::set<std::uint32_t> stretched_;           ///< bodies of which that was noted
+    // What costs.
+    std::uint64_t repeated_ = 0, loose_tests_ = 0, loose_tests_if_tight_ = 0;
+    std::string first_repeated_;
+    std::map<std::uint32_t, CostFinding> loose_;  ///< by tree
+    std::map<std::uint32_t, TightOfBody> tight_;  ///< by body
     std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
     DivisionCounts::Lack first_lack_;
     std::string lacking_;  ///< which that is
@@ -457,17 +635,19 @@ class RecordingJudge {
 
 }  // namespace
 
-bool RecordingJudgement::wrong() const {
+Verdict RecordingJudgement::verdict() const {
     const bool tree = std::any_of(trees.begin(), trees.end(), [](const TreeJudgement& judged) {
         return !judged.problems.empty();
     });
-    return tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
-           !poses.empty() || !odd.empty();
+    if (tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
+        !poses.empty() || !odd.empty())
+        return Verdict::wrong;
+    return not_judged.empty() && damage.empty() ? Verdict::sound : Verdict::partly_judged;
 }
 
 RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
                                    const std::function<bool(int)>& wanted,
-                                   const std::function<bool()>& done) {
+                                   const std::function<bool(bool)>& done) {
     return RecordingJudge(bytes, name).judged(wanted, done);
 }
 

@@ -9,15 +9,10 @@
 
 #include "core/judge/query_check.h"
 #include "core/judge/tree_watch.h"
+#include "scenes/recordings/pose_search.h"
 #include "scenes/recordings/recorded_queries.h"
 
 namespace scb::scenes {
-
-/// A query of a recording.
-struct QueryName {
-    int frame = 0;
-    std::string a, b;  ///< bodies
-};
 
 /// The tests that ended at one stage.
 struct StageJudgement {
@@ -26,6 +21,8 @@ struct StageJudgement {
     std::uint64_t false_positives = 0;       ///< of stage 0
     std::uint64_t wrong = 0;                 ///< of the others
     double least_depth = 0, most_depth = 0;  ///< of the wrong ones, at least
+    double most_apart = 0;                   ///< of the false positives
+    std::string farthest;                    ///< which that is, a clause
 };
 
 /// Something that went wrong.
@@ -47,17 +44,39 @@ struct ProblemGroup {
     std::vector<ProblemCase> cases;  ///< the first ones
 };
 
-/// A query whose tests fit another pose.
-struct PoseProblem {
-    QueryName query;
-    std::string pose;    ///< whose pose they fit: "the pose of the frame before"
-    PoseFit told, fits;  ///< errors with the pose that was told, and with the other
-    /// Its tests of volumes fit the other pose, and those of triangles the one that was told.
-    bool only_volumes = false;
+/// A part of a recording that could not be judged.
+struct NotJudged {
+    std::uint64_t count = 0, of = 0;  ///< how many, of how many there are
+    std::string what;                 ///< "tests of volumes"
+    std::string why;                  ///< a clause
+};
+
+/// Why queries take more tests than they need. That is not wrong.
+struct CostFinding {
+    enum class Kind {
+        repeated,  ///< `count` tests of `of` were made before in their query
+        deep,      ///< the tree is `count` deep, where `of` would do
+        loose,     ///< `count` boxes of `of` are much larger than what is below them
+    };
+    Kind kind = Kind::repeated;
+    std::uint64_t count = 0, of = 0;
+    std::string where;  ///< the tree; of repeated tests the first one
+    /// Of loose boxes: the tests of volumes of all queries, and how many they would be with boxes
+    /// that fit.
+    std::uint64_t tests = 0, tests_if_tight = 0;
+};
+
+/// How exact an engine's numbers let a frame be judged.
+struct FrameTolerance {
+    double volumes = 0, triangles = 0;  ///< lengths, see EngineQuery::tolerance: the largest
+    double away = 0;                    ///< see EngineQuery::away: the largest
+    bool single = false;                ///< numbers of 32 bits
+    std::string hides;  ///< whose triangles or leaves are smaller, a clause; empty: none
 };
 
 struct FrameJudgement {
     int frame = 0;
+    FrameTolerance tolerance;
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, wasted = 0, wrong = 0, missed = 0,
                   false_pairs = 0, pairs = 0;
 };
@@ -71,6 +90,10 @@ struct TreeJudgement {
     bool unfinished = false;  ///< the file breaks off in it: what it was before that was judged
     std::vector<WatchedProblem> problems;
 };
+
+/// What was recorded could all be judged and nothing is wrong; nothing is wrong in what could be
+/// judged; something is proven wrong.
+enum class Verdict { sound, partly_judged, wrong };
 
 /// A recording, judged: whether its trees are trees that contain their triangles, whether its tests
 /// are right on its own volumes, and whether its results are those of this project's query.
@@ -87,21 +110,23 @@ struct RecordingJudgement {
     std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
     std::size_t more_odd = 0;
     std::string damage;
-    std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, unjudged = 0,
-                  self_queries = 0, exact_pairs = 0;
+    std::vector<NotJudged> not_judged;
+    std::vector<CostFinding> costs;
+    std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, exact_pairs = 0;
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
     std::uint64_t ended_early = 0;      ///< queries, of which nothing is said to be missed
-    /// Queries of two bodies of whose items too little is known, see has_known_items.
+    /// Queries of whose items too little is known, see has_known_items.
     std::uint64_t unknown_items = 0;
 
-    /// Whether something is wrong, and not just slow.
-    bool wrong() const;
+    /// Something that is slow is not wrong.
+    Verdict verdict() const;
+    bool wrong() const { return verdict() == Verdict::wrong; }
 };
 
-/// Judges all frames, or those that `wanted` says. `done` is told of each, and ends the work where
-/// it returns false. Throws InputError as RecordedQueries does.
+/// Judges all frames, or those that `wanted` says. `done` is called after each query and each frame,
+/// with whether a frame is done, and ends the work where it returns false. Throws InputError as RecordedQueries does.
 RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
                                    const std::function<bool(int frame)>& wanted,
-                                   const std::function<bool()>& done);
+                                   const std::function<bool(bool frame)>& done);
 
 }  // namespace scb::scenes

@@ -53,7 +53,7 @@ SCB_FUZZ(input) {
         std::string(reinterpret_cast<const char*>(input.data()), input.size()));
     try {
         const scenes::RecordingJudgement judged = scenes::judge_recording(
-            bytes, "input", [](int) { return true; }, [] { return true; });
+            bytes, "input", [](int) { return true; }, [](bool) { return true; });
         std::uint64_t missed = 0, of_causes = 0;
         for (const scenes::FrameJudgement& frame : judged.frames) missed += frame.missed;
         for (const scenes::ProblemGroup& group : judged.missed) of_causes += group.count;

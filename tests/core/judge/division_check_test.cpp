@@ -49,6 +49,12 @@ TEST(DivisionCheck, OfBothNodesAtOnceEachChildIsInSomePair) {
     EXPECT_EQ(divisions({{0, 0}, {1, 0}, {0, 1}}).divided, 0u);
 }
 
+TEST(DivisionCheck, AChildThatIsApartNeedNotBeTested) {
+    // Child 2 of B is apart from node 1 of A, child 1 is not.
+    EXPECT_EQ(divisions({{1, 0}, {1, 1}}).lacking, 0u);
+    EXPECT_EQ(divisions({{1, 0}, {1, 2}}).lacking, 1u);
+}
+
 TEST(DivisionCheck, ATestThatIsMadeAgainIsNoChild) {
     EXPECT_EQ(divisions({{0, 0}, {1, 0}, {2, 0}, {0, 0}, {1, 0}}).lacking, 0u);
 }
@@ -57,7 +63,7 @@ TEST(DivisionCheck, LacksAreAlikeInTheSamePlaceOfTheSameSide) {
     EXPECT_TRUE(divisions({{0, 0}, {1, 0}, {3, 0}}).alike) << "the second child twice";
     EXPECT_EQ(divisions({{0, 0}, {1, 0}, {3, 0}}).lacking, 2u);
     EXPECT_FALSE(divisions({{0, 0}, {1, 0}, {4, 0}}).alike) << "the second, then the first";
-    EXPECT_FALSE(divisions({{0, 0}, {1, 0}, {1, 1}}).alike) << "of A, then of B";
+    EXPECT_FALSE(divisions({{0, 0}, {1, 0}, {1, 2}}).alike) << "of A, then of B";
     EXPECT_EQ(divisions({{0, 0}, {1, 0}, {4, 0}}).first.child, 2u);
 }
 

@@ -100,7 +100,10 @@ TEST(QueryCheck, NamesTheCauseOfAMissedPair) {
         rows.query.events.push_back({Kind::pair, 0, 0, 0});
         const QueryJudgement judged = rows.judged();
         ASSERT_EQ(judged.pairs.size(), 3u);
-        EXPECT_EQ(judged.pairs[0].cause, PairCause::never_tested);
+        EXPECT_EQ(judged.pairs[0].cause, PairCause::no_tests);
+        // Tests of other nodes say that the query makes tests.
+        rows.query.events.push_back({Kind::volumes, 0, 6, 6});
+        EXPECT_EQ(rows.judged().pairs[0].cause, PairCause::never_tested);
         rows.query.complete = false;
         EXPECT_TRUE(rows.judged().pairs.empty()) << "it ended early on purpose";
     }
@@ -387,10 +390,46 @@ TEST(QueryCheck, OneThatEndedEarlyNeedNotTestAllChildren) {
     EXPECT_EQ(rows.judged().divisions.divided, 0u);
 }
 
-TEST(QueryCheck, ResultsOfABodyAgainstItselfAreNotJudged) {
+// A recording of pairs alone: the node that does not contain its triangle is the cause.
+TEST(QueryCheck, AMissedPairWithoutTestsNamesTheNodeThatDoesNotContainIt) {
+    auto nodes = nodes_of_row();
+    nodes[1].volume = box_of_row(0, 0.75);
+    Rows rows(nodes);
+    rows.query.events.clear();
+    for (const std::uint32_t i : {0u, 2u, 3u}) rows.query.events.push_back({Kind::pair, 0, i, i});
+    const PairProblem problem = rows.problem();
+    EXPECT_EQ(problem.cause, PairCause::below_outside);
+    EXPECT_EQ(problem.nodes.a, 1u);
+    EXPECT_EQ(problem.nodes.b, no_index);
+    EXPECT_NEAR(problem.amount, 0.25, 1e-12);
+}
+
+TEST(QueryCheck, OfATreeWithoutNodesNothingIsKnown) {
+    Rows rows(std::vector<ToldNode>{});
+    rows.query.events = {{Kind::pair, 0, 0, 0}, {Kind::pair, 0, 1, 1}, {Kind::pair, 0, 2, 2}};
+    EXPECT_EQ(rows.problem().cause, PairCause::no_tree);
+}
+
+TEST(QueryCheck, APairThatIsRejectedAtANodeWithoutAVolumeNamesIt) {
     Rows rows;
+    rows.trees[0].set_volume(1, {}, 0, "not all of its numbers are numbers of use");
     rows.erase(Kind::pair, 1, 1);
-    rows.query.self = true;
+    std::erase_if(rows.query.events, [](const EngineEvent& event) {
+        return event.kind != Kind::pair && event.kind != Kind::volumes && event.a == 1;
+    });
+    rows.event(Kind::volumes, 1, 1).stage = 5;
+    const PairProblem problem = rows.problem();
+    EXPECT_EQ(problem.cause, PairCause::bad_volume);
+    EXPECT_EQ(problem.side, 0u);
+    EXPECT_EQ(problem.nodes, (IndexPair{1, 1}));
+}
+
+TEST(QueryCheck, PairsThatIntersectAreCountedWhereNoResultsWereRecorded) {
+    Rows rows;
+    std::erase_if(rows.query.events,
+                  [](const EngineEvent& event) { return event.kind != Kind::volumes; });
+    rows.query.tells_items = rows.query.tells_pairs = false;
+    EXPECT_EQ(rows.judged().without_results, 4u);
     EXPECT_TRUE(rows.judged().pairs.empty());
 }
 

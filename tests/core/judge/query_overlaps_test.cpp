@@ -32,7 +32,7 @@ TEST(QueryOverlaps, NothingIsCountedOfABodyAgainstItselfOrOfAPoseThatIsNotRigid)
     rows.query.self = true;
     EXPECT_EQ(level_overlaps(rows.query, 100), Counts{});
     rows.query.self = false;
-    rows.query.rigid = false;
+    rows.query.placed = false;
     EXPECT_EQ(level_overlaps(rows.query, 100), Counts{});
 }
 

@@ -100,7 +100,7 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     std::array<double, 12> rounded = exact;
     for (double& number : rounded) number = static_cast<double>(static_cast<float>(number));
     const BodyState body = pose_told(rounded);
-    EXPECT_TRUE(body.is_rigid());
+    EXPECT_FALSE(body.is_stretched());
     EXPECT_GT(body.defect, 1e-9);
     EXPECT_LT(rigidity_defect(body.pose), 1e-15);
     for (int i = 0; i < 3; ++i)
@@ -111,31 +111,63 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     std::array<double, 12> nearly = exact;
     nearly[0] += 1e-13;
     EXPECT_EQ(pose_told(nearly).pose.rotation(0, 0), nearly[0]);
-    nearly[0] += 1e-3;
-    EXPECT_FALSE(pose_told(nearly).is_rigid());
     nearly = exact;
     nearly[3] = 1e71;
-    EXPECT_FALSE(pose_told(nearly).is_rigid());
+    EXPECT_EQ(pose_told(nearly).pose_fault, "is not finite");
 }
 
-TEST(RecordedQueries, IsRigidWhereBothPosesAre) {
-    for (const std::uint32_t scaled : {0u, 1u}) {
+/// The body of a pose with these columns.
+BodyState body_with(const std::array<double, 9>& columns) {
+    std::vector<Record> records = two_balls();
+    RecordedPose pose = pose_at(1, 5);
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            pose.rows[4 * row + column] = columns[3 * column + row];
+    records.emplace_back(pose);
+    ReadSteps read(records);
+    read.read_all();
+    return read.queries.bodies().at(1);
+}
+
+TEST(RecordedQueries, APoseMayStretchItsBody) {
+    const BodyState scaled = body_with({0, 2, 0, -2, 0, 0, 0, 0, 2});
+    EXPECT_EQ(scaled.stretch, Mat3(2 * Mat3::Identity()));
+    EXPECT_LT(rigidity_defect(scaled.pose), 1e-15);
+    EXPECT_EQ(stretch_words(scaled.stretch), "scaled by 2");
+    const BodyState mirrored = body_with({-1, 0, 0, 0, 1, 0, 0, 0, 1});
+    EXPECT_LT(rigidity_defect(mirrored.pose), 1e-15);
+    EXPECT_EQ(stretch_words(mirrored.stretch), "mirrored");
+    EXPECT_EQ(stretch_words(body_with({1, 0, 0, 0, 2, 0, 0, 0, 3}).stretch),
+              "scaled by 1, 2 and 3");
+    EXPECT_EQ(stretch_words(body_with({-2, 0, 0, 0, 2, 0, 0, 0, 2}).stretch),
+              "scaled by 2 and mirrored");
+    const BodyState sheared = body_with({1, 0, 0, 1, 1, 0, 0, 0, 1});
+    EXPECT_EQ(stretch_words(sheared.stretch), "sheared");
+    EXPECT_EQ(sheared.pose.rotation, Mat3::Identity());
+    EXPECT_EQ(sheared.pose.translation, Vec3(5, 0, 0));
+    EXPECT_EQ(body_with({1, 0, 0, 0, 1, 0, 1, 1, 0}).pose_fault, "makes the body flat");
+    EXPECT_EQ(body_with({NAN, 0, 0, 0, 1, 0, 0, 0, 1}).pose_fault, "is not finite");
+    EXPECT_EQ(body_with({0, 0, 0, 0, 0, 0, 0, 0, 0}).pose_fault, "makes the body flat");
+}
+
+TEST(RecordedQueries, AQueryHasThePosesOfBothBodies) {
+    for (const std::uint32_t flat : {0u, 1u}) {
         std::vector<Record> records = two_balls();
-        RecordedPose pose = pose_at(scaled, 1);
-        pose.rows[0] = 2;
+        RecordedPose pose = pose_at(flat, 1);
+        pose.rows[0] = 0;
         records.emplace_back(pose);
         append(records, query_with({}));
-        EXPECT_FALSE(ReadSteps(records).query(0).rigid);
+        EXPECT_FALSE(ReadSteps(records).query(0).placed);
     }
 }
 
-TEST(RecordedQueries, ABodyThatIsToldAgainStandsWhereItsTreeDoes) {
+TEST(RecordedQueries, ABodyThatIsToldAgainStaysWhereItIs) {
     std::vector<Record> records = two_balls();
     append(records, {pose_at(1, 5), RecordedBody{1, 1, "B"}});
     append(records, query_with({}));
     ReadSteps read(records);
-    EXPECT_EQ(read.query(0).b_to_a.translation, Vec3(0, 0, 0));
-    EXPECT_FALSE(read.queries.bodies().at(1).placed);
+    EXPECT_EQ(read.query(0).b_to_a.translation, Vec3(5, 0, 0));
+    EXPECT_TRUE(read.queries.bodies().at(1).placed);
 }
 
 /// A triangle that reaches 10 from the origin, in coordinates of so many bytes.
@@ -162,7 +194,10 @@ TEST(RecordedQueries, TakesTheToleranceFromTheExactnessOfTheNumbers) {
     EXPECT_DOUBLE_EQ(tolerance_of({}, ball_volume(4, -8)), 8 * single);
     EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(4)}, ball_volume(4, 0.1)), 10 * single);
     EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4, 0.1)), 10 * exact);
-    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4)), 10 * single);
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4)), 10 * exact)
+        << "whole numbers say nothing";
+    EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, ball_volume(4, static_cast<double>(0.1f))),
+                     10 * single);
     EXPECT_DOUBLE_EQ(tolerance_of({mesh_of_ten(8)}, {}), 10 * exact) << "no volume";
 }
 
@@ -182,7 +217,7 @@ TEST(RecordedQueries, TheToleranceOfAQueryIsThatOfAllItsLengths) {
         skew.rows[1] = 1e-5;
         append(records, {skew, RecordedQuery{first, 1 - first}, RecordedQueryEnd{}});
         // B's numbers are of 32 bits, and A's pose is a little off.
-        EXPECT_NEAR(ReadSteps(records).query(0).tolerance, (4 + 2 + 3) * (1e-6 + 1e-5), 1e-12);
+        EXPECT_NEAR(ReadSteps(records).query(0).tolerance, (4 + 2 + 3 / 8.0) * 1e-6 + (4 + 2 + 3) * 1e-5, 1e-12);
     }
 }
 

@@ -59,7 +59,7 @@ std::vector<RecordedPose*> poses_of_b(std::vector<Record>& records) {
 
 RecordingJudgement judge(const std::string& bytes) {
     return judge_recording(
-        bytes, "test.scbrec", [](int) { return true; }, [] { return true; });
+        bytes, "test.scbrec", [](int) { return true; }, [](bool) { return true; });
 }
 
 RecordingJudgement judge(const std::vector<Record>& records) {
@@ -117,10 +117,9 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
         SCOPED_TRACE(volume_kind_name(volume));
         const Trace trace = trace_of(volume);
         const RecordingJudgement judged = judge(recording_of(trace));
-        EXPECT_FALSE(judged.wrong());
         EXPECT_EQ(judged.trees.size(), 2u);
         EXPECT_EQ(judged.trees[0].nodes, 2 * mesh_a().mesh.triangles.size() - 1);
-        EXPECT_EQ(judged.unjudged, 0u);
+        EXPECT_EQ(judged.verdict(), Verdict::sound);
         std::uint64_t pairs = 0, tests = 0;
         for (const TraceFrame& frame : trace.frames) pairs += frame.found.pairs.size();
         for (const FrameJudgement& frame : judged.frames) tests += frame.pairs;
@@ -403,29 +402,41 @@ TEST(RecordingJudgement, JudgesTheFramesThatAreWantedUntilItIsStopped) {
     for (const Record& record : records) writer.add(record);
     const std::string bytes = writer.finish();
     const RecordingJudgement odd = judge_recording(
-        bytes, "x", [](int frame) { return frame % 2 == 1; }, [] { return true; });
+        bytes, "x", [](int frame) { return frame % 2 == 1; }, [](bool) { return true; });
     ASSERT_EQ(odd.frames.size(), 2u);
     EXPECT_EQ(odd.frames[0].frame, 1);
     EXPECT_EQ(odd.frames[1].frame, 3);
     EXPECT_EQ(odd.frames[0].queries, 2u);
     EXPECT_EQ(odd.stages.at(0).tests, 4u);
     const RecordingJudgement stopped = judge_recording(
-        bytes, "x", [](int) { return true; }, [] { return false; });
+        bytes, "x", [](int) { return true; }, [](bool) { return false; });
     EXPECT_EQ(stopped.frames.size(), 1u);
 }
 
 TEST(RecordingJudgement, CountsAllCasesOfAProblemAndKeepsTheFirstHundred) {
     std::vector<Record> records = two_balls();
     append(records, query_with({{0, 0, 8}}));
-    append(records, query_with(std::vector<RecordedEvent>(151, {0, 0, 0})));
+    append(records, query_with(std::vector<RecordedEvent>(150, {3, 0, 0})));
     const RecordingJudgement judged = judge(records);
     ASSERT_EQ(judged.test_problems.size(), 2u);
     // The most frequent one stands first.
     EXPECT_EQ(judged.test_problems[0].count, 150u);
     EXPECT_EQ(judged.test_problems[0].cases.size(), ProblemGroup::most_cases);
-    EXPECT_EQ(judged.test_problems[0].cases[0].test, 1u);
+    EXPECT_EQ(judged.test_problems[0].cases[0].test, 0u);
     EXPECT_EQ(judged.test_problems[1].count, 1u);
     EXPECT_EQ(judged.test_problems[1].cases[0].nodes, (IndexPair{0, 8}));
+}
+
+// Fronts and traversals without a stack repeat tests.
+TEST(RecordingJudgement, RepeatedTestsAreACostAndNotWrong) {
+    std::vector<Record> records = two_balls();
+    append(records, query_with(std::vector<RecordedEvent>(3, {0, 0, 0})));
+    const RecordingJudgement judged = judge(records);
+    EXPECT_FALSE(judged.wrong());
+    ASSERT_EQ(judged.costs.size(), 1u);
+    EXPECT_EQ(judged.costs[0].kind, CostFinding::Kind::repeated);
+    EXPECT_EQ(judged.costs[0].count, 2u);
+    EXPECT_EQ(judged.costs[0].of, 3u);
 }
 
 TEST(RecordingJudgement, ATreeIsAsDeepAsItsDeepestNode) {
@@ -471,18 +482,35 @@ TEST(RecordingJudgement, OfAQueryThatEndsEarlyNothingIsMissed) {
     }
 }
 
-TEST(RecordingJudgement, AQueryWhosePoseIsNotRigidIsNotJudged) {
-    std::vector<Record> records = two_balls();
-    RecordedPose scaled = pose_at(1, 0);
-    scaled.rows[0] = 2;
-    records.emplace_back(scaled);
-    append(records, query_with({{1, 0, 0}}));
-    const RecordingJudgement judged = judge(records);
-    ASSERT_EQ(judged.test_problems.size(), 1u);
-    EXPECT_EQ(judged.test_problems[0].what, "a query's pose is not rigid");
-    EXPECT_EQ(judged.frames.at(0).queries, 1u);
-    EXPECT_EQ(judged.frames.at(0).volume_tests, 0u);
-    EXPECT_TRUE(judged.wrong());
+TEST(RecordingJudgement, AQueryWithoutAPoseIsNotJudged) {
+    for (const double number : {0.0, double{NAN}}) {
+        std::vector<Record> records = two_balls();
+        RecordedPose pose = pose_at(1, 0);
+        pose.rows[0] = number;
+        records.emplace_back(pose);
+        append(records, query_with({{1, 0, 0}}));
+        const RecordingJudgement judged = judge(records);
+        EXPECT_EQ(judged.frames.at(0).queries, 1u);
+        EXPECT_EQ(judged.frames.at(0).volume_tests, 0u);
+        // A flat body is a map that this project does not judge; no number is an error.
+        EXPECT_EQ(judged.verdict(), number == 0 ? Verdict::partly_judged : Verdict::wrong);
+    }
+}
+
+TEST(RecordingJudgement, AScaledBodyIsJudgedWithItsScale) {
+    // Balls of radius 1 that stand 2.5 apart: they meet where the second is scaled by 2.
+    for (const double scale : {1.0, 2.0, -2.0}) {
+        std::vector<Record> records = two_balls();
+        RecordedPose pose = pose_at(1, 2.5);
+        for (const std::size_t i : {0u, 5u, 10u}) pose.rows[i] = scale;
+        records.emplace_back(pose);
+        append(records, query_with({{1, 0, 0}}));
+        const RecordingJudgement judged = judge(records);
+        EXPECT_EQ(judged.wrong(), scale != 1) << scale;
+        ASSERT_EQ(judged.notes.size(), scale == 1 ? 0u : 1u);
+        if (scale != 2) continue;
+        EXPECT_EQ(judged.notes[0], "B is scaled by 2 by its pose at frame 0, and judged so");
+    }
 }
 
 /// A root and two children, and queries of it and of one node: of so many only the first child was
@@ -502,20 +530,30 @@ RecordingJudgement judged_divisions(std::uint32_t lacking, std::uint32_t whole,
     return judge(records);
 }
 
-TEST(RecordingJudgement, ANoteSaysThatFewDivisionsLackAChild) {
-    EXPECT_TRUE(judged_divisions(0, 4).notes.empty());
+/// What was not judged of this kind.
+const NotJudged* part_of(const RecordingJudgement& judged, const std::string& what) {
+    const auto found = std::find_if(judged.not_judged.begin(), judged.not_judged.end(),
+                                    [&what](const NotJudged& part) { return part.what == what; });
+    return found == judged.not_judged.end() ? nullptr : &*found;
+}
+
+TEST(RecordingJudgement, DivisionsThatLackAChildBelongToTheVerdict) {
+    const std::string what = "divisions of nodes";
+    EXPECT_EQ(part_of(judged_divisions(0, 4), what), nullptr);
     const RecordingJudgement judged = judged_divisions(2, 2);
-    EXPECT_FALSE(judged.wrong());
-    ASSERT_EQ(judged.notes.size(), 1u);
-    EXPECT_NE(judged.notes[0].find("2 of 4 divisions"), std::string::npos) << judged.notes[0];
-    EXPECT_NE(judged.notes[0].find("node 2 of A was not tested"), std::string::npos);
-    EXPECT_NE(judged.notes[0].find("in all of them it is child 2 of the node of A"),
-              std::string::npos);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    const NotJudged* part = part_of(judged, what);
+    ASSERT_NE(part, nullptr);
+    EXPECT_EQ(part->count, 2u);
+    EXPECT_EQ(part->of, 4u);
+    EXPECT_NE(part->why.find("node 2 of A was not tested"), std::string::npos);
+    EXPECT_NE(part->why.find("in all of them child 2 of the node of A"), std::string::npos);
     const RecordingJudgement unlike = judged_divisions(2, 2, true);
-    ASSERT_EQ(unlike.notes.size(), 1u);
-    EXPECT_EQ(unlike.notes[0].find("in all of them"), std::string::npos);
-    // Most of them: that is meant.
-    EXPECT_TRUE(judged_divisions(3, 2).notes.empty());
+    ASSERT_NE(part_of(unlike, what), nullptr);
+    EXPECT_EQ(part_of(unlike, what)->why.find("in all of them"), std::string::npos);
+    // Always forgetting one is no better.
+    ASSERT_NE(part_of(judged_divisions(4, 0), what), nullptr);
+    EXPECT_EQ(part_of(judged_divisions(4, 0), what)->count, 4u);
 }
 
 TEST(RecordingJudgement, QueriesOfABodyWithoutKnownItemsAreCounted) {
@@ -526,7 +564,6 @@ TEST(RecordingJudgement, QueriesOfABodyWithoutKnownItemsAreCounted) {
         append(records, {RecordedQuery{a, b}, RecordedQueryEnd{}});
     const RecordingJudgement judged = judge(records);
     EXPECT_EQ(judged.unknown_items, 2u);
-    EXPECT_EQ(judged.self_queries, 2u);
 }
 
 /// Four triangles that lie in a row along x, of A, each of which is crossed by one that stands, of

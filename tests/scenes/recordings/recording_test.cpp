@@ -112,11 +112,11 @@ TEST(Recording, OfAMeshThatChangesIsOneOfEachFrame) {
     EXPECT_THROW(scene_of_recording(file, "0,1"), InputError);
 }
 
-TEST(Recording, WhosePoseIsNotRigidHasNoQueriesOfThisProject) {
+TEST(Recording, WhosePoseMakesABodyFlatHasNoQueriesOfThisProject) {
     std::vector<Record> records = two_balls();
-    RecordedPose scaled = pose_at(1, 0);
-    scaled.rows[5] = 2;
-    records.emplace_back(scaled);
+    RecordedPose flat = pose_at(1, 0);
+    flat.rows[5] = 0;
+    records.emplace_back(flat);
     const TemporaryFolder folder;
     EXPECT_THROW(scene_of_recording(folder.write("x.scbrec", recording_of(records)), ""),
                  InputError);

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/judge/query_check.h"
+
+namespace scb {
+
+/// A test of two items, and the judged test of volumes that led to it; no_index: none.
+struct ItemTest {
+    std::uint32_t event = 0;  ///< index into EngineQuery::events
+    std::uint32_t test = no_index;
+};
+
+/// Two items in one number; of a body against itself the same in either order.
+std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b);
+
+/// Finds out why pairs that intersect were not reported.
+class MissedPairs {
+  public:
+    /// `item_tests`: the first of each pair, by pair_key. All must outlive this.
+    MissedPairs(const EngineQuery& query, std::span<const JudgedTest> tests,
+                const std::unordered_map<std::uint64_t, ItemTest>& item_tests);
+
+    /// O(depth), and of the tests of the nodes that lead to the pair.
+    PairProblem cause_of(IndexPair items);
+
+  private:
+    /// The nodes of one side from its root to the leaf that has the item where the pair meets, by
+    /// a mark, and the tests of them.
+    struct Way {
+        std::uint32_t leaf = no_index;
+        std::vector<std::uint32_t> nodes;
+    };
+    Way way_to(std::size_t side, std::uint32_t item, const Vec3* contact) const;
+    std::optional<Vec3> contact_of(IndexPair items) const;
+    /// The tests of a node of both ways: the first that rejected, and the deepest that passed.
+    void search(const Way& of_a, const Way& of_b, std::uint32_t& rejected,
+                std::uint32_t& deepest) const;
+    PairProblem untested(PairProblem problem, const std::array<Way, 2>& ways) const;
+    PairProblem rejected_at(PairProblem problem, std::uint32_t at) const;
+    std::uint32_t next_number(std::size_t side, std::uint32_t node, const Way& way) const;
+    /// How far the item is outside of the node, where that is more than the tolerance; else 0.
+    double outside(std::size_t side, std::uint32_t node, std::uint32_t item) const;
+    std::uint32_t number(std::size_t side, std::uint32_t node) const {
+        return (*query_.sides[side].tree)[node].number;
+    }
+
+    const EngineQuery& query_;
+    std::span<const JudgedTest> tests_;
+    const std::unordered_map<std::uint64_t, ItemTest>& item_tests_;
+    std::array<std::vector<std::vector<std::uint32_t>>, 2> tests_of_;  ///< per node of a side
+    mutable std::array<std::vector<std::uint32_t>, 2> mark_;  ///< per node: the latest search
+    mutable std::uint32_t searches_ = 0;
+};
+
+}  // namespace scb

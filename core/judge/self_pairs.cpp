@@ -1,0 +1,95 @@
+#include "core/judge/self_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/triangle_distance.h"
+#include "core/hierarchy/leaf_order.h"
+#include "scb/triangle_overlap.h"
+
+namespace scb {
+namespace {
+
+/// The distance of the edge between two corners from a triangle; 0 where they meet.
+double edge_gap(const Vec3& from, const Vec3& to, const TriangleCorners& triangle) {
+    const TriangleCorners edge{from, to, to};
+    return triangles_overlap(edge, triangle) ? 0 : triangle_gap(edge, triangle);
+}
+
+/// Two triangles with the edge from c[0] to c[1] in common: whether the free corners lie on one
+/// side of it, and are nearer than `tolerance` to each other's plane.
+bool fold_together(const TriangleCorners& a, const TriangleCorners& b, double tolerance) {
+    const Vec3 edge = a[1] - a[0], to_a = a[2] - a[0], to_b = b[2] - b[0];
+    const double square = squared_norm(edge);
+    if (!(square > 0)) return true;
+    const Vec3 up_a = to_a - edge * (dot(edge, to_a) / square),
+               up_b = to_b - edge * (dot(edge, to_b) / square);
+    if (dot(up_a, up_b) < 0) {
+        // They lean away from each other, by more than the tolerance.
+        return std::sqrt(squared_norm(up_a)) <= tolerance ||
+               std::sqrt(squared_norm(up_b)) <= tolerance;
+    }
+    const auto off_plane = [](const Vec3& up, const Vec3& other) {
+        const double across = squared_norm(other);
+        if (!(across > 0)) return std::sqrt(squared_norm(up));
+        return std::sqrt(squared_norm(Vec3(up - other * (dot(up, other) / across))));
+    };
+    return std::min(off_plane(up_a, up_b), off_plane(up_b, up_a)) <= tolerance;
+}
+
+}  // namespace
+
+SelfPairs::SelfPairs(const Mesh& mesh) : mesh_(mesh), joined_(weld(mesh)) {}
+
+std::size_t SelfPairs::arrange(std::uint32_t i, std::uint32_t j, TriangleCorners& of_i,
+                               TriangleCorners& of_j) const {
+    of_i = corners(mesh_, i);
+    of_j = corners(mesh_, j);
+    Triangle a = mesh_.triangles[i], b = mesh_.triangles[j];
+    std::size_t shared = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = shared; m < 3; ++m) {
+            if (joined_[a[k]] != joined_[b[m]]) continue;
+            std::swap(a[shared], a[k]);
+            std::swap(of_i[shared], of_i[k]);
+            std::swap(b[shared], b[m]);
+            std::swap(of_j[shared], of_j[m]);
+            ++shared;
+            break;
+        }
+    return shared;
+}
+
+bool SelfPairs::share_vertex(std::uint32_t i, std::uint32_t j) const {
+    for (const std::uint32_t a : mesh_.triangles[i])
+        for (const std::uint32_t b : mesh_.triangles[j])
+            if (joined_[a] == joined_[b]) return true;
+    return false;
+}
+
+bool SelfPairs::may_meet_elsewhere(std::uint32_t i, std::uint32_t j, double tolerance) const {
+    TriangleCorners a, b;
+    switch (arrange(i, j, a, b)) {
+        case 0:
+            return triangles_overlap(a, b) || triangle_gap(a, b) <= tolerance;
+        case 1:
+            return std::min(edge_gap(a[1], a[2], b), edge_gap(b[1], b[2], a)) <= tolerance;
+        case 2:
+            return fold_together(a, b, tolerance);
+        default:
+            return true;
+    }
+}
+
+std::vector<IndexPair> SelfPairs::all(const Hierarchy<Obb>& hierarchy) const {
+    const Collider<Obb> body{hierarchy, mesh_};
+    std::vector<IndexPair> pairs = collide(body, body, Pose{}).pairs;
+    std::erase_if(pairs, [this](const IndexPair& pair) {
+        return pair.a >= pair.b || share_vertex(pair.a, pair.b);
+    });
+    return pairs;
+}
+
+}  // namespace scb
