@@ -90,6 +90,11 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
             by_fault[problem.problem.fault].push_back(&problem);
         for (const auto& [fault, problems] : by_fault)
             text += faults_text(problems, std::min<std::size_t>(top, 3));
+        if (tree.fit)
+            text += "    One change explains it: " + tree.fit->what + ". With it, " +
+                    count_text(tree.fit->nodes) + " of " + count_text(tree.fit->of) +
+                    " nodes contain what is below them (frame " + std::to_string(tree.fit_at) +
+                    ").\n";
     }
     return text + "\n";
 }
@@ -112,7 +117,7 @@ std::string tests_text(const RecordingJudgement& judged) {
         judged.stages.begin(), judged.stages.end(),
         [](const auto& x, const auto& y) { return x.most_apart < y.most_apart; });
     if (farthest->most_apart > 0)
-        text += "  the false one farthest apart: " + farthest->farthest + "\n";
+        text += "  farthest apart of the false ones: " + farthest->farthest + "\n";
     return text + "\n";
 }
 
@@ -395,11 +400,17 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                                 {"frames", watched.frames}});
             problems.push_back(std::move(problem));
         }
-        json["trees"].push_back({{"tree", tree.number},
-                                 {"name", tree.name},
-                                 {"nodes", tree.nodes},
-                                 {"depth", tree.depth},
-                                 {"problems", std::move(problems)}});
+        Json of_tree = {{"tree", tree.number},
+                        {"name", tree.name},
+                        {"nodes", tree.nodes},
+                        {"depth", tree.depth},
+                        {"problems", std::move(problems)}};
+        if (tree.fit)
+            of_tree["fit"] = {{"what", tree.fit->what},
+                              {"nodes", tree.fit->nodes},
+                              {"of", tree.fit->of},
+                              {"frame", tree.fit_at}};
+        json["trees"].push_back(std::move(of_tree));
     }
     json["stages"] = Json::array();
     for (const auto& stage : judged.stages)

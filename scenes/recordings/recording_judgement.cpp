@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -97,6 +99,59 @@ class RecordingJudge {
         watch.look(recording_->frame(),
                    {*side.tree, *side.shape, side.mesh, recording_->tolerance_of(tree),
                     tree.version, tree.volume_version});
+        const auto mesh = recording_->meshes().find(tree.mesh);
+        if (mesh == recording_->meshes().end()) return;
+        keep_mesh(tree.mesh, mesh->second);
+        find_fit(number, side, mesh->second, recording_->tolerance_of(tree));
+    }
+
+    /// Meshes of earlier frames, of which a tree may be that was not refitted.
+    void keep_mesh(std::uint32_t number, const MeshState& mesh) {
+        constexpr std::size_t most = 8;
+        std::deque<EarlierMesh>& kept = earlier_[number];
+        if (!kept.empty() && kept.back().version == mesh.version) return;
+        kept.push_back({mesh.version, mesh.told_at, mesh.finite});
+        if (kept.size() > most) kept.pop_front();
+    }
+
+    /// One change that explains why nodes do not contain what is below them: at the frame with the
+    /// most of them, but not in each of many frames.
+    void find_fit(std::uint32_t number, const EngineSide& side, const MeshState& mesh,
+                  double tolerance) {
+        const TreeWatch& watch = watches_[number];
+        TreeFitting& fitting = fits_[number];
+        constexpr int most_tries = 3;
+        if (watch.most_outside() == 0 || watch.most_outside_at() != recording_->frame() ||
+            fitting.fit || fitting.tries >= most_tries ||
+            watch.most_outside() < 2 * fitting.outside)
+            return;
+        ++fitting.tries;
+        fitting.outside = watch.most_outside();
+        fitting.frame = recording_->frame();
+        std::vector<OtherMesh> others;
+        const std::deque<EarlierMesh>& kept = earlier_[recording_->trees().at(number).mesh];
+        for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier)
+            if (earlier->mesh != mesh.finite)
+                others.push_back(
+                    {"the mesh of frame " + std::to_string(earlier->frame), *earlier->mesh});
+        for (const auto& [body_number, body] : recording_->bodies()) {
+            if (body.tree != number || !body.placed || !body.pose_fault.empty()) continue;
+            const auto in_world = [&, stretch = body.stretch](const Pose& pose) {
+                Mesh placed = *mesh.finite;
+                for (Vec3& vertex : placed.vertices)
+                    vertex = transform_point(pose, rotate(stretch, vertex));
+                return placed;
+            };
+            const std::string of = " of " + name_of(body_number);
+            others.push_back({"the pose" + of + ", as of volumes in the world",
+                              in_world(body.pose)});
+            if (body.last)
+                others.push_back({"the pose" + of + " in the frame before, as of volumes in the "
+                                                    "world",
+                                  in_world(*body.last)});
+        }
+        fitting.fit = find_tree_fit(*side.tree, *side.shape, *mesh.finite, tolerance,
+                                    watch.most_outside(), others);
     }
 
     void take_query(const EngineQuery& query) {
@@ -568,7 +623,9 @@ class RecordingJudge {
                                  tree.tree.size(),
                                  0,
                                  recording_->unfinished_tree() == number,
-                                 watch.problems()};
+                                 watch.problems(),
+                                 fits_[number].fit,
+                                 fits_[number].frame};
             for (const std::uint32_t i : recording_->side_of(number).shape->order)
                 judged.depth = std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
             result_.trees.push_back(std::move(judged));
@@ -594,6 +651,15 @@ class RecordingJudge {
         list_costs();
     }
 
+    struct EarlierMesh {
+        int version = 0, frame = 0;
+        std::shared_ptr<const Mesh> mesh;
+    };
+    struct TreeFitting {
+        std::optional<TreeFit> fit;
+        std::size_t outside = 0;
+        int tries = 0, frame = 0;
+    };
     /// Known as long as the tree, which may be a stretched one, has this version.
     struct TightOfBody {
         const NodeTree* tree = nullptr;
@@ -610,6 +676,8 @@ class RecordingJudge {
     std::optional<RecordedQueries> recording_;
     OwnContacts own_;
     std::map<std::uint32_t, TreeWatch> watches_;
+    std::map<std::uint32_t, std::deque<EarlierMesh>> earlier_;  ///< by mesh
+    std::map<std::uint32_t, TreeFitting> fits_;                 ///< by tree
     std::map<std::uint8_t, StageJudgement> stages_;
     Groups missed_, false_, tests_;
     PoseSearch poses_;

@@ -3,11 +3,13 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/judge/query_check.h"
+#include "core/judge/tree_fit.h"
 #include "core/judge/tree_watch.h"
 #include "scenes/recordings/pose_search.h"
 #include "scenes/recordings/recorded_queries.h"
@@ -89,6 +91,8 @@ struct TreeJudgement {
     std::uint32_t depth = 0;
     bool unfinished = false;  ///< the file breaks off in it: what it was before that was judged
     std::vector<WatchedProblem> problems;
+    std::optional<TreeFit> fit;  ///< one change that explains most nodes that do not contain
+    int fit_at = 0;              ///< frame
 };
 
 /// What was recorded could all be judged and nothing is wrong; nothing is wrong in what could be
