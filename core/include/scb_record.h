@@ -422,6 +422,17 @@ static inline void scb_record_refit(scb_recorder* r, uint32_t tree, uint32_t nod
     scb_rec_end(r);
 }
 
+/** The extent of an object of a tree without mesh, in the tree's frame, from now on: the judgement
+ * then tells whether leaves contain their objects, and which pairs of objects were missed. */
+static inline void scb_record_object(scb_recorder* r, uint32_t tree, uint32_t object,
+                                     const scb_record_volume* volume) {
+    scb_rec_begin(r, 204, 8 + scb_rec_volume_size(volume));
+    scb_rec_put32(r, tree);
+    scb_rec_put32(r, object);
+    scb_rec_put_volume(r, volume);
+    scb_rec_end(r);
+}
+
 /** A body: a tree that is somewhere. Several may have the same tree. */
 static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* name,
                                    uint32_t tree) {
@@ -442,7 +453,8 @@ static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
     scb_rec_end(r);
 }
 
-/** Where a body is from now on; before, it is where its tree's coordinates say. */
+/** Where a body is from now on; before, it is where its tree's coordinates say. The matrix may also
+ * scale, mirror or shear the body. A body that is recorded again stays where it is. */
 static inline void scb_record_pose(scb_recorder* r, uint32_t body, const double pose[12]) {
     scb_rec_begin(r, 200, 4 + 96);
     scb_rec_put32(r, body);

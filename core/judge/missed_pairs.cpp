@@ -165,13 +165,19 @@ PairProblem MissedPairs::cause_of(IndexPair items) {
                            (test.nodes.a == ways[1].leaf && test.nodes.b == ways[0].leaf);
     problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
     problem.next = {next_number(0, test.nodes.a, ways[0]), next_number(1, test.nodes.b, ways[1])};
-    return problem;
+    // Of a test that rejected a node nothing need be recorded.
+    return problem.cause == PairCause::never_visited ? below_faulty(problem, ways) : problem;
 }
 
-/// No test of the nodes above the pair was recorded: a node that does not contain its triangle
-/// would be enough of a cause.
+/// No test of the nodes above the pair was recorded.
 PairProblem MissedPairs::untested(PairProblem problem, const std::array<Way, 2>& ways) const {
     problem.cause = tests_.empty() ? PairCause::no_tests : PairCause::never_tested;
+    return below_faulty(problem, ways);
+}
+
+/// A node on the way that does not contain its item is enough of a cause, where no test is known:
+/// the problem with that node, or as it is.
+PairProblem MissedPairs::below_faulty(PairProblem problem, const std::array<Way, 2>& ways) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::uint32_t item = side == 0 ? problem.items.a : problem.items.b;
         // From the leaf up: the node nearest to the triangle.
@@ -179,11 +185,12 @@ PairProblem MissedPairs::untested(PairProblem problem, const std::array<Way, 2>&
             const double amount = outside(side, *node, item);
             const bool broken = !query_.sides[side].tree->volume_fault(*node).empty();
             if (amount == 0 && !broken) continue;
-            problem.cause = broken ? PairCause::below_bad_volume : PairCause::below_outside;
-            problem.side = side;
-            problem.amount = amount;
-            (side == 0 ? problem.nodes.a : problem.nodes.b) = number(side, *node);
-            return problem;
+            PairProblem found{problem.items};
+            found.cause = broken ? PairCause::below_bad_volume : PairCause::below_outside;
+            found.side = side;
+            found.amount = amount;
+            (side == 0 ? found.nodes.a : found.nodes.b) = number(side, *node);
+            return found;
         }
     }
     return problem;

@@ -40,6 +40,7 @@ class MissedPairs {
     void search(const Way& of_a, const Way& of_b, std::uint32_t& rejected,
                 std::uint32_t& deepest) const;
     PairProblem untested(PairProblem problem, const std::array<Way, 2>& ways) const;
+    PairProblem below_faulty(PairProblem problem, const std::array<Way, 2>& ways) const;
     PairProblem rejected_at(PairProblem problem, std::uint32_t at) const;
     std::uint32_t next_number(std::size_t side, std::uint32_t node, const Way& way) const;
     /// How far the item is outside of the node, where that is more than the tolerance; else 0.

@@ -54,6 +54,7 @@ struct SubjectOf {
     Found operator()(const RecordedTree& r) { return {{RecordTag::tree, r.tree}}; }
     Found operator()(const RecordedNode& r) { return {{RecordTag::node, r.tree, r.node}}; }
     Found operator()(const RecordedRefit& r) { return {{RecordTag::refit, r.tree, r.node}}; }
+    Found operator()(const RecordedObject& r) { return {{RecordTag::object, r.tree, r.object}}; }
     Found operator()(const RecordedBody& r) { return {{RecordTag::body, r.body}}; }
     Found operator()(const RecordedPose& r) { return {{RecordTag::pose, r.body}}; }
     template <class R>
@@ -113,8 +114,8 @@ class Join {
         if (!said.payloads.empty() && said.reader != reader) {
             // Before the first frame a recording may describe something twice, and all of them do
             // so. Later only what holds now is the same for a query that follows.
-            const bool any =
-                !frame_ && subject->tag != RecordTag::pose && subject->tag != RecordTag::refit;
+            const bool any = !frame_ && subject->tag != RecordTag::pose &&
+                             subject->tag != RecordTag::refit && subject->tag != RecordTag::object;
             const auto end = said.payloads.end();
             if (std::find(any ? said.payloads.begin() : end - 1, end, payload) != end) return false;
             if (subject->is_definition() && said.frame == frame_)
@@ -131,13 +132,12 @@ class Join {
         return true;
     }
 
-    /// A body that is told begins where its tree's coordinates say, and a tree with the volumes of
-    /// its nodes.
+    /// A tree that is recorded again begins with the volumes of its nodes, and without objects.
     void forget_what_ends(const Subject& subject) {
-        if (subject.tag == RecordTag::body) said_.erase({RecordTag::pose, subject.number});
-        if (subject.tag == RecordTag::tree)
-            said_.erase(said_.lower_bound({RecordTag::refit, subject.number, 0}),
-                        said_.upper_bound({RecordTag::refit, subject.number, UINT32_MAX}));
+        if (subject.tag != RecordTag::tree) return;
+        for (const RecordTag tag : {RecordTag::refit, RecordTag::object})
+            said_.erase(said_.lower_bound({tag, subject.number, 0}),
+                        said_.upper_bound({tag, subject.number, UINT32_MAX}));
     }
 
     std::span<RecordingReader> readers_;

@@ -34,6 +34,7 @@ enum class RecordTag : std::uint8_t {
     query,
     query_end,
     end,
+    object,
 };
 /// From this tag on a record says how long it is; those below are of 9 bytes.
 inline constexpr std::uint8_t first_long_tag = 192;
@@ -119,6 +120,14 @@ struct RecordedRefit {
     bool operator==(const RecordedRefit&) const = default;
 };
 
+/// The extent of an object, in the frame of the tree whose leaf has it, from here on.
+struct RecordedObject {
+    std::uint32_t tree = 0, object = 0;
+    RecordedVolume volume;
+
+    bool operator==(const RecordedObject&) const = default;
+};
+
 struct RecordedBody {
     std::uint32_t body = 0, tree = 0;
     std::string name;
@@ -170,6 +179,6 @@ struct RecordedUnknown {
 using Record =
     std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
                  RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
-                 RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedUnknown>;
+                 RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedUnknown>;
 
 }  // namespace scb::scenes

@@ -360,6 +360,19 @@ void RecordedQueries::take(const RecordedRefit& refit) {
     set_volume(state, index, refit.volume);
 }
 
+void RecordedQueries::take(const RecordedObject& object) {
+    TreeState& state = known(trees_, object.tree, "tree");
+    std::string fault;
+    NodeVolume volume = node_volume(object.volume, state.directions, fault);
+    const std::string what =
+        "the extent of object " + std::to_string(object.object) + " of tree " +
+        std::to_string(object.tree);
+    if (state.mesh != record_none) return note_odd(what + ", whose items are triangles, was recorded");
+    if (!fault.empty()) return note_odd(what + " is none: " + fault);
+    ++state.volume_version;
+    state.tree.set_object_volume(object.object, std::move(volume));
+}
+
 void RecordedQueries::take(const RecordedBody& body) {
     known(trees_, body.tree, "tree");
     // A body that is announced again stays where it is.

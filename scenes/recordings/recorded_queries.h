@@ -160,6 +160,7 @@ class RecordedQueries {
     void take(const RecordedTree& tree);
     void take(const RecordedNode& node);
     void take(const RecordedRefit& refit);
+    void take(const RecordedObject& object);
     void take(const RecordedBody& body);
     void take(const RecordedFrame& frame);
     void take(const RecordedPose& pose);

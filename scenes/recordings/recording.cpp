@@ -34,7 +34,8 @@ class RecordingContents {
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
     void take(RecordedQueries& queries, Step step) {
-        take_bodies(queries);
+        // Once for all bodies of a frame, and once more at its end for those that came later.
+        if (step == Step::frame || taken_ != queries.frame()) take_bodies(queries);
         if (step == Step::query) take_query(queries);
     }
 

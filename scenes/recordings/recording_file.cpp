@@ -98,6 +98,8 @@ Record read_record(RecordTag tag, ByteReader& in) {
                                 read_volume(in)};
         case RecordTag::refit:
             return RecordedRefit{in.fixed32(), in.fixed32(), read_volume(in)};
+        case RecordTag::object:
+            return RecordedObject{in.fixed32(), in.fixed32(), read_volume(in)};
         case RecordTag::body:
             return RecordedBody{in.fixed32(), in.fixed32(), read_text(in)};
         case RecordTag::frame:
@@ -189,6 +191,12 @@ struct WriteRecord {
         out.fixed32(r.node);
         write_volume(out, r.volume);
         return RecordTag::refit;
+    }
+    RecordTag operator()(const RecordedObject& r) {
+        out.fixed32(r.tree);
+        out.fixed32(r.object);
+        write_volume(out, r.volume);
+        return RecordTag::object;
     }
     RecordTag operator()(const RecordedBody& r) {
         out.fixed32(r.body);

@@ -103,6 +103,9 @@ struct LineOf {
                 {"items", r.items},
                 {"volume", volume_json(r.volume)}};
     }
+    Json operator()(const RecordedObject& r) {
+        return {{"object", r.object}, {"in_tree", r.tree}, {"volume", volume_json(r.volume)}};
+    }
     Json operator()(const RecordedRefit& r) {
         return {{"refit", r.node}, {"in_tree", r.tree}, {"volume", volume_json(r.volume)}};
     }
@@ -286,6 +289,9 @@ void add_line(RecordingWriter& out, const JsonPlace& line) {
         out.add(RecordedNode{number("in_tree"), number("node"), number_or_none(line, "parent"),
                              long_number_of(line, "id"), name(), numbers_of(line, "children"),
                              numbers_of(line, "items"), volume_of(line)});
+    } else if (has(line, "object")) {
+        check_fields(line, {"object", "in_tree", "volume"});
+        out.add(RecordedObject{number("in_tree"), number("object"), volume_of(line)});
     } else if (has(line, "refit")) {
         check_fields(line, {"refit", "in_tree", "volume"});
         out.add(RecordedRefit{number("in_tree"), number("refit"), volume_of(line)});

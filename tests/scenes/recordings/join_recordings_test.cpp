@@ -134,16 +134,15 @@ TEST(JoinRecordings, SaysOnceThatATreeWasBuiltAnew) {
 }
 
 TEST(JoinRecordings, DefinesNothingAnewThatIsDefinedLate) {
-    // A body that is told again would lose its pose.
     const Records body = {RecordedBody{1, 0, "B"}};
     EXPECT_EQ(joined({world() + frame(0) + Records{at(1, 2)} + query(1) + done,
                       frame(0) + body + query(2) + done}),
               recording_of(world() + frame(0) + Records{at(1, 2)} + query(1) + query(2) + done));
-    // One that becomes another loses it, so that the same pose is said again.
+    // One that becomes another keeps its pose, so that the same pose is not said again.
     const Records other = {RecordedBody{1, 1, "B"}, at(1, 2)};
     EXPECT_EQ(joined({world() + frame(0) + done, frame(0) + Records{at(1, 2)} + done,
                       frame(0) + other + query(2) + done}),
-              recording_of(world() + frame(0) + Records{at(1, 2)} + other + query(2) + done));
+              recording_of(world() + frame(0) + Records{at(1, 2), other[0]} + query(2) + done));
     const Records tree = {RecordedTree{0, 0, "t", {}}, node(0, 1), RecordedRefit{0, 0, ball(2)}};
     EXPECT_EQ(
         joined({world() + frame(0) + Records{tree[2]} + query(1) + done,

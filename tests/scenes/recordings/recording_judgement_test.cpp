@@ -671,6 +671,84 @@ TEST(RecordingJudgement, NamesTheBodyWhoseNodeDoesNotContainItsTriangle) {
     }
 }
 
+/// A tree of three objects, one unit apart along x, and a probe at the middle one; the extents of the
+/// objects are recorded where `extents` says so.
+std::vector<Record> broadphase(bool extents) {
+    const auto box = [](double x, double size) {
+        return RecordedVolume{RecordedKind::aabb, {x, 0, 0, x + size, 0.5, 0.5}};
+    };
+    std::vector<Record> records = {RecordedSetting{"results", "pairs"},
+                                   RecordedTree{0, record_none, "manager", {}},
+                                   RecordedNode{0, 0, record_none, 0, "", {1, 2, 3}, {}, box(0, 2.5)}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        records.emplace_back(RecordedNode{0, i + 1, 0, 0, "", {}, {i}, box(i, 0.5)});
+        if (extents) records.emplace_back(RecordedObject{0, i, box(i, 0.5)});
+    }
+    append(records, {RecordedBody{0, 0, "manager"}, RecordedTree{1, record_none, "probe", {}},
+                     RecordedNode{1, 0, record_none, 0, "", {}, {0}, box(1.25, 0.5)}});
+    if (extents) records.emplace_back(RecordedObject{1, 0, box(1.25, 0.5)});
+    append(records, {RecordedBody{1, 1, "probe"}, RecordedFrame{0}});
+    append(records, query_with({{0, 0, 0}, {0, 2, 0}, {a_pair, 1, 0}}));
+    return records;
+}
+
+TEST(RecordingJudgement, LeavesOfObjectsAreJudgedWhereTheirExtentsAreRecorded) {
+    const std::string what = "leaf volumes of tree 0 \"manager\"";
+    const RecordingJudgement without = judge(broadphase(false));
+    EXPECT_EQ(without.verdict(), Verdict::partly_judged);
+    ASSERT_NE(part_of(without, what), nullptr);
+    EXPECT_EQ(part_of(without, what)->count, 3u);
+    EXPECT_EQ(part_of(without, what)->of, 3u);
+    std::vector<Record> whole = broadphase(true);
+    whole.emplace_back(RecordedEnd{});
+    EXPECT_EQ(judge(whole).verdict(), Verdict::sound);
+
+    // Object 2 moves to the probe, and its leaf does not.
+    std::vector<Record> records = broadphase(true);
+    append(records, {RecordedFrame{1},
+                     RecordedObject{0, 2, {RecordedKind::aabb, {1, 0, 0, 1.5, 0.5, 0.5}}}});
+    append(records, query_with({{0, 0, 0}, {0, 2, 0}, {a_pair, 1, 0}}));
+    const RecordingJudgement stale = judge(records);
+    EXPECT_TRUE(stale.wrong());
+    ASSERT_EQ(stale.trees.at(0).problems.size(), 1u);
+    const WatchedProblem& problem = stale.trees[0].problems[0];
+    EXPECT_EQ(problem.words, "node 3 does not contain object 2, by 1");
+    EXPECT_TRUE(problem.stale);
+    EXPECT_EQ(problem.since, 1);
+    ASSERT_EQ(stale.missed.size(), 1u);
+    EXPECT_EQ(stale.missed[0].cases[0].items, (IndexPair{2, 0}));
+    EXPECT_NE(stale.missed[0].cases[0].words.find("node 3 of A does not contain object 2"),
+              std::string::npos)
+        << stale.missed[0].cases[0].words;
+}
+
+TEST(RecordingJudgement, AStageKeepsItsNameWhereItemsAreObjects) {
+    std::vector<Record> records = broadphase(true);
+    records.insert(records.begin(), RecordedStage{1, "triangle-box"});
+    append(records, query_with({{0, 0, 0}, {1, 2, 0}}));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.missed.size(), 1u);
+    EXPECT_NE(judged.missed[0].cases[0].words.find("stage \"triangle-box\""), std::string::npos);
+    EXPECT_NE(judged.missed[0].cases[0].words.find("objects 1 of A"), std::string::npos);
+}
+
+TEST(RecordingJudgement, ExactTestsThatPassVolumesThatAreApartAreWrong) {
+    for (const bool exact : {false, true}) {
+        std::vector<Record> records = two_balls();
+        if (exact) records.insert(records.begin(), RecordedSetting{"tests", "exact"});
+        append(records, {pose_at(1, 5)});
+        append(records, query_with({{0, 0, 0}}));
+        const RecordingJudgement judged = judge(records);
+        EXPECT_EQ(judged.wrong(), exact);
+        EXPECT_NEAR(judged.stages.at(0).most_apart, 3, 1e-9);
+        EXPECT_NE(judged.stages[0].farthest.find("nodes 0 of A and 0 of B"), std::string::npos);
+        if (exact) {
+            EXPECT_NE(judged.test_problems.at(0).cases.at(0).words.find("3 apart"),
+                      std::string::npos);
+        }
+    }
+}
+
 TEST(RecordingJudgement, WhatIsOddIsSaid) {
     const RecordingJudgement judged =
         judge({RecordedTree{0, record_none, "", {}}, RecordedRefit{0, 5, {}},
