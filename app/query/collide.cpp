@@ -160,16 +160,12 @@ std::string nothing_text(const SceneQuery& query) {
 
 /// What a recording has of a query beside the exact pairs.
 struct RecordedCounts {
-    std::size_t pairs = 0, wrong = 0;
-    std::optional<std::size_t> missed;  ///< none where the engine ended early, or told no results
+    std::uint64_t pairs = 0, wrong = 0, grazing = 0;
+    std::optional<std::uint64_t> missed;  ///< none where the engine ended early, or told no results
 
-    RecordedCounts(const Collision& recorded, const std::vector<IndexPair>& exact, bool told)
-        : pairs(recorded.pairs.size()) {
-        std::vector<IndexPair> both;
-        std::set_intersection(recorded.pairs.begin(), recorded.pairs.end(), exact.begin(),
-                              exact.end(), std::back_inserter(both));
-        if (told && recorded.complete) missed = exact.size() - both.size();
-        wrong = recorded.pairs.size() - both.size();
+    RecordedCounts(const scenes::RecordedResults& results, bool knows_missed)
+        : pairs(results.reported), wrong(results.wrong), grazing(results.grazing) {
+        if (knows_missed) missed = results.missed;
     }
     std::string missed_text() const { return missed ? std::to_string(*missed) : "-"; }
 };
@@ -177,7 +173,8 @@ struct RecordedCounts {
 constexpr const char* recorded_header = " recorded   missed    false";
 
 std::string recorded_row(const RecordedCounts& counts) {
-    return format("%9zu %8s %8zu", counts.pairs, counts.missed_text().c_str(), counts.wrong);
+    return format("%9llu %8s %8llu", wide(counts.pairs), counts.missed_text().c_str(),
+                  wide(counts.wrong));
 }
 
 /// The row with more columns before its end.
@@ -200,6 +197,10 @@ int run(CollideCommandOptions& options, const Console& console) {
             throw InputError(options.scene.names[0] +
                              ": its items are objects without triangles, of which there are no "
                              "exact pairs; see `scb trace` for what it recorded.");
+        if (recorded->sides()[0] == recorded->sides()[1])
+            throw InputError(options.scene.names[0] +
+                             ": its queries are of a body against itself, which this command does "
+                             "not make; `scb inspect` judges their pairs.");
         options.query.bodies =
             recorded->header().bodies[0].name + "," + recorded->header().bodies[1].name;
     }
@@ -223,6 +224,7 @@ int run(CollideCommandOptions& options, const Console& console) {
         text = title_of(options, query) + count_table_header(stages);
     if (recorded && !options.json)
         text = with_columns(text, options.csv ? ",recorded,missed,false" : recorded_header);
+    std::uint64_t grazing = 0;
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
@@ -230,22 +232,27 @@ int run(CollideCommandOptions& options, const Console& console) {
         const Collision found = query.collide(frame);
         sums.add(found);
         std::optional<RecordedCounts> there;
-        if (recorded)
-            there.emplace(recorded->frame(frame).found, found.pairs, recorded->tells_results());
+        if (recorded) {
+            const bool complete = recorded->frame(frame).found.complete;
+            there.emplace(recorded->results(), complete && recorded->tells_results());
+            grazing += there->grazing;
+        }
         if (options.json) {
             json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
             if (there)
                 json_frames.back()["recorded"] = {
                     {"pairs", there->pairs},
                     {"missed", there->missed ? Json(*there->missed) : Json()},
-                    {"false", there->wrong}};
+                    {"false", there->wrong},
+                    {"within_rounding", there->grazing}};
         } else {
             const std::string row =
                 options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
             text += !there ? row
                     : options.csv
-                        ? with_columns(row, format(",%zu,%s,%zu", there->pairs,
-                                                   there->missed_text().c_str(), there->wrong))
+                        ? with_columns(row, format(",%llu,%s,%llu", wide(there->pairs),
+                                                   there->missed_text().c_str(),
+                                                   wide(there->wrong)))
                         : with_columns(row, recorded_row(*there));
         }
         if (!options.pairs_out.empty())
@@ -261,7 +268,11 @@ int run(CollideCommandOptions& options, const Console& console) {
         text += mean_row(sums, stages);
     if (recorded && !options.json && !options.csv)
         text += "\nrecorded: pairs that " + recorded->header().engine->name +
-                " reported; missed and false: against the exact ones. `scb inspect` says why.\n";
+                " reported; missed and false: against the exact ones. `scb inspect` says why.\n" +
+                (grazing == 0 ? std::string()
+                              : format("%llu more pairs touch, or miss each other, by less than "
+                                       "the engine's rounding, and are not judged.\n",
+                                       wide(grazing)));
     const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
     if (!options.json && !options.csv && all && sums.pairs == 0) text += nothing_text(query);
     if (!options.pairs_out.empty() && sums.frames > 0)

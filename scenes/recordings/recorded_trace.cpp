@@ -170,6 +170,21 @@ Attribution RecordedTrace::attribution(const TraversalTree& tree) {
                             header_, frame_, tree);
 }
 
+RecordedResults RecordedTrace::results() {
+    EngineQuery query = queries_->query();
+    if (!query.placed) return {};
+    // Tests of volumes take most of the time, and say nothing of the results.
+    std::erase_if(query.events, [](const EngineEvent& event) {
+        return event.kind == EngineEvent::Kind::volumes;
+    });
+    const QueryJudgement judged =
+        judge_query(query, own_.contacts(query, queries_->finite_meshes()));
+    RecordedResults results{judged.reported, judged.not_looked_into, 0, judged.grazing};
+    for (const PairProblem& problem : judged.pairs)
+        ++(is_missed(problem.cause) ? results.missed : results.wrong);
+    return results;
+}
+
 std::vector<std::size_t> RecordedTrace::level_overlaps(std::size_t most) {
     return scb::level_overlaps(queries_->query(), most);
 }

@@ -12,6 +12,12 @@
 
 namespace scb::scenes {
 
+/// Pairs that a query reported, or did not.
+struct RecordedResults {
+    std::uint64_t reported = 0, missed = 0, wrong = 0;
+    std::uint64_t grazing = 0;  ///< within the tolerance: not judged
+};
+
 /// The queries of two bodies of a recording as traces have them, frame by frame, and what there is
 /// of the bodies at each of these frames.
 class RecordedTrace {
@@ -46,8 +52,11 @@ class RecordedTrace {
     /// asked for ascending.
     const TraceFrame& frame(int number);
     /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
-    /// nothing where its pose is not rigid.
+    /// nothing where a body has no pose.
     Attribution attribution(const TraversalTree& tree);
+    /// What that query reported against the exact pairs, with the engine's rounding, as
+    /// RecordingJudgement has it; nothing where a body has no pose.
+    RecordedResults results();
     /// See query_overlaps.h.
     std::vector<std::size_t> level_overlaps(std::size_t most);
 
