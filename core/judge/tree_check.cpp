@@ -108,6 +108,7 @@ void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& m
     for (const auto& [item, node] : shape.more_holders)
         if (!split[item] && has_finite_corners(mesh, item)) {
             split[item] = true;
+            ++unjudged.of_splits;
             check_split(tree, shape, mesh, item, tolerance, worst, unjudged);
         }
     const auto is_whole = [&](std::uint32_t item) {

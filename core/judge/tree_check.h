@@ -43,7 +43,8 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
 struct UnjudgedVolumes {
     /// Leaves of objects whose own extents were not recorded, and how many leaves there are.
     std::uint64_t leaves = 0, of_leaves = 0;
-    std::uint64_t splits = 0;  ///< triangles in several leaves, see TriangleCover::undecided
+    /// Triangles in several leaves, see TriangleCover::undecided, and how many are in several.
+    std::uint64_t splits = 0, of_splits = 0;
 };
 
 /// Checks all volumes: that there are some, and that each contains, but for `tolerance`, the

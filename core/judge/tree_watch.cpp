@@ -69,6 +69,7 @@ void TreeWatch::look(int frame, const WatchedTree& tree) {
     unjudged_.leaves = std::max(unjudged_.leaves, unjudged.leaves);
     unjudged_.of_leaves = std::max(unjudged_.of_leaves, unjudged.of_leaves);
     unjudged_.splits = std::max(unjudged_.splits, unjudged.splits);
+    unjudged_.of_splits = std::max(unjudged_.of_splits, unjudged.of_splits);
     looked_ = frame;
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <type_traits>
+#include <tuple>
+#include <utility>
 
 namespace scb {
 namespace {
@@ -71,8 +72,19 @@ struct FaceBeyond {
             farthest = std::max(farthest, dot(normal, corner));
         take({normal, farthest + dot(normal, polytope->center)});
     }
-    template <class V>
-    void operator()(const V&) {}
+    /// Beyond the rectangle's edges.
+    void operator()(const Rss& v) {
+        for (const Vec3& side : v.half_sides) {
+            const double length = std::sqrt(squared_norm(side));
+            if (!(length > 0)) continue;
+            const Vec3 axis = side / length;
+            const double middle = dot(axis, v.center), half = length + v.radius;
+            take_axis(axis, middle - half, middle + half);
+        }
+    }
+    void operator()(const std::monostate&) {}
+    void operator()(const Ball&) {}
+    void operator()(const Capsule&) {}
 
     /// By steps toward the farthest corner in the direction of the point, each of which shortens
     /// the distance (Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form
@@ -122,6 +134,12 @@ double extent(const Polygon& polygon) {
     return std::sqrt(most);
 }
 
+Vec3 middle_of(const Polygon& polygon) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : polygon) middle += p / static_cast<double>(polygon.size());
+    return middle;
+}
+
 /// Across the longest edge.
 HalfSpace halving(const Polygon& polygon) {
     Vec3 along = Vec3::Zero(), middle = polygon[0];
@@ -157,8 +175,8 @@ class Cover {
   private:
     /// False: it has a point that is in no leaf.
     bool take(const Polygon& piece) {
-        // Per way how many corners are in it: the one with the most decides where to cut.
-        std::size_t best = ways_.size(), most = 0;
+        const Vec3 middle = middle_of(piece);
+        std::size_t of_middle = ways_.size();
         std::vector<bool> in_some(piece.size(), false);
         for (std::size_t k = 0; k < ways_.size(); ++k) {
             std::size_t inside = 0;
@@ -168,31 +186,44 @@ class Cover {
                 in_some[i] = in_some[i] || in;
             }
             if (inside == piece.size()) return true;
-            if (inside <= most) continue;
-            most = inside;
-            best = k;
+            if (of_middle == ways_.size() && outside(ways_[k], middle) <= tolerance_)
+                of_middle = k;
         }
         for (std::size_t i = 0; i < piece.size(); ++i)
             if (!in_some[i]) return leave_out(piece[i]);
+        if (of_middle == ways_.size()) {
+            // Of a piece that is outside, the farthest point is near a corner.
+            Vec3 farthest = middle;
+            for (const Vec3& corner : piece) {
+                const Vec3 p = corner + (middle - corner) * 1e-3;
+                if (nearest_to(p).second > nearest_to(farthest).second) farthest = p;
+            }
+            return leave_out(farthest);
+        }
         // Each corner is within the tolerance of a leaf, and no point is farther from a corner.
         if (extent(piece) <= tolerance_) return true;
-        divide(piece, ways_[best]);
+        divide(piece, ways_[of_middle]);
         return true;
     }
 
     bool leave_out(const Vec3& p) {
         found_.kind = TriangleCover::Kind::open;
         found_.point = p;
-        found_.amount = HUGE_VAL;
-        for (std::size_t k = 0; k < ways_.size(); ++k) {
-            const double amount = outside(ways_[k], p);
-            if (!(amount < found_.amount)) continue;
-            found_.amount = amount;
-            found_.nearest = k;
-        }
+        std::tie(found_.nearest, found_.amount) = nearest_to(p);
         return false;
     }
 
+    /// Which way the point is least outside of, and by how much.
+    std::pair<std::size_t, double> nearest_to(const Vec3& p) const {
+        std::pair<std::size_t, double> nearest{0, HUGE_VAL};
+        for (std::size_t k = 0; k < ways_.size(); ++k)
+            if (const double amount = outside(ways_[k], p); amount < nearest.second)
+                nearest = {k, amount};
+        return nearest;
+    }
+
+    /// The way contains the middle of the piece: what is cut off is not in it, and the rest is
+    /// nearer to being so.
     void divide(const Polygon& piece, const LeafWay& way) {
         for (const Vec3& p : piece) {
             if (outside(way, p) <= tolerance_) continue;

@@ -555,7 +555,7 @@ class RecordingJudge {
             const UnjudgedVolumes& of = watch.unjudged();
             not_judged(of.leaves, of.of_leaves, "leaf volumes of " + tree_words(number),
                        "the extents of their objects were not recorded (scb_record_object)");
-            not_judged(of.splits, of.splits, "triangles in several leaves of " + tree_words(number),
+            not_judged(of.splits, of.of_splits, "triangles in several leaves of " + tree_words(number),
                        "the surfaces of these leaves run along each other");
             const TreeState& tree = recording_->trees().at(number);
             if (tree.tree.size() == 0) not_judged(1, watches_.size(), "trees", tree_words(number) + " was recorded without nodes");
