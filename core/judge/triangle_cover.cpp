@@ -192,12 +192,13 @@ class Cover {
         for (std::size_t i = 0; i < piece.size(); ++i)
             if (!in_some[i]) return leave_out(piece[i]);
         if (of_middle == ways_.size()) {
-            // Of a piece that is outside, the farthest point is near a corner.
+            // The farthest point outside is nearer to a corner, perhaps.
             Vec3 farthest = middle;
-            for (const Vec3& corner : piece) {
-                const Vec3 p = corner + (middle - corner) * 1e-3;
-                if (nearest_to(p).second > nearest_to(farthest).second) farthest = p;
-            }
+            for (const Vec3& corner : piece)
+                for (const double share : {1e-3, 0.03, 0.1, 0.3}) {
+                    const Vec3 p = corner + (middle - corner) * share;
+                    if (nearest_to(p).second > nearest_to(farthest).second) farthest = p;
+                }
             return leave_out(farthest);
         }
         // Each corner is within the tolerance of a leaf, and no point is farther from a corner.
