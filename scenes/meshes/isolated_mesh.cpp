@@ -215,7 +215,8 @@ class Reader {
         throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
                               "); try again.");
     throw InputError(path +
-                     ": its reader crashed, so the file is broken; repair it or export it again.");
+                     ": the reader of this format crashed on the file, which may be valid; convert "
+                     "it to PLY or STL with another program.");
 }
 
 }  // namespace
@@ -230,7 +231,7 @@ fs::path mesh_reader() {
     return program.parent_path() / "scb";
 }
 
-Mesh isolated_mesh(const std::string& path) {
+Mesh isolated_mesh(const std::string& path, std::vector<std::string>* left_out) {
     Reader reader(path);
     MeshGreeting greeting{};
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
@@ -255,6 +256,7 @@ Mesh isolated_mesh(const std::string& path) {
                               "); use a PLY or OBJ file, or a system with seccomp.");
     if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
     for (const std::string& file : answer->side_files) note_input(file);
+    if (left_out) *left_out = std::move(answer->left_out);
     return std::move(answer->mesh);
 }
 
