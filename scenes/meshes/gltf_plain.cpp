@@ -67,10 +67,19 @@ class WrittenAccessors {
 
     /// Adds the buffers; until then the document has those of the file.
     void add_buffers() {
-        for (json& buffer : buffers_) document_.root.at("buffers").push_back(std::move(buffer));
+        if (buffers_.empty()) return;
+        json& buffers = document_.root["buffers"];
+        // The first of a .glb is its binary chunk.
+        if (buffers.empty()) buffers.push_back({{"byteLength", std::size_t{0}}});
+        for (json& buffer : buffers_) buffers.push_back(std::move(buffer));
     }
 
   private:
+    std::size_t of_file() const {
+        const auto buffers = document_.root.find("buffers");
+        return buffers == document_.root.end() ? 1 : std::max<std::size_t>(buffers->size(), 1);
+    }
+
     std::size_t write(std::size_t accessor, bool positions, const std::string& place) {
         json& accessors = document_.root.at("accessors");
         const std::vector<double> numbers =
@@ -85,9 +94,7 @@ class WrittenAccessors {
                 bytes[4 * i + b] = static_cast<char>(bits >> (8 * b) & 255);
         }
         json& views = document_.root["bufferViews"];
-        const std::size_t buffer =
-            (document_.root.contains("buffers") ? document_.root.at("buffers").size() : 0) +
-            buffers_.size();
+        const std::size_t buffer = of_file() + buffers_.size();
         views.push_back(
             {{"buffer", buffer}, {"byteOffset", std::size_t{0}}, {"byteLength", bytes.size()}});
         accessors.push_back(

@@ -23,6 +23,7 @@
 
 #include "scb/error.h"
 #include "scenes/meshes/confinement.h"
+#include "scenes/meshes/left_out.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/text/input_files.h"
 
@@ -231,7 +232,7 @@ fs::path mesh_reader() {
     return program.parent_path() / "scb";
 }
 
-Mesh isolated_mesh(const std::string& path, std::vector<std::string>* left_out) {
+Mesh isolated_mesh(const std::string& path) {
     Reader reader(path);
     MeshGreeting greeting{};
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
@@ -256,7 +257,7 @@ Mesh isolated_mesh(const std::string& path, std::vector<std::string>* left_out) 
                               "); use a PLY or OBJ file, or a system with seccomp.");
     if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
     for (const std::string& file : answer->side_files) note_input(file);
-    if (left_out) *left_out = std::move(answer->left_out);
+    note_left_out(path, answer->left_out);
     return std::move(answer->mesh);
 }
 

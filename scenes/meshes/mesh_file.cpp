@@ -46,32 +46,32 @@ void refuse_cad(const std::string& path, const std::string& extension) {
         const char *extension, *name;
     };
     constexpr CadFormat cad_formats[] = {{".step", "STEP"},
-                                  {".stp", "STEP"},
-                                  {".p21", "STEP"},
-                                  {".iges", "IGES"},
-                                  {".igs", "IGES"},
-                                  {".brep", "BREP"},
-                                  {".brp", "BREP"},
-                                  {".x_t", "Parasolid"},
-                                  {".x_b", "Parasolid"},
-                                  {".xmt_txt", "Parasolid"},
-                                  {".sat", "ACIS"},
-                                  {".sab", "ACIS"},
-                                  {".jt", "JT"},
-                                  {".sldprt", "SolidWorks"},
-                                  {".sldasm", "SolidWorks"},
-                                  {".catpart", "CATIA"},
-                                  {".catproduct", "CATIA"},
-                                  {".cgr", "CATIA"},
-                                  {".ipt", "Inventor"},
-                                  {".iam", "Inventor"},
-                                  {".prt", "NX and Creo"},
-                                  {".par", "Solid Edge"},
-                                  {".fcstd", "FreeCAD"},
-                                  {".3dm", "Rhino"},
-                                  {".dwg", "DWG"},
-                                  {".skp", "SketchUp"},
-                                  {".f3d", "Fusion"}};
+                                         {".stp", "STEP"},
+                                         {".p21", "STEP"},
+                                         {".iges", "IGES"},
+                                         {".igs", "IGES"},
+                                         {".brep", "BREP"},
+                                         {".brp", "BREP"},
+                                         {".x_t", "Parasolid"},
+                                         {".x_b", "Parasolid"},
+                                         {".xmt_txt", "Parasolid"},
+                                         {".sat", "ACIS"},
+                                         {".sab", "ACIS"},
+                                         {".jt", "JT"},
+                                         {".sldprt", "SolidWorks"},
+                                         {".sldasm", "SolidWorks"},
+                                         {".catpart", "CATIA"},
+                                         {".catproduct", "CATIA"},
+                                         {".cgr", "CATIA"},
+                                         {".ipt", "Inventor"},
+                                         {".iam", "Inventor"},
+                                         {".prt", "NX and Creo"},
+                                         {".par", "Solid Edge"},
+                                         {".fcstd", "FreeCAD"},
+                                         {".3dm", "Rhino"},
+                                         {".dwg", "DWG"},
+                                         {".skp", "SketchUp"},
+                                         {".f3d", "Fusion"}};
     for (const CadFormat& format : cad_formats)
         if (extension == format.extension)
             throw InputError(path + ": " + format.name +
@@ -79,25 +79,25 @@ void refuse_cad(const std::string& path, const std::string& extension) {
                              "OBJ from the CAD program.");
 }
 
-Mesh read_mesh(const std::string& name, std::vector<std::string>* left_out) {
+Mesh read_mesh(const std::string& name) {
     const std::string extension = lower_case_extension(name);
     if (is_ply(name)) return ply_mesh(name);
-    if (file_bytes(name, 4) == "glTF") return isolated_mesh(name, left_out);
+    if (file_bytes(name, 4) == "glTF") return isolated_mesh(name);
     if (is_off_file(name, extension)) return off_mesh(name);
     if (extension == ".obj") return obj_mesh(name);
     refuse_cad(name, extension);
-    return isolated_mesh(name, left_out);
+    return isolated_mesh(name);
 }
 
 }  // namespace
 
-Mesh load_mesh(const fs::path& path, std::vector<std::string>* left_out) {
+Mesh load_mesh(const fs::path& path) {
     const std::string name = path.string();
     check_file(path);
     note_input(path);
     try {
         // assimp's readers have been seen to crash on broken files.
-        Mesh mesh = read_mesh(name, left_out);
+        Mesh mesh = read_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "scb/mesh.h"
 
@@ -34,8 +32,7 @@ namespace scb::scenes {
 /// with one sentence that names the file, the place where known, and what to do: the file is
 /// missing, a directory, empty, of a format that nothing reads, or broken; an index is out of
 /// range; a used vertex is not finite; there is no triangle.
-///
-/// `left_out` gets what of the file is not in the mesh, such as "skins", where it is given.
-Mesh load_mesh(const std::filesystem::path& path, std::vector<std::string>* left_out = nullptr);
+////// What of the file is not in the mesh, such as skins, is noted, see note_left_out.
+Mesh load_mesh(const std::filesystem::path& path);
 
 }  // namespace scb::scenes

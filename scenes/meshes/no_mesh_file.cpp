@@ -4,7 +4,7 @@
 namespace scb::scenes {
 
 // In place of mesh_file.cpp where the library is built without assimp.
-Mesh load_mesh(const std::filesystem::path& path, std::vector<std::string>* /*left_out*/) {
+Mesh load_mesh(const std::filesystem::path& path) {
     throw InputError(path.string() +
                      ": this build reads no mesh files; build with SCB_BUILD_APP=ON.");
 }
