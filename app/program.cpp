@@ -18,6 +18,7 @@
 #include "render/gl/context.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
+#include "scenes/meshes/left_out.h"
 #include "scenes/text/input_files.h"
 
 namespace scb::app {
@@ -215,7 +216,10 @@ int run_program(const std::vector<std::string>& words, Watch& watch) {
                                            : ColorMode::automatic;
         if (const std::string note = line.note(); !note.empty()) console.note(note);
         watch.quiet = console.quiet;
-        return action();
+        const int status = action();
+        for (const std::string& sentence : scenes::take_left_out())
+            console.note("scb: " + sentence);
+        return status;
     } catch (const InputError& error) {
         console.error(line.placed(error.what()));
         return exit_bad_input;

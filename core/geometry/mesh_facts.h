@@ -28,7 +28,8 @@ struct MeshFacts {
     double longest_slender_side = 0;    ///< of the triangles with a slenderness of 16 and more
     std::uint32_t longest_slender = 0;  ///< the first triangle that has it, where there is one
 
-    /// Whether every edge has two triangles, degenerate ones and duplicates set aside.
+    /// Whether every edge has two triangles, duplicates and triangles with two corners at one place
+    /// set aside.
     bool closed() const { return open_edges == 0 && crowded_edges == 0; }
     /// How many triangles have a slenderness of 16 and more.
     std::size_t slender() const;

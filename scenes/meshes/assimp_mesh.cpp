@@ -154,16 +154,37 @@ Mesh joined(const aiScene& scene, const std::string& name) {
     return mesh;
 }
 
+/// What of the scene is not in its mesh.
+std::vector<std::string> left_out_of(const aiScene& scene) {
+    bool skins = false, targets = false;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        skins = skins || scene.mMeshes[m]->mNumBones > 0;
+        targets = targets || scene.mMeshes[m]->mNumAnimMeshes > 0;
+    }
+    std::vector<std::string> left_out;
+    if (skins) left_out.emplace_back("skins");
+    if (targets) left_out.emplace_back("morph targets");
+    return left_out;
+}
+
 }  // namespace
 
-AssimpMesh assimp_mesh(const std::string& path) {
-    Assimp::Importer importer;
-    // Its readers of the first two drop vertices whose numbers they do not like, and trust counts;
-    // those of scenes read the meshes that these name with every reader there is, unchecked.
-    for (const char* extension : {"obj", "ply", "lws", "irr"})
+AssimpMesh assimp_mesh(const std::string& path, const std::optional<PlainFile>& plain,
+                       const std::string& ending) {
+    // Kept: the scenes of some files are freed twice.
+    static std::vector<Assimp::Importer*> kept;
+    auto* const made = new Assimp::Importer;
+    kept.push_back(made);
+    Assimp::Importer& importer = *made;
+    // Its readers of the first three drop vertices whose numbers they do not like, and trust
+    // counts; those of scenes read the meshes that these name with every reader there is,
+    // unchecked.
+    for (const char* extension : {"obj", "ply", "off", "lws", "irr"})
         if (Assimp::BaseImporter* own = importer.GetImporter(extension))
             importer.UnregisterLoader(own);
-    auto* const folder = new MeshFolder(path);
+    const std::string name = path + ending;
+    auto* const folder = new MeshFolder(
+        path, name, plain ? std::optional<std::string_view>(plain->bytes) : std::nullopt);
     importer.SetIOHandler(folder);  // the importer deletes it
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -171,7 +192,7 @@ AssimpMesh assimp_mesh(const std::string& path) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD3_HANDLE_MULTIPART, false);
     // No post-processing: it reorders, welds, drops and repairs, and each of that would change the
     // counts.
-    const aiScene* scene = importer.ReadFile(path, 0);
+    const aiScene* scene = importer.ReadFile(name, 0);
     if (!scene) {
         const std::string reason = importer.GetErrorString();
         if (reason.rfind("No suitable reader", 0) == 0)
@@ -184,10 +205,12 @@ AssimpMesh assimp_mesh(const std::string& path) {
         if (!refused.empty()) refuse_side_file(path, refused);
         if (reason == std::bad_alloc().what()) throw std::bad_alloc();
         throw InputError(path + ": cannot be read (" + plain_message(reason) +
-                         "); repair the file or export it again.");
+                         "); export it again, or convert it to PLY or STL.");
     }
     if (!folder->refused().empty()) refuse_side_file(path, folder->refused());
-    return {joined(*scene, path), {folder->opened().begin(), folder->opened().end()}};
+    return {joined(*scene, path),
+            {folder->opened().begin(), folder->opened().end()},
+            plain ? plain->left_out : left_out_of(*scene)};
 }
 
 }  // namespace scb::scenes

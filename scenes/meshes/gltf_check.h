@@ -1,22 +1,35 @@
 #pragma once
 
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
+
+#include "scenes/meshes/gltf_document.h"
 
 namespace scb::scenes {
 
+/// Whether a primitive has triangles, strips or fans. Throws json::exception.
+bool gltf_has_triangles(const nlohmann::json& primitive);
+/// Whether its numbers are packed by KHR_draco_mesh_compression.
+bool gltf_is_in_draco(const nlohmann::json& primitive);
+
+/// Takes each primitive, and what to begin a refusal with. A json::exception becomes an InputError.
+void for_each_primitive(GltfDocument& document,
+                        const std::function<void(nlohmann::json&, const std::string&)>& action);
+
 /// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
-/// index against the count of the primitive's POSITION accessor; that positions are three floats;
-/// and that nothing else in it is what assimp's reader takes for something else without a word:
-/// fields that stand twice, damaged base64, the first buffer of a `.glb` with a name, required
-/// extensions that it does not know, and transforms of the wrong length.
+/// index against the count of the primitive's POSITION accessor; that positions are three numbers
+/// each and lie within their buffer view; and that nothing else in it is what assimp's reader takes
+/// for something else without a word: fields that stand twice, damaged base64, the first buffer of
+/// a `.glb` with a name (`has_chunks`: it is one), required extensions that are not known, and
+/// transforms of the wrong length. `root` must have an array `meshes`.
 ///
-/// Says nothing about what this cannot look into: glTF 1, accessors that are broken, sparse or
+/// Says nothing about what this cannot look into: accessors that are broken otherwise, and
 /// compressed indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp
 /// to read or refuse.
 ///
 /// Throws InputError that names the file and the line or field, or the mesh, primitive and index at
-/// fault, or says that the file is cut off.
-void check_gltf(std::string_view bytes, const std::string& name);
+/// fault.
+void check_gltf(GltfDocument& document, bool has_chunks);
 
 }  // namespace scb::scenes

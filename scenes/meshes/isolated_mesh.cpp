@@ -23,6 +23,7 @@
 
 #include "scb/error.h"
 #include "scenes/meshes/confinement.h"
+#include "scenes/meshes/left_out.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/text/input_files.h"
 
@@ -215,7 +216,8 @@ class Reader {
         throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
                               "); try again.");
     throw InputError(path +
-                     ": its reader crashed, so the file is broken; repair it or export it again.");
+                     ": the reader of this format crashed on the file, which may be valid; convert "
+                     "it to PLY or STL with another program.");
 }
 
 }  // namespace
@@ -255,6 +257,7 @@ Mesh isolated_mesh(const std::string& path) {
                               "); use a PLY or OBJ file, or a system with seccomp.");
     if (answer->kind == MeshAnswer::failure) throw std::runtime_error(answer->sentence);
     for (const std::string& file : answer->side_files) note_input(file);
+    note_left_out(path, answer->left_out);
     return std::move(answer->mesh);
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "scb/mesh.h"
 
@@ -23,6 +22,7 @@ struct MeshReaderError : std::runtime_error {
 /// or took too long; and MeshReaderError where it cannot be started or confined, has less memory
 /// than it needs by a limit from outside, or a signal asked it to end: the file is never read in
 /// this process instead.
+/// What of the file is not in the mesh is noted, see note_left_out.
 Mesh isolated_mesh(const std::string& path);
 
 /// Sets the program that isolated_mesh executes, which is scb. Call this before meshes are read.

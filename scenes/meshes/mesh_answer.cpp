@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace scb::scenes {
 namespace {
@@ -9,6 +10,12 @@ namespace {
 // Twice what assimp_mesh gives at most; and more than any sentence and any names.
 constexpr std::uint64_t most_values = std::uint64_t{1} << 29,
                         most_characters = std::uint64_t{1} << 20;
+
+/// For people to read, whatever sent it.
+void make_plain(std::string& text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+}
 
 using Read = std::function<bool(std::span<std::byte>)>;
 
@@ -34,8 +41,7 @@ std::optional<ReceivedAnswer> receive_answer(const Read& read) {
     ReceivedAnswer received{static_cast<MeshAnswer::Kind>(answer.kind)};
     if (answer.kind != MeshAnswer::mesh) {
         if (!receive(read, received.sentence, answer.first, most_characters)) return std::nullopt;
-        for (char& c : received.sentence)
-            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+        make_plain(received.sentence);
         return received;
     }
     std::string names;
@@ -43,8 +49,19 @@ std::optional<ReceivedAnswer> receive_answer(const Read& read) {
         !receive(read, received.mesh.triangles, answer.second, most_values) ||
         !receive(read, names, answer.third, most_characters))
         return std::nullopt;
-    for (std::size_t at = 0; at < names.size(); at += received.side_files.back().size() + 1)
-        received.side_files.emplace_back(names.c_str() + at);
+    bool is_file = true;
+    for (std::size_t at = 0; at < names.size();) {
+        std::string name = names.c_str() + at;
+        at += name.size() + 1;
+        if (name.empty()) {
+            is_file = false;
+        } else if (is_file) {
+            received.side_files.push_back(std::move(name));
+        } else {
+            make_plain(name);
+            received.left_out.push_back(std::move(name));
+        }
+    }
     return received;
 }
 

@@ -22,10 +22,11 @@ inline constexpr int mesh_answer_descriptor = 3;
 
 using MeshGreeting = std::array<char, 16>;
 inline constexpr MeshGreeting mesh_greeting = {'s', 'c', 'b', ' ', 'm', 'e', 's', 'h',
-                                               ' ', '4', 0,   0,   0,   0,   0,   0};
+                                               ' ', '5', 0,   0,   0,   0,   0,   0};
 
 /// How an answer begins. The vertices and the triangles of a mesh follow, as they lie in memory,
-/// and the names of its side files, each with a zero behind it; or a sentence.
+/// and the names of its side files, an empty name, and what of the file is left out, each with a
+/// zero behind it; or a sentence.
 struct MeshAnswer {
     enum Kind : std::uint64_t { mesh, refusal, unconfined, limited, failure };
     std::uint64_t kind = failure;
@@ -40,6 +41,7 @@ struct ReceivedAnswer {
     MeshAnswer::Kind kind = MeshAnswer::failure;
     Mesh mesh{};
     std::vector<std::string> side_files{};
+    std::vector<std::string> left_out{};
     std::string sentence{};
 };
 

@@ -8,6 +8,7 @@
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/obj_mesh.h"
+#include "scenes/meshes/off_mesh.h"
 #include "scenes/meshes/ply_mesh.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"
@@ -34,6 +35,60 @@ bool is_ply(const std::string& path) {
     return start.starts_with("ply") && start.find_first_of(" \t\r\n", 3) == 3;
 }
 
+/// By content only where the name is of no format.
+bool is_off_file(const std::string& path, const std::string& extension) {
+    return extension == ".off" || (extension != ".obj" && is_off(file_bytes(path, 4096)));
+}
+
+/// Formats of CAD programs, whose surfaces are no triangles, and which nothing here reads.
+void refuse_cad(const std::string& path, const std::string& extension) {
+    struct CadFormat {
+        const char *extension, *name;
+    };
+    constexpr CadFormat cad_formats[] = {{".step", "STEP"},
+                                         {".stp", "STEP"},
+                                         {".p21", "STEP"},
+                                         {".iges", "IGES"},
+                                         {".igs", "IGES"},
+                                         {".brep", "BREP"},
+                                         {".brp", "BREP"},
+                                         {".x_t", "Parasolid"},
+                                         {".x_b", "Parasolid"},
+                                         {".xmt_txt", "Parasolid"},
+                                         {".sat", "ACIS"},
+                                         {".sab", "ACIS"},
+                                         {".jt", "JT"},
+                                         {".sldprt", "SolidWorks"},
+                                         {".sldasm", "SolidWorks"},
+                                         {".catpart", "CATIA"},
+                                         {".catproduct", "CATIA"},
+                                         {".cgr", "CATIA"},
+                                         {".ipt", "Inventor"},
+                                         {".iam", "Inventor"},
+                                         {".prt", "NX and Creo"},
+                                         {".par", "Solid Edge"},
+                                         {".fcstd", "FreeCAD"},
+                                         {".3dm", "Rhino"},
+                                         {".dwg", "DWG"},
+                                         {".skp", "SketchUp"},
+                                         {".f3d", "Fusion"}};
+    for (const CadFormat& format : cad_formats)
+        if (extension == format.extension)
+            throw InputError(path + ": " + format.name +
+                             " is a CAD format, which is not read; export a mesh as STL, PLY or "
+                             "OBJ from the CAD program.");
+}
+
+Mesh read_mesh(const std::string& name) {
+    const std::string extension = lower_case_extension(name);
+    if (is_ply(name)) return ply_mesh(name);
+    if (file_bytes(name, 4) == "glTF") return isolated_mesh(name);
+    if (is_off_file(name, extension)) return off_mesh(name);
+    if (extension == ".obj") return obj_mesh(name);
+    refuse_cad(name, extension);
+    return isolated_mesh(name);
+}
+
 }  // namespace
 
 Mesh load_mesh(const fs::path& path) {
@@ -42,9 +97,7 @@ Mesh load_mesh(const fs::path& path) {
     note_input(path);
     try {
         // assimp's readers have been seen to crash on broken files.
-        Mesh mesh = is_ply(name)                           ? ply_mesh(name)
-                    : lower_case_extension(name) == ".obj" ? obj_mesh(name)
-                                                           : isolated_mesh(name);
+        Mesh mesh = read_mesh(name);
         check_mesh(mesh, name);
         return mesh;
     } catch (const InputError&) {

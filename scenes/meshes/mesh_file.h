@@ -6,8 +6,9 @@
 
 namespace scb::scenes {
 
-/// Reads a mesh file: PLY (see ply_mesh), OBJ (see obj_mesh), or what assimp reads: STL, OFF, glTF,
-/// GLB, DAE, 3DS, FBX and more; not scenes that name meshes of their own (LWS, IRR).
+/// Reads a mesh file: PLY (see ply_mesh), OBJ (see obj_mesh), OFF (see off_mesh), or what assimp
+/// reads: STL, glTF, GLB, DAE, 3DS, FBX and more; not scenes that name meshes of their own (LWS,
+/// IRR).
 ///
 /// Every mesh that a node of the file's scene refers to is placed by the transforms of its node and
 /// of the nodes above it, and all are joined, in the order of a walk from the root (a node's own
@@ -21,7 +22,7 @@ namespace scb::scenes {
 /// the core, which looks at positions, does not mind.
 ///
 /// assimp holds coordinates as float, and reads decimal text to within a unit in the last place of
-/// it; PLY and OBJ are exact. Lengths are in the file's unit, but for COLLADA, whose unit is
+/// it; PLY, OBJ and OFF are exact. Lengths are in the file's unit, but for COLLADA, whose unit is
 /// applied. The up axis of a COLLADA file is left alone; 3DS comes out with y up.
 ///
 /// What assimp reads is read in another process, see isolated_mesh, since its readers can crash on
@@ -31,6 +32,7 @@ namespace scb::scenes {
 /// with one sentence that names the file, the place where known, and what to do: the file is
 /// missing, a directory, empty, of a format that nothing reads, or broken; an index is out of
 /// range; a used vertex is not finite; there is no triangle.
+////// What of the file is not in the mesh, such as skins, is noted, see note_left_out.
 Mesh load_mesh(const std::filesystem::path& path);
 
 }  // namespace scb::scenes

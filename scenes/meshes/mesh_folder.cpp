@@ -1,7 +1,10 @@
 #include "scenes/meshes/mesh_folder.h"
 
+#include <assimp/MemoryIOWrapper.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -66,10 +69,11 @@ void refuse_side_file(const std::string& mesh, const std::string& name) {
                      "and name that.");
 }
 
-MeshFolder::MeshFolder(fs::path mesh) : mesh_(std::move(mesh)) {}
+MeshFolder::MeshFolder(fs::path mesh, fs::path name, std::optional<std::string_view> contents)
+    : mesh_(std::move(mesh)), name_(std::move(name)), contents_(contents) {}
 
 std::optional<fs::path> MeshFolder::allowed(const fs::path& file) const {
-    if (file == mesh_) return file;
+    if (file == mesh_ || file == name_) return mesh_;
     const std::optional<fs::path> found = side_file(file, mesh_);
     const fs::path folder = mesh_.parent_path(), normal = file.lexically_normal();
     std::string refused;
@@ -96,6 +100,9 @@ Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
         missed_.emplace_back(name);
         return nullptr;
     }
+    if (*found == mesh_ && contents_)
+        return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(contents_->data()),
+                                          contents_->size());
     // Its readers open a file more than once.
     std::error_code error;
     const std::uintmax_t size = fs::file_size(*found, error);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scb::scenes {
@@ -19,12 +20,16 @@ std::optional<std::filesystem::path> side_file(const std::filesystem::path& name
 /// Throws InputError for a name that is no side file.
 [[noreturn]] void refuse_side_file(const std::string& mesh, const std::string& name);
 
-/// The files that assimp may open: the mesh and its side files. Where it does not find one it tries
-/// others of the same name, in the folder of the mesh: these are not what the mesh names, so it
-/// does not get them. allow_for is told of the files that it opens.
+/// The files that assimp may open: the mesh, whatever name assimp knows it by, and its side files.
+/// Where it does not find one it tries others of the same name, in the folder of the mesh: these
+/// are not what the mesh names, so it does not get them. allow_for is told of the files that it
+/// opens.
 class MeshFolder : public Assimp::DefaultIOSystem {
   public:
-    explicit MeshFolder(std::filesystem::path mesh);
+    /// `name` is what assimp takes the mesh for, in the same folder; `contents`, where there are
+    /// any, are what it gets as the mesh, and must outlive this.
+    MeshFolder(std::filesystem::path mesh, std::filesystem::path name,
+               std::optional<std::string_view> contents);
 
     bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
@@ -40,7 +45,8 @@ class MeshFolder : public Assimp::DefaultIOSystem {
   private:
     std::optional<std::filesystem::path> allowed(const std::filesystem::path& file) const;
 
-    std::filesystem::path mesh_;
+    std::filesystem::path mesh_, name_;
+    std::optional<std::string_view> contents_;
     mutable std::string refused_;
     std::vector<std::filesystem::path> missed_;
     std::set<std::string> opened_;

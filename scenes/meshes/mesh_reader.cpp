@@ -9,16 +9,16 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <span>
 
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
-#include "scenes/meshes/collada_check.h"
+#include "scenes/meshes/collada_plain.h"
 #include "scenes/meshes/confinement.h"
-#include "scenes/meshes/gltf_check.h"
+#include "scenes/meshes/gltf_plain.h"
 #include "scenes/meshes/mesh_answer.h"
-#include "scenes/meshes/off_check.h"
 #include "scenes/meshes/tds_check.h"
 #include "scenes/text/file_bytes.h"
 
@@ -46,6 +46,8 @@ bool write_mesh(const AssimpMesh& read) {
     const Mesh& mesh = read.mesh;
     std::string names;
     for (const std::string& name : read.side_files) names.append(name).push_back('\0');
+    names.push_back('\0');
+    for (const std::string& name : read.left_out) names.append(name).push_back('\0');
     const MeshAnswer answer{MeshAnswer::mesh, mesh.vertices.size(), mesh.triangles.size(),
                             names.size()};
     return write_all(std::span(&answer, 1)) && write_all(std::span<const Vec3>(mesh.vertices)) &&
@@ -70,17 +72,24 @@ AssimpMesh checked_mesh(const std::string& path) {
                          ": a backslash in the path of a mesh is not understood; rename it.");
     const std::string start = file_bytes(path, 4096), extension = lower_case_extension(path);
     const std::size_t first = start.find_first_not_of(" \t\r\n");
-    if (extension == ".off" || start.substr(0, 16).find("OFF") != start.npos)
-        check_off(file_bytes(path), path);
-    if (extension == ".gltf" || extension == ".glb" || start.starts_with("glTF") ||
-        (first != start.npos && start[first] == '{'))
-        check_gltf(file_bytes(path), path);
+    std::optional<PlainFile> plain;
+    std::string ending;
+    const bool is_glb = start.starts_with("glTF");
+    if (extension == ".gltf" || extension == ".glb" || is_glb ||
+        (first != start.npos && start[first] == '{')) {
+        plain = plain_gltf(file_bytes(path), path);
+        // assimp goes by the ending where it tells them apart.
+        const std::string known = is_glb ? ".glb" : ".gltf";
+        if (plain && extension != known) ending = known;
+    }
     if (extension == ".zae")
         throw InputError(path + ": packed COLLADA is not read; unpack it, and give the .dae.");
-    if (extension == ".dae" || has_word(start, "<collada")) check_collada(file_bytes(path), path);
+    if (extension == ".dae" || has_word(start, "<collada"))
+        plain = plain_collada(file_bytes(path), path);
+    if (extension == ".stlb") ending = ".stl";
     if (extension == ".3ds" || extension == ".prj" || start.starts_with("MM"))
         check_3ds(file_bytes(path), path);
-    return assimp_mesh(path);
+    return assimp_mesh(path, plain, ending);
 }
 
 /// Whether the answer was written.

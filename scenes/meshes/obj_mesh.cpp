@@ -128,7 +128,7 @@ class ObjReader {
 
     void read_vertex(Words words) {
         check_count(mesh_.vertices.size());
-        std::array<double, 7> numbers{};
+        std::array<double, 3> numbers{};
         std::size_t count = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++count) {
             const std::optional<double> number = number_in(word);
@@ -140,10 +140,6 @@ class ObjReader {
             refuse("a vertex has 3 coordinates, which a weight and a color may follow, not " +
                    std::to_string(count) + (count == 1 ? " number" : " numbers") +
                    "; repair the line.");
-        if ((count == 4 || count == 7) && numbers[3] != 1)
-            refuse(
-                "a vertex with a weight other than 1 is part of a curve, which is not read; "
-                "export polygons.");
         mesh_.vertices.emplace_back(numbers[0], numbers[1], numbers[2]);
     }
 

@@ -13,7 +13,7 @@ namespace scb::scenes {
 /// vertex so far), and may name a vertex that comes later.
 ///
 /// Throws InputError that names the file and the line at fault: a vertex that is not 3, 4, 6 or 7
-/// numbers (a weight, which is for curves, must be 1; what follows is a color), a corner that is
+/// numbers (a weight, which curves alone use, and a color are passed over), a corner that is
 /// not a whole number or names no vertex, a line of more than 1 MiB, or more than 2^28 vertices or
 /// corners.
 ///

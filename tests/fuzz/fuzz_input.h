@@ -60,13 +60,24 @@ class InputFile {
     std::string path_;
 };
 
-/// Reads the bytes as a file by a reader of meshes: what it gives has no index out of range, and
-/// what it refuses gets a sentence.
+/// Whether vertices and triangles are the same bit by bit.
+inline bool same_bits(const Mesh& a, const Mesh& b) {
+    const auto same = [](const auto& first, const auto& second) {
+        const std::size_t size = first.size() * sizeof first[0];
+        return first.size() == second.size() &&
+               (size == 0 || std::memcmp(first.data(), second.data(), size) == 0);
+    };
+    return same(a.vertices, b.vertices) && same(a.triangles, b.triangles);
+}
+
+/// Reads the bytes as a file by a reader of meshes: what it gives has no index out of range and is
+/// the same when it is read again, and what it refuses gets a sentence.
 template <class Reader>
 void read_mesh(std::span<const std::uint8_t> bytes, const Reader& reader) {
     const InputFile file(bytes);
     try {
         const Mesh mesh = reader(file.path());
+        require(same_bits(mesh, reader(file.path())), "a mesh is the same when it is read again");
         for (const Triangle& t : mesh.triangles)
             for (const std::uint32_t v : t)
                 require(v < mesh.vertices.size(), "triangles name vertices");

@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,7 @@ const Counts triangles_of_corpus = {{"binary_big_endian.ply", 3},
                                     {"strips.ply", 3},
                                     {"text.ply", 3},
                                     {"a.3ds", 1},
+                                    {"a.3mf", 4},
                                     {"a.ac", 1},
                                     {"a.dae", 4},
                                     {"a.glb", 1},
@@ -115,6 +117,52 @@ TEST(HostileFiles, AreReadOrRefusedInOneSentence) {
 #ifndef SCB_SANITIZED
     EXPECT_LT(most_kilobytes_of_children(), 2'000'000);
 #endif
+}
+
+/// What is expected of a file of ../shared/hostile/readers: triangles and the opposite corners of
+/// their box, or words of the refusal.
+struct Expected {
+    int triangles = 0;
+    std::array<double, 6> box{};
+    std::string refusal{};
+};
+const std::map<std::string, Expected> expected_of_readers = {
+    {"dae_float_array_count_short.dae", {0, {}, "array \"a\" has 3 numbers"}},
+    {"dae_empty_init_from.dae", {1, {0, 0, 0, 1, 1, 0}}},
+    {"3mf_with_thumbnail.3mf", {4, {0, 0, 0, 1, 1, 1}}},
+    {"off_face_over_lines.off", {4, {0, 0, 0, 1, 1, 1}}},
+    {"off_binary.off", {0, {}, "binary OFF is not read"}},
+    {"gltf_no_scenes.gltf", {1, {0, 0, 0, 1, 1, 0}}},
+    {"gltf_gpu_instancing_used.gltf", {3, {0, 0, 0, 2, 2, 0}}},
+    {"obj_vertex_weight.obj", {1, {0, 0, 0, 1, 1, 0}}},
+    {"gltf_draco_quantized.gltf", {4, {0, 0, 0, 16384, 16384, 16384}}}};
+
+TEST(HostileFiles, ThatReadersMisreadAreReadRight) {
+    if (!fs::is_directory(hostile / "readers"))
+        GTEST_SKIP() << "../shared/hostile/readers is not there";
+    for (const auto& [name, expected] : expected_of_readers) {
+        const ProgramRun run =
+            run_scb_process("--no-config stats --json " + (hostile / "readers" / name).string());
+        if (!expected.refusal.empty()) {
+            expect_refused(run, name);
+            EXPECT_NE(run.err.find(expected.refusal), std::string::npos) << run.err;
+            continue;
+        }
+        ASSERT_EQ(run.status, 0) << name << run.err;
+        const auto hierarchy = nlohmann::json::parse(run.out)["hierarchies"][0];
+        EXPECT_EQ(hierarchy["triangles"], expected.triangles) << name;
+        const auto& box = hierarchy["facts"]["box"];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(box["lower"][axis], expected.box[axis]) << name;
+            EXPECT_EQ(box["upper"][axis], expected.box[axis + 3]) << name;
+        }
+        EXPECT_EQ(run.err, "") << name;
+    }
+    // A new file gets a row.
+    for (const fs::directory_entry& entry : fs::directory_iterator(hostile / "readers"))
+        EXPECT_TRUE(entry.path().extension() == ".md" ||
+                    expected_of_readers.contains(entry.path().filename().string()))
+            << entry.path();
 }
 
 // As the real program reads them; their fuzzers read them again under sanitizers.

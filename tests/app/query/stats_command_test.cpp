@@ -52,6 +52,22 @@ TEST(StatsCommand, SaysWhatTheMeshesAre) {
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
+TEST(StatsCommand, NotesWhatOfAMeshIsLeftOut) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("skin.gltf", R"({"asset": {"version": "2.0"},
+"nodes": [{"mesh": 0, "skin": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri":
+"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+    const ProgramRun run = run_scb("stats " + file);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err, "scb: " + file +
+                           ": its skins are left out; the mesh has the shape that is stored before "
+                           "them.\n");
+    EXPECT_EQ(run_scb("--quiet stats " + file).err, "");
+    EXPECT_EQ(run_scb("stats cone").err, "");
+}
+
 TEST(StatsCommand, SaysThatRoundingErrorsOfABoxAre0) {
     const TemporaryFolder folder;
     const std::string flat =

@@ -76,6 +76,24 @@ TEST(MeshFacts, CountEdgesOfOneTriangleAndOfMoreThanTwo) {
     EXPECT_EQ(facts.box.upper, Vec3(1, 1, 1));
 }
 
+// A triangle of three corners on one line, where one side divides an edge and the other does not.
+TEST(MeshFacts, CountTheEdgesOfDegenerateTrianglesWithThreeCorners) {
+    Mesh mesh = octahedron();
+    // The edge from 0 to 2 is divided at 6 on one side.
+    mesh.vertices.emplace_back(0.5, 0.5, 0);
+    const Triangle whole = mesh.triangles[0];
+    ASSERT_EQ(whole, (Triangle{0, 2, 4}));
+    mesh.triangles[0] = {0, 6, 4};
+    mesh.triangles.push_back({6, 2, 4});
+    EXPECT_EQ(mesh_facts(mesh).open_edges, 3u);
+    mesh.triangles.push_back({0, 2, 6});
+    EXPECT_EQ(mesh_facts(mesh).degenerate, 1u);
+    EXPECT_TRUE(mesh_facts(mesh).closed());
+    mesh.triangles.push_back({0, 0, 2});
+    EXPECT_EQ(mesh_facts(mesh).degenerate, 2u);
+    EXPECT_TRUE(mesh_facts(mesh).closed());
+}
+
 TEST(MeshFacts, SortSlenderTrianglesByTheirClass) {
     Mesh mesh;
     const auto add = [&](double length, double height) {

@@ -276,6 +276,18 @@ TEST(BadMeshFile, OfFlippedBytesNeverCrashes) {
     EXPECT_GT(loaded, 0);
 }
 
+TEST(BadMeshFile, OfACadProgramIsToldWhatToExport) {
+    for (const auto& [name, format] :
+         {std::pair("a.step", "STEP"), std::pair("A.STP", "STEP"), std::pair("a.iges", "IGES"),
+          std::pair("a.igs", "IGES"), std::pair("a.brep", "BREP"), std::pair("a.x_t", "Parasolid"),
+          std::pair("a.sldprt", "SolidWorks"), std::pair("a.CATPart", "CATIA"),
+          std::pair("a.ipt", "Inventor"), std::pair("a.FCStd", "FreeCAD"),
+          std::pair("a.3dm", "Rhino"), std::pair("a.dwg", "DWG")})
+        expect_in(std::string(format) +
+                      " is a CAD format, which is not read; export a mesh as STL, PLY or OBJ",
+                  refused_file(name, "ISO-10303-21;\n"));
+}
+
 TEST(BadMeshFile, ThatOnlyStartsLikeAPlyFileIsNone) {
     expect_in("the format is not known", refused_file("a.foo", "plywood\n1 2 3\n"));
 }
@@ -283,7 +295,7 @@ TEST(BadMeshFile, ThatOnlyStartsLikeAPlyFileIsNone) {
 // assimp would look for the files that it names in another folder.
 TEST(BadMeshFile, WithABackslashInItsPathIsRefused) {
     expect_in("a backslash in the path of a mesh is not understood; rename it.",
-              refused_file("a\\b.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 2\n"));
+              refused_file("a\\b.dae", dae_with("2")));
 }
 
 // They would be read by every reader of assimp, whatever is refused elsewhere.

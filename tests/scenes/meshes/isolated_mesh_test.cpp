@@ -6,6 +6,7 @@
 #include <span>
 #include <thread>
 
+#include "scenes/meshes/left_out.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/scenes/support.h"
@@ -25,12 +26,14 @@ struct FakeReader {
     TemporaryFolder folder;
 };
 
-constexpr const char* triangle_off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+constexpr const char* triangle_stl =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid a\n";
 
 /// What is said of a good file where the script reads it.
 std::string refused_by(const std::string& script) {
     const FakeReader fake(script);
-    const std::string file = fake.folder.write("good.off", triangle_off);
+    const std::string file = fake.folder.write("good.stl", triangle_stl);
     const std::string sentence = refusal([&] { load_mesh(file); });
     EXPECT_EQ(sentence.rfind(file + ": ", 0), 0u) << sentence;
     return sentence;
@@ -39,12 +42,12 @@ std::string refused_by(const std::string& script) {
 /// The whole sentence, where the script says it.
 std::string refused_by_reader(const std::string& script) {
     const FakeReader fake(script);
-    return refusal([&] { load_mesh(fake.folder.write("good.off", triangle_off)); });
+    return refusal([&] { load_mesh(fake.folder.write("good.stl", triangle_stl)); });
 }
 
 TEST(IsolatedMesh, GivesWhatAssimpGives) {
     const TemporaryFolder folder;
-    const Mesh mesh = isolated_mesh(folder.write("a.off", triangle_off));
+    const Mesh mesh = isolated_mesh(folder.write("a.stl", triangle_stl));
     EXPECT_EQ(mesh.vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
@@ -81,7 +84,7 @@ TEST(IsolatedMesh, TakesWhatTheReaderSaysForWhatItIs) {
 
 TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
     const FakeReader fake(answers({MeshAnswer::unconfined, 9}) + text("no filter"));
-    const std::string file = fake.folder.write("good.off", triangle_off);
+    const std::string file = fake.folder.write("good.stl", triangle_stl);
     try {
         load_mesh(file);
         ADD_FAILURE();
@@ -92,7 +95,7 @@ TEST(IsolatedMesh, IsNotReadWhereItsReaderCannotBeConfined) {
 
 TEST(IsolatedMesh, BlamesNoFileForALimitOfMemory) {
     const FakeReader fake(answers({MeshAnswer::limited, 7}) + text("limits."));
-    const std::string file = fake.folder.write("good.off", triangle_off);
+    const std::string file = fake.folder.write("good.stl", triangle_stl);
     EXPECT_THROW(load_mesh(file), MeshReaderError);
 }
 
@@ -104,7 +107,8 @@ TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
           answers({MeshAnswer::mesh, huge}), answers({MeshAnswer::mesh, 3, huge}),
           answers({MeshAnswer::mesh, 0, 0, huge}), answers({7}), answers({huge}),
           whole + "kill -SEGV $$", whole + "exit 1", whole + text("and more")})
-        expect_in("its reader crashed", refused_by(script));
+        expect_in("the reader of this format crashed on the file, which may be valid; convert it",
+                  refused_by(script));
     expect_in("its reader was killed", refused_by(greet + "kill -KILL $$"));
     for (const char* signal : {"ALRM", "XCPU"})
         expect_in("did not come to an end", refused_by(greet + "kill -" + signal + " $$"));
@@ -114,7 +118,7 @@ TEST(IsolatedMesh, BlamesNoFileWhereTheReaderDoesNotStart) {
     for (const std::string& script : {std::string("exit 0"), std::string("kill -SEGV $$"),
                                       text("scb mesh"), text("noise noise noise")}) {
         const FakeReader fake(script);
-        const std::string file = fake.folder.write("good.off", triangle_off);
+        const std::string file = fake.folder.write("good.stl", triangle_stl);
         EXPECT_THROW(load_mesh(file), MeshReaderError) << script;
     }
 }
@@ -124,7 +128,7 @@ TEST(IsolatedMesh, SaysWhatEndedItsReaderFromOutside) {
                                       greet + "kill -TERM $$", greet + "kill -HUP $$"}) {
         const FakeReader fake(script);
         try {
-            load_mesh(fake.folder.write("good.off", triangle_off));
+            load_mesh(fake.folder.write("good.stl", triangle_stl));
             ADD_FAILURE() << script;
         } catch (const MeshReaderError& error) {
             const bool before = script.find("KILL") != script.npos;
@@ -137,7 +141,7 @@ TEST(IsolatedMesh, SaysWhatEndedItsReaderFromOutside) {
 
 TEST(IsolatedMesh, IsNeverReplacedByReadingInThisProcess) {
     const TemporaryFolder folder;
-    const std::string file = folder.write("good.off", triangle_off);
+    const std::string file = folder.write("good.stl", triangle_stl);
     set_mesh_reader(folder / "gone");
     EXPECT_THROW(load_mesh(file), MeshReaderError);
     set_mesh_reader({});
@@ -166,9 +170,23 @@ TEST(IsolatedMesh, OfLessThanAPageTakesNoMoreThanItsMemory) {
               refusal([&] { load_mesh(file); }));
 }
 
+TEST(IsolatedMesh, NotesWhatOfAFileIsLeftOut) {
+    const std::string names("\0skins\0morph\ntargets\0", 21);
+    const std::string mesh(3 * 24 + 12, '\0');
+    const FakeReader fake(answers({MeshAnswer::mesh, 3, 1, names.size()}) + text(mesh + names));
+    const std::string file = fake.folder.write("good.stl", triangle_stl);
+    take_left_out();
+    load_mesh(file);
+    EXPECT_EQ(take_left_out(),
+              (std::vector<std::string>{
+                  file + ": its skins and morph targets are left out; the mesh has the shape that "
+                         "is stored before them."}));
+    EXPECT_TRUE(take_left_out().empty());
+}
+
 TEST(IsolatedMesh, ServesSeveralThreads) {
     const TemporaryFolder folder;
-    const std::string file = folder.write("good.off", triangle_off);
+    const std::string file = folder.write("good.stl", triangle_stl);
     std::array<std::size_t, 4> triangles{};
     {
         std::vector<std::jthread> threads;

@@ -33,7 +33,7 @@ TEST(MeshAnswer, OfAMeshHasItsVerticesTrianglesAndSideFiles) {
         mesh.vertices.emplace_back(i, -1.0 * i, 0.5);
         mesh.triangles.push_back({i, i / 2, i / 3});
     }
-    const std::string names("a.bin\0below/b.bin\0", 18);
+    const std::string names("a.bin\0below/b.bin\0\0skins\0", 25);
     const auto answer =
         received({MeshAnswer::mesh, mesh.vertices.size(), mesh.triangles.size(), names.size()},
                  bytes_of(std::span<const Vec3>(mesh.vertices)) +
@@ -42,6 +42,7 @@ TEST(MeshAnswer, OfAMeshHasItsVerticesTrianglesAndSideFiles) {
     EXPECT_EQ(answer->mesh.vertices, mesh.vertices);
     EXPECT_EQ(answer->mesh.triangles, mesh.triangles);
     EXPECT_EQ(answer->side_files, (std::vector<std::string>{"a.bin", "below/b.bin"}));
+    EXPECT_EQ(answer->left_out, (std::vector<std::string>{"skins"}));
 }
 
 TEST(MeshAnswer, OfAReaderThatIsTakenOverControlsNoTerminal) {

@@ -6,6 +6,7 @@
 #include <assimp/Importer.hpp>
 
 #include "tests/scenes/meshes/sample_mesh.h"
+#include "tests/stored_zip.h"
 
 namespace scb::scenes {
 namespace {
@@ -209,6 +210,80 @@ TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
         load_mesh(folder.write("u.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n99 99 99\n3 0 1 2\n"));
     EXPECT_EQ(mesh.vertices.size(), 4u);
     EXPECT_EQ(bounding_box(mesh).upper, Vec3(1, 1, 0));
+}
+
+// assimp frees the picture of the package twice, once the mesh was read.
+TEST(MeshFile, ReadsA3mfPackageWithAThumbnail) {
+    const TemporaryFolder folder;
+    for (const bool with_thumbnail : {false, true}) {
+        const Mesh mesh =
+            load_mesh(folder.write("a.3mf", package_3mf(model_of_3mf, with_thumbnail)));
+        EXPECT_EQ(mesh.vertices.size(), 4u);
+        EXPECT_EQ(mesh.triangles.size(), 4u);
+    }
+}
+
+TEST(MeshFile, ReadsStlUnderTheEndingStlb) {
+    std::string bytes(80, ' ');
+    bytes += raw(std::uint32_t{1}) + std::string(12, '\0');
+    for (const float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) bytes += raw(value);
+    bytes += std::string(2, '\0');
+    const TemporaryFolder folder;
+    for (const char* name : {"a.stl", "a.stlb", "a.STLB"})
+        EXPECT_EQ(load_mesh(folder.write(name, bytes)).vertices,
+                  (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}))
+            << name;
+}
+
+/// A triangle at z = 3.
+std::string fbx(int up_axis, int unit) {
+    const auto property = [](const char* name, const char* type, const char* label, int value) {
+        return "P: \"" + std::string(name) + "\", \"" + type + "\", \"" + label + "\", \"\"," +
+               std::to_string(value) + "\n";
+    };
+    return "; FBX 7.4.0 project file\nFBXHeaderExtension: {\nFBXHeaderVersion: 1003\n"
+           "FBXVersion: 7400\n}\nGlobalSettings: {\nVersion: 1000\nProperties70: {\n" +
+           property("UpAxis", "int", "Integer", up_axis) +
+           property("FrontAxis", "int", "Integer", 3 - up_axis) +
+           property("UnitScaleFactor", "double", "Number", unit) +
+           R"(}
+}
+Objects: {
+Geometry: 100, "Geometry::g", "Mesh" {
+Vertices: *9 {
+a: 0,0,0,1,0,0,0,2,0
+}
+PolygonVertexIndex: *3 {
+a: 0,1,-3
+}
+GeometryVersion: 124
+}
+Model: 200, "Model::m", "Mesh" {
+Version: 232
+Properties70: {
+P: "Lcl Translation", "Lcl Translation", "", "A",0,0,3
+}
+}
+}
+Connections: {
+C: "OO",200,0
+C: "OO",100,200
+}
+)";
+}
+
+// As the manual says.
+TEST(MeshFile, AppliesTheUnitOfColladaAlone) {
+    const TemporaryFolder folder;
+    for (const int unit : {1, 100})
+        for (const int up : {1, 2})
+            EXPECT_EQ(load_mesh(folder.write("a.fbx", fbx(up, unit))).vertices,
+                      (std::vector<Vec3>{{0, 0, 3}, {1, 0, 3}, {0, 2, 3}}));
+    std::string model = model_of_3mf;
+    const std::string unit = "millimeter";
+    model.replace(model.find(unit), unit.size(), "inch");
+    EXPECT_EQ(bounding_box(load_mesh(folder.write("a.3mf", package_3mf(model)))).upper,
+              Vec3(1, 1, 1));
 }
 
 }  // namespace

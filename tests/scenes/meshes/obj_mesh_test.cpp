@@ -95,8 +95,6 @@ TEST(ObjMesh, OfABrokenLineNamesIt) {
     for (const char* numbers : {"", "1 2", "1 2 3 1 5", "1 2 3 4 5 6 7 8"})
         expect_in("a vertex has 3 coordinates",
                   refused_obj(std::string("v ") + numbers + "\nf 1 1 1\n"));
-    expect_in("line 5: a vertex with a weight other than 1",
-              refused_obj(corners_of_four + "v 1 2 3 0.5\nf 1 2 3\n"));
     expect_in("line 6: expected a corner such as 1, 1/2 or 1/2/3, found \"3x\"",
               refused_obj(corners_of_four + "f 1 2 3\nf 1 2 3x\n"));
     for (const char* corner : {"x", "1.5", "/1", "99999999999999999999"})
@@ -120,9 +118,10 @@ TEST(ObjMesh, NamesLinesByTheirNumbersWhateverEndsThem) {
                   refused_obj("v 0 0 0" + end + end + "v 1 0 x" + end + "f 1 1 1" + end));
 }
 
-TEST(ObjMesh, WithAWeightIsRefusedBeforeAColorToo) {
-    expect_in("line 5: a vertex with a weight other than 1",
-              refused_obj(corners_of_four + "v 1 2 3 0.5 1 1 1\nf 1 2 3\n"));
+TEST(ObjMesh, PassesOverAWeightAlsoBeforeAColor) {
+    for (const char* more : {"0.5", "0", "0.5 1 1 1"})
+        EXPECT_EQ(obj_of(corners_of_four + "v 1 2 3 " + more + "\nf 1 2 5\n").vertices[4],
+                  Vec3(1, 2, 3));
 }
 
 TEST(ObjMesh, KeepsALastLineThatEndsWithABackslash) {
