@@ -231,18 +231,22 @@ bool has_slab_beside_center(const NodeVolume& volume) {
 
 }  // namespace
 
+bool has_exact_verdict(const NodeVolume& a, const NodeVolume& b) {
+    // What scb2_reach gives is then only a bound.
+    if (has_slab_beside_center(a) || has_slab_beside_center(b)) return false;
+    return has_volume(a) && has_volume(b) &&
+           std::holds_alternative<Scb2>(a) == std::holds_alternative<Scb2>(b);
+}
+
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
-    if (!has_volume(a) || !has_volume(b)) return {};
-    // What scb2_reach gives is then only a bound.
-    if (has_slab_beside_center(a) || has_slab_beside_center(b)) return {};
+    if (!has_exact_verdict(a, b)) return {};
     return std::visit(
         [&]<class V>(const V& va) -> ContactCertificate {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||
                           std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
                 if (const V* vb = std::get_if<V>(&b)) return verdict(va, *vb, b_to_a, tolerance);
             }
-            if (std::holds_alternative<Scb2>(a) || std::holds_alternative<Scb2>(b)) return {};
             return verdict(convex_shape(a), convex_shape(b), b_to_a, tolerance);
         },
         a);
