@@ -56,7 +56,7 @@ void BodiesInside::prepare() {
 }
 
 std::array<PartsInside, 2> BodiesInside::at(const Pose& b_to_a) {
-    const auto& [a, b] = sides_;
+    const Side &a = sides_[0], &b = sides_[1];
     const Box box_of_b = bounding_box(*b.mesh, b_to_a);
     if (!overlap(a.box, box_of_b)) return {};
     prepare();
