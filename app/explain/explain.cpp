@@ -3,6 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/explain/explain_pictures.h"
+#include "app/explain/explain_recording.h"
 #include "app/explain/explain_report.h"
 #include "app/explain/explain_volumes.h"
 #include "core/base/exit_status.h"
@@ -28,10 +29,6 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     const std::string& name = options.scene.names[0];
     const bool trace = options.scene.names.size() == 1 && scenes::names_trace(name);
     if (trace) refuse_for_trace(options.recording, name);
-    if (options.scene.is_recording() && asks_for_recorded(options.recording))
-        throw InputError(name +
-                         ": --pair takes nodes of this program's own hierarchies, not the "
-                         "recorded ones; say of which volumes with --volume.");
     if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
     QuerySource source(options.scene, options.hierarchy, query, {}, false);
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
@@ -86,8 +83,10 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
 
 int run(const ExplainOptions& options, const Console& console) {
     options.check();
-    return options.pairs_file.empty() ? explain_scene(options, console)
-                                      : explain_volumes(options, console);
+    if (!options.pairs_file.empty()) return explain_volumes(options, console);
+    return options.scene.is_recording() && asks_for_recorded(options.recording)
+               ? explain_recording(options, console)
+               : explain_scene(options, console);
 }
 
 }  // namespace
@@ -104,6 +103,12 @@ void add_explain(const Command& program, const Console& console, Action& action)
         "separates decides. Below are the exact answer with its certificate, and the answers of "
         "the other tests. Exit status 1\n"
         "if the test rejected volumes that overlap.\n\n"
+        "Of another engine's recording, I and J are the engine's numbers of nodes, and the volumes "
+        "its "
+        "own: how the recorded test\n"
+        "ended, the exact answer, and whether the test was right. With --volume and the like the "
+        "nodes "
+        "are of own hierarchies.\n\n"
         "FILE.json is a list of pairs, or one: {\"a\": VOLUME, \"b\": VOLUME, \"pose\": [12 "
         "numbers, [R|t] row by row, B in A's\nframe; may be left out]}, where VOLUME is one of\n"
         "  {\"center\": [x,y,z], \"radius\": r, \"normal\": [x,y,z], \"e\": e, \"f\": f}\n"
@@ -114,6 +119,7 @@ void add_explain(const Command& program, const Console& console, Action& action)
         "Examples:\n"
         "  scb explain spheres-l1 --frames 250 --pair 7164,1873 --test corrected\n"
         "  scb explain spheres-l1 --frames 50 --pair 25912,15272 --test printed\n"
+        "  scb explain engine.scbrec --frames 2 --pair 226,248\n"
         "  scb explain --pairs volumes.json --json\n"
         "  scb explain --pairs volumes.json -o out/");
     command.callback([&action, &console, command, options] {

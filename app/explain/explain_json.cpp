@@ -78,6 +78,8 @@ Json steps_json(const OverlapSteps& steps) {
     return list;
 }
 
+}  // namespace
+
 Json certificate_json(const ExplainedPair& pair) {
     const ContactCertificate& certificate = pair.found.certificate;
     if (certificate.contact == Contact::touching) return nullptr;
@@ -93,7 +95,18 @@ Json certificate_json(const ExplainedPair& pair) {
     return result;
 }
 
-}  // namespace
+void add_volumes_json(Json& json, const ExplainedPair& pair) {
+    json["a"] = json_of(pair.a);
+    json["b"] = json_of(pair.b);
+    json["pose"] = pose_json(pair.placed.b_to_a);
+    const render::AnyVolume b = b_seen_from_a(pair);
+    json["b_in_a"] = json_of(b);
+    if (pair.kind == VolumeKind::scb) {
+        json["thickness"] = {thickness(std::get<Scb>(pair.a)), thickness(std::get<Scb>(b))};
+        json["normal_angle"] = normal_angle(pair);
+    }
+    json["center_distance"] = std::sqrt(squared_norm(center(b) - center(pair.a)));
+}
 
 Json explanation_json(const ExplainedPair& pair) {
     const PairExplanation& found = pair.found;
@@ -121,16 +134,7 @@ Json explanation_json(const ExplainedPair& pair) {
     result["answer"] = answer_names[found.answer];
     result["answers"] = std::move(answers);
     result["certificate"] = certificate_json(pair);
-    result["a"] = json_of(pair.a);
-    result["b"] = json_of(pair.b);
-    result["pose"] = pose_json(pair.placed.b_to_a);
-    const render::AnyVolume b = b_seen_from_a(pair);
-    result["b_in_a"] = json_of(b);
-    if (pair.kind == VolumeKind::scb) {
-        result["thickness"] = {thickness(std::get<Scb>(pair.a)), thickness(std::get<Scb>(b))};
-        result["normal_angle"] = normal_angle(pair);
-    }
-    result["center_distance"] = std::sqrt(squared_norm(center(b) - center(pair.a)));
+    add_volumes_json(result, pair);
     result["margin"] = found.steps.margin;
     for (const OverlapQuantity& q : found.steps.quantities)
         result["quantities"][std::string(q.key)] = q.value;

@@ -52,8 +52,10 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
         "A built-in scene (see `scb scenes`), a scene file, two mesh files, a "
         "trace (see `scb trace`), or another engine's recording");
     command
-        .add_option("--pair", options.pair,
-                    "Node I of the first body's hierarchy and J of the second's")
+        .add_option(
+            "--pair", options.pair,
+            "Node I of the first body's hierarchy and J of the second's; of a recording, by its "
+            "engine's numbers")
         .type_name("I,J");
     command
         .add_option("--pairs", options.pairs_file,

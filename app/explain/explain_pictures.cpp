@@ -54,6 +54,8 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     figure.title = picture.title;
     figure.subtitle = picture.subtitle;
     figure.but = picture.but;
+    figure.ending = picture.ending;
+    figure.is_tested = picture.is_tested;
     const auto name = [&](std::size_t side) {
         const std::string raw = side == 0 ? "A" : "B";
         if (!pair.nodes) return raw;

@@ -15,7 +15,8 @@ namespace scb::app {
 struct ExplainPicture {
     std::string name;  ///< of the file, without .png
     std::string title, subtitle;
-    std::string but{};                               ///< see ExplainFigure
+    std::string but{}, ending{};                     ///< see ExplainFigure
+    bool is_tested = true;                           ///< likewise
     std::array<Pose, 2> to_world{};                  ///< from the frames of A and B
     std::optional<std::array<Mesh, 2>> triangles{};  ///< what the volumes bound, in these frames
     std::optional<scenes::CameraView> camera{};      ///< that the user asked for

@@ -16,7 +16,8 @@ namespace {
 std::string number(double value) { return format("%.6g", value); }
 
 std::string point(const Vec3& v) {
-    return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
+    const Vec3 w = v + Vec3::Zero();  // -0 is 0
+    return "(" + number(w[0]) + ", " + number(w[1]) + ", " + number(w[2]) + ")";
 }
 
 /// With blanks up to the width; characters of UTF-8 count once.
@@ -75,6 +76,8 @@ std::string place_text(const Ball& ball) { return "center " + point(ball.center)
 std::string place_text(const Obb& box) { return "center " + point(box.center); }
 std::string place_text(const ConvexShape& shape) { return "center " + point(shape.center); }
 
+}  // namespace
+
 std::string volumes_text(const ExplainedPair& pair) {
     std::string text;
     const render::AnyVolume* volumes[] = {&pair.a, &pair.b};
@@ -84,8 +87,9 @@ std::string volumes_text(const ExplainedPair& pair) {
             const ExplainedNode& node = (*pair.nodes)[side];
             text += "node " + std::to_string(node.index) + " of " + scenes::printable(node.body) +
                     ", depth " + std::to_string(node.depth) + ", " +
-                    std::to_string(node.triangles) +
-                    (node.triangles == 1 ? " triangle\n     " : " triangles\n     ");
+                    std::to_string(node.triangles) + (node.are_objects ? " object" : " triangle") +
+                    (node.triangles == 1 ? "" : "s") +
+                    (node.remark.empty() ? "" : ", " + scenes::printable(node.remark)) + "\n     ";
         }
         text += std::visit([](const auto& v) { return volume_text(v); }, *volumes[side]) + "\n";
     }
@@ -103,6 +107,8 @@ std::string volumes_text(const ExplainedPair& pair) {
     for (const std::string& note : pair.notes) text += "  " + scenes::printable(note) + "\n";
     return text;
 }
+
+namespace {
 
 /// What becomes of a step, once it is known which one decides.
 std::string fate(const OverlapSteps& steps, std::size_t i) {
@@ -151,6 +157,8 @@ std::string steps_text(const OverlapSteps& steps) {
            (has_edges ? "; along products of edges, that over the sine of their angle.\n" : ".\n");
 }
 
+}  // namespace
+
 std::string exact_text(const ExplainedPair& pair) {
     const ContactCertificate& certificate = pair.found.certificate;
     const std::string checked = pair.found.verified ? ", verified" : "";
@@ -179,6 +187,8 @@ std::string answer_text(Answer answer, bool colored) {
     }
     return "correct";
 }
+
+namespace {
 
 /// What formulas have beyond the paper's symbols, each part on a line.
 std::string symbols_text(const ExplainedPair& pair) {

@@ -18,6 +18,8 @@ struct ExplainedNode {
     std::uint32_t index = 0;
     int depth = 0;
     std::uint32_t triangles = 0;  ///< below it
+    bool are_objects = false;     ///< these are no triangles, but an engine's objects
+    std::string remark{};         ///< what else there is to say of it, in words
 };
 
 /// Two volumes, what an overlap test says of them step by step, and the exact answer.

@@ -11,6 +11,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/query/count_table.h"
+#include "app/query/inside_report.h"
 #include "app/query/output_guard.h"
 #include "app/query/poses_json.h"
 #include "app/query/scene_query.h"
@@ -131,8 +132,11 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
     return text + "\n\n";
 }
 
-/// Where queries find nothing: how far apart the boxes of the bodies are, in A's frame.
-std::string nothing_text(const SceneQuery& query) {
+/// Where queries find nothing: which body lies inside the other, or how far apart the boxes of the
+/// bodies are, in A's frame.
+std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
+    if (const std::string claims = inside.claims(query.frames.size()); !claims.empty())
+        return "\nNo triangles intersect: " + claims + ".\n" + inside.doubts();
     const Box a = bounding_box(query.mesh(query.a));
     std::size_t overlapping = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -151,7 +155,8 @@ std::string nothing_text(const SceneQuery& query) {
     const std::size_t frames = query.frames.size();
     if (overlapping > 0)
         return "\nNo triangles intersect, though the boxes of " + names + " overlap" +
-               (frames == 1 ? ".\n" : format(" in %zu of %zu frames.\n", overlapping, frames));
+               (frames == 1 ? ".\n" : format(" in %zu of %zu frames.\n", overlapping, frames)) +
+               inside.doubts();
     return "\nNo triangles intersect: the boxes of " + names + format(" are %.6g apart", least) +
            (frames == 1 ? "" : format(" in frame %d, where they are nearest", nearest)) +
            format(" (x %.6g, y %.6g, z %.6g in the frame of ", gap[0], gap[1], gap[2]) +
@@ -225,12 +230,15 @@ int run(CollideCommandOptions& options, const Console& console) {
     if (recorded && !options.json)
         text = with_columns(text, options.csv ? ",recorded,missed,false" : recorded_header);
     std::uint64_t grazing = 0;
+    InsideReport inside(query);
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
         if (watch.signal() != 0) break;
         const Collision found = query.collide(frame);
         sums.add(found);
+        const bool is_apart = found.pairs.empty() && query.options.stop_level < 0;
+        const Json inside_json = is_apart ? inside.add(frame) : Json::object();
         std::optional<RecordedCounts> there;
         if (recorded) {
             const bool complete = recorded->frame(frame).found.complete;
@@ -239,6 +247,7 @@ int run(CollideCommandOptions& options, const Console& console) {
         }
         if (options.json) {
             json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
+            json_frames.back().update(inside_json);
             if (there)
                 json_frames.back()["recorded"] = {
                     {"pairs", there->pairs},
@@ -274,7 +283,13 @@ int run(CollideCommandOptions& options, const Console& console) {
                                        "the engine's rounding, and are not judged.\n",
                                        wide(grazing)));
     const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
-    if (!options.json && !options.csv && all && sums.pairs == 0) text += nothing_text(query);
+    if (!options.json && !options.csv && all) {
+        const std::string claims = inside.claims(sums.frames);
+        if (sums.pairs == 0)
+            text += nothing_text(query, inside);
+        else if (!claims.empty())
+            text += "\nWhere no triangles intersect: " + claims + ".\n";
+    }
     if (!options.pairs_out.empty() && sums.frames > 0)
         render::write_file_whole(options.pairs_out, pairs);
     print_result(text);

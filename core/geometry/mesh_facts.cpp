@@ -8,74 +8,11 @@
 #include <vector>
 
 #include "core/base/statistics.h"
+#include "core/geometry/mesh_parts.h"
 #include "core/geometry/triangle_pair.h"
 
 namespace scb {
 namespace {
-
-/// For each vertex the first one, in lexicographic order of coordinates then of indices, that is at
-/// the same place.
-std::vector<std::uint32_t> vertices_by_place(const Mesh& mesh) {
-    std::vector<bool> used(mesh.vertices.size());
-    for (const Triangle& t : mesh.triangles)
-        for (const std::uint32_t v : t) used[v] = true;
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t v = 0; v < used.size(); ++v)
-        if (used[v]) order.push_back(v);
-    const auto before = [&](std::uint32_t i, std::uint32_t j) {
-        const Vec3 &p = mesh.vertices[i], &q = mesh.vertices[j];
-        return precedes(p, q) || (p == q && i < j);
-    };
-    std::sort(order.begin(), order.end(), before);
-    std::vector<std::uint32_t> place(mesh.vertices.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool same = i > 0 && mesh.vertices[order[i]] == mesh.vertices[order[i - 1]];
-        place[order[i]] = same ? place[order[i - 1]] : order[i];
-    }
-    return place;
-}
-
-/// Sets that are joined; each is named by one of its members.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
-std::size_t count_components(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    DisjointSets sets(vertices);
-    for (const Triangle& t : triangles) {
-        sets.join(t[0], t[1]);
-        sets.join(t[0], t[2]);
-    }
-    std::vector<std::uint32_t> names;
-    for (const Triangle& t : triangles) names.push_back(sets.find(t[0]));
-    std::sort(names.begin(), names.end());
-    return static_cast<std::size_t>(std::unique(names.begin(), names.end()) - names.begin());
-}
-
-void count_edges(MeshFacts& facts, const std::vector<Triangle>& triangles) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const Triangle& t : triangles)
-        for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::minmax(t[k], t[(k + 1) % 3]));
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        while (end < edges.size() && edges[end] == edges[i]) ++end;
-        facts.open_edges += end - i == 1;
-        facts.crowded_edges += end - i > 2;
-        i = end;
-    }
-}
 
 /// The longest side over the height on it, and the longest side.
 std::pair<double, double> slenderness(const TriangleCorners& t) {
@@ -103,13 +40,10 @@ MeshFacts mesh_facts(const Mesh& mesh) {
     MeshFacts facts;
     facts.box = bounding_box(mesh);
     facts.triangles = mesh.triangles.size();
-    const std::vector<std::uint32_t> place = vertices_by_place(mesh);
-    std::vector<Triangle> placed;
+    std::vector<Triangle> placed = joined_triangles(mesh);
     std::vector<double> all;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
         const TriangleCorners at = corners(mesh, i);
-        placed.push_back({place[t[0]], place[t[1]], place[t[2]]});
         if (is_degenerate(at)) {
             ++facts.degenerate;
             continue;
@@ -127,7 +61,7 @@ MeshFacts mesh_facts(const Mesh& mesh) {
         std::nth_element(all.begin(), middle, all.end());
         facts.median_slenderness = *middle;
     }
-    facts.components = count_components(placed, mesh.vertices.size());
+    facts.components = mesh_parts(placed, mesh.vertices.size()).count;
 
     // Duplicates side by side, and only the first of them has edges.
     for (Triangle& t : placed) std::sort(t.begin(), t.end());
@@ -138,7 +72,10 @@ MeshFacts mesh_facts(const Mesh& mesh) {
     // Its edges would be one edge twice. Collinear corners stay: they close a mesh whose neighbors
     // divide an edge in other places.
     std::erase_if(placed, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2]; });
-    count_edges(facts, placed);
+    for (const std::uint32_t uses : edge_uses(placed)) {
+        facts.open_edges += uses == 1;
+        facts.crowded_edges += uses > 2;
+    }
     return facts;
 }
 

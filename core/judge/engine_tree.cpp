@@ -125,7 +125,9 @@ class EngineTree final : public VolumeTree {
     NodeTree tree_;
 };
 
-std::string title_of(const NodeVolume& volume) {
+}  // namespace
+
+std::string volume_title(const NodeVolume& volume) {
     struct Title {
         std::string operator()(const std::monostate&) const { return ""; }
         std::string operator()(const Obb& box) const {
@@ -144,8 +146,6 @@ std::string title_of(const NodeVolume& volume) {
     return std::visit(Title{}, volume);
 }
 
-}  // namespace
-
 std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& shape) {
     return std::make_unique<EngineTree>(tree, shape);
 }
@@ -162,7 +162,7 @@ std::uint64_t tree_hash(const VolumeTree& tree) {
 std::vector<std::string> volumes_titles(const NodeTree& tree) {
     std::vector<std::string> titles;
     for (std::size_t i = 0; i < tree.size(); ++i) {
-        const std::string title = title_of(tree[i].volume);
+        const std::string title = volume_title(tree[i].volume);
         if (!title.empty() && std::find(titles.begin(), titles.end(), title) == titles.end())
             titles.push_back(title);
     }

@@ -16,6 +16,10 @@ std::unique_ptr<VolumeTree> volume_tree(const NodeTree& tree, const TreeShape& s
 /// Tells trees from each other by what hangs where and holds which items; not by their volumes.
 std::uint64_t tree_hash(const VolumeTree& tree);
 
+/// What a volume is called in titles: "OBB", "AABB", "hull"; a box with the axes of its body is an
+/// AABB. Empty where there is none.
+std::string volume_title(const NodeVolume& volume);
+
 /// What its volumes are called in titles: "OBB", "AABB", "hull". Empty where it has none.
 std::vector<std::string> volumes_titles(const NodeTree& tree);
 

@@ -301,9 +301,16 @@ Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
 
 }  // namespace
 
+bool has_exact_verdict(const NodeVolume& a, const NodeVolume& b) {
+    // What scb2_reach gives is then only a bound.
+    if (has_slab_beside_center(a) || has_slab_beside_center(b)) return false;
+    return has_volume(a) && has_volume(b) &&
+           std::holds_alternative<Scb2>(a) == std::holds_alternative<Scb2>(b);
+}
+
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
-    if (!has_volume(a) || !has_volume(b)) return {};
+    if (!has_exact_verdict(a, b)) return {};
     const auto *open_a = std::get_if<OpenBox>(&a), *open_b = std::get_if<OpenBox>(&b);
     if (open_a && open_b) return open_verdict(*open_a, *open_b, b_to_a, tolerance);
     if (open_a)
@@ -311,15 +318,12 @@ ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const
     if (open_b)
         return exact_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a)), b_to_a,
                              tolerance);
-    // What scb2_reach gives is then only a bound.
-    if (has_slab_beside_center(a) || has_slab_beside_center(b)) return {};
     return std::visit(
         [&]<class V>(const V& va) -> ContactCertificate {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||
                           std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
                 if (const V* vb = std::get_if<V>(&b)) return verdict(va, *vb, b_to_a, tolerance);
             }
-            if (std::holds_alternative<Scb2>(a) || std::holds_alternative<Scb2>(b)) return {};
             return verdict(convex_shape(a), convex_shape(b), b_to_a, tolerance);
         },
         a);

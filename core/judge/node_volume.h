@@ -62,4 +62,7 @@ ConvexShape convex_shape(const NodeVolume& volume);
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance);
 
+/// Whether it claims something of such volumes.
+bool has_exact_verdict(const NodeVolume& a, const NodeVolume& b);
+
 }  // namespace scb

@@ -26,6 +26,9 @@ struct ExplainFigure {
     /// What the volumes bound, where that is known: in the world; their colors are set.
     std::optional<std::array<MeshDraw, 2>> triangles;
     OverlapOptions options;
+    /// How the test ended, where it is not this project's: "bullet: rejected at box".
+    std::string ending;
+    bool is_tested = true;  ///< false: there was no test, and `ending` says so
     std::string but;  ///< said behind "the test is right": what is wrong nevertheless; may be empty
     const PairExplanation* found = nullptr;
     Pose to_world;                 ///< from A's frame, for the camera

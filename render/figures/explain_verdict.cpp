@@ -72,10 +72,13 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
     const std::string test = figure.kind == VolumeKind::scb
                                  ? std::string(overlap_test_name(figure.options.test))
                                  : "test";
-    lines.push_back({test + ":  " + ending_words(stage), theme.text, FontWeight::bold,
-                     stage == Stage::overlapping
-                         ? std::nullopt
-                         : std::optional(ending_color(rejected_at(stage), theme))});
+    if (figure.ending.empty())
+        lines.push_back({test + ":  " + ending_words(stage), theme.text, FontWeight::bold,
+                         stage == Stage::overlapping
+                             ? std::nullopt
+                             : std::optional(ending_color(rejected_at(stage), theme))});
+    else
+        lines.push_back({figure.ending, theme.text, FontWeight::bold});
     lines.push_back({"exact:  " + exact_words(found.certificate), theme.text, FontWeight::bold});
     std::string answer(answer_names[found.answer]);
     if (found.answer == Answer::correct)
@@ -84,7 +87,8 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
         answer = found.answer == Answer::false_positive
                      ? "FALSE POSITIVE: passed, but disjoint"
                      : "FALSE NEGATIVE: rejected, but overlapping";
-    lines.push_back({answer, answer_color(found.answer, theme), FontWeight::bold});
+    if (figure.is_tested)
+        lines.push_back({answer, answer_color(found.answer, theme), FontWeight::bold});
     // Of the paper's errors, the one to blame: where `corrected` answers alike, none is.
     const Stage erring = found.answer == Answer::false_positive ? Stage::cylinder_slab : stage;
     const bool is_to_blame =

@@ -20,6 +20,12 @@ bool are_objects(const std::array<BodyAtFrame, 2>& bodies) {
     return bodies[0].mesh->triangles.empty() || bodies[1].mesh->triangles.empty();
 }
 
+bool tests_nodes(const EngineQuery& query, IndexPair nodes) {
+    return std::any_of(query.events.begin(), query.events.end(), [&](const EngineEvent& event) {
+        return event.kind == EngineEvent::Kind::volumes && event.a == nodes.a && event.b == nodes.b;
+    });
+}
+
 }  // namespace
 
 RecordedTrace::RecordedTrace(Recording recording, const std::string& bodies,
@@ -161,6 +167,18 @@ const TraceFrame& RecordedTrace::frame(int number) {
     frame_ = trace_frame(queries_->query(), stages_);
     for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, number).tree;
     return frame_;
+}
+
+std::optional<int> RecordedTrace::frame_with_test(IndexPair nodes) const {
+    RecordedQueries queries(recording_.bytes, recording_.path, recording_.summary);
+    std::optional<int> seen;  // of several queries in a frame, the first counts
+    for (Step step = queries.next(); step != Step::end; step = queries.next()) {
+        if (step != Step::query || queries.query_bodies() != numbers_ || seen == queries.frame())
+            continue;
+        seen = queries.frame();
+        if (tests_nodes(queries.query(), nodes)) return seen;
+    }
+    return std::nullopt;
 }
 
 Attribution RecordedTrace::attribution(const TraversalTree& tree) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,11 @@ class RecordedTrace {
     /// The first query of them at one of these frames; valid until the next call. They must be
     /// asked for ascending.
     const TraceFrame& frame(int number);
+    /// The same query as its engine tells of it; valid as long.
+    const EngineQuery& query() const { return queries_->query(); }
+    /// The first of all frames whose query tested these nodes, by their numbers; nothing where none
+    /// did.
+    std::optional<int> frame_with_test(IndexPair nodes) const;
     /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
     /// nothing where a body has no pose.
     Attribution attribution(const TraversalTree& tree);

@@ -57,7 +57,9 @@ TEST(CollideCommand, TableCsvAndJsonAgree) {
                                    csv = lines(run_scb(arguments + " --csv").out);
     const json frames = json::parse(run_scb(arguments + " --json").out)["frames"];
     ASSERT_EQ(csv.size(), 1 + frames.size());
-    ASSERT_EQ(table.size(), 4 + frames.size());  // title, empty, header, frames, mean
+    // Title, empty, header, frames, mean, empty, which body lies inside the other.
+    ASSERT_EQ(table.size(), 6 + frames.size());
+    EXPECT_EQ(table.back(), "Where no triangles intersect: A lies inside B in 1 of 4 frames.");
     EXPECT_NE(csv[0].find("axis-a2xb2"), std::string::npos);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         std::istringstream cells(table[3 + i]);
@@ -86,6 +88,82 @@ TEST(CollideCommand, SaysHowFarBodiesAreApartThatDoNotMeet) {
         << near;
     EXPECT_EQ(run_scb("collide spheres-l1 --frames 100").out.find("No triangles"),
               std::string::npos);
+}
+
+/// A scene of spheres: each of them a radius and where it is, and those of a body are one mesh.
+std::string sphere_scene(const TemporaryFolder& folder, const std::string& bodies) {
+    const std::string scene = folder / "spheres.json";
+    write_text(scene, R"({"scb_scene": 1, "name": "spheres", "models": [
+        {"name": "large", "icosphere": {"subdivisions": 2, "radius": 1}},
+        {"name": "small", "icosphere": {"subdivisions": 1, "radius": 0.2}},
+        {"name": "open", "file": "open.off"}, {"name": "two", "file": "two.off"}],
+        "bodies": [)" + bodies +
+                          "]}");
+    // A tetrahedron without its bottom, and one of two whose other is far away.
+    write_text(folder / "open.off",
+               "OFF\n4 3 0\n0 0 9\n9 0 -9\n-9 9 -9\n-9 -9 -9\n3 0 1 2\n3 0 2 3\n3 0 3 1\n");
+    write_text(folder / "two.off",
+               "OFF\n8 8 0\n0 0 .1\n.1 0 0\n0 .1 0\n0 0 0\n9 9 9\n8 9 9\n9 8 9\n9 9 8\n"
+               "3 0 1 2\n3 0 2 3\n3 0 3 1\n3 3 2 1\n3 4 5 6\n3 4 6 7\n3 4 7 5\n3 7 6 5\n");
+    return scene;
+}
+
+TEST(CollideCommand, SaysWhichBodyLiesInsideTheOther) {
+    const TemporaryFolder folder;
+    const std::string outer = R"({"name": "outer", "model": "large"})",
+                      inner = R"({"name": "inner", "model": "small", "position": [0.2, 0.1, 0]})",
+                      open = R"({"name": "funnel", "model": "open"})",
+                      two = R"({"name": "two", "model": "two"})";
+    for (const std::string& bodies : {outer + "," + inner, inner + "," + outer}) {
+        const std::string command = "collide " + sphere_scene(folder, bodies);
+        const std::string text = run_scb(command).out;
+        EXPECT_NE(text.find("\nNo triangles intersect: inner lies inside outer.\n"),
+                  std::string::npos)
+            << text;
+        const json frame = json::parse(run_scb(command + " --json").out)["frames"][0];
+        EXPECT_EQ(frame["inside"],
+                  json::parse(R"([{"body": "inner", "in": "outer", "parts": 1, "of": 1}])"));
+        EXPECT_FALSE(frame.contains("not_closed"));
+        // Of pairs of nodes nothing follows for triangles.
+        EXPECT_EQ(run_scb(command + " --level 2").out.find("inside"), std::string::npos);
+    }
+    const std::string parts = run_scb("collide " + sphere_scene(folder, outer + "," + two)).out;
+    EXPECT_NE(parts.find("No triangles intersect: 1 of 2 parts of two lies inside outer.\n"),
+              std::string::npos)
+        << parts;
+    const std::string in_open = "collide " + sphere_scene(folder, open + "," + inner);
+    const std::string unknown = run_scb(in_open).out;
+    EXPECT_NE(unknown.find("No triangles intersect, though the boxes of funnel and inner overlap.\n"
+                           "Whether inner lies inside funnel is not judged: funnel is not "
+                           "closed.\n"),
+              std::string::npos)
+        << unknown;
+    const json frame = json::parse(run_scb(in_open + " --json").out)["frames"][0];
+    EXPECT_EQ(frame["inside"], json::array());
+    EXPECT_EQ(frame["not_closed"], json::array({"funnel"}));
+}
+
+TEST(CollideCommand, SaysInHowManyFramesABodyLiesInsideTheOther) {
+    const TemporaryFolder folder;
+    // From the middle to the right: inside, through the surface, and apart.
+    const std::string scene = sphere_scene(
+        folder, R"({"name": "outer", "model": "large"}, {"name": "inner", "model": "small",
+            "position": {"from": [0, 0, 0], "to": [2.5, 0, 0], "frames": 5}})");
+    write_text(scene, "{\"frames\": 5, " + file_text(scene).substr(1));
+    const std::string all = run_scb("collide " + scene + " --frames 0:4").out;
+    EXPECT_NE(all.find("\nWhere no triangles intersect: inner lies inside outer in 2 of 5 "
+                       "frames.\n"),
+              std::string::npos)
+        << all;
+    const std::string some = run_scb("collide " + scene + " --frames 0,1,4").out;
+    EXPECT_NE(some.find("\nNo triangles intersect: inner lies inside outer in 2 of 3 frames.\n"),
+              std::string::npos)
+        << some;
+    const json frames =
+        json::parse(run_scb("collide " + scene + " --frames 0:4 --json").out)["frames"];
+    EXPECT_EQ(frames[1]["inside"].size(), 1u);
+    EXPECT_FALSE(frames[2].contains("inside"));
+    EXPECT_EQ(frames[4]["inside"], json::array());
 }
 
 TEST(CollideCommand, ListsThePairs) {

@@ -1,0 +1,355 @@
+#include "app/explain/explain_recording.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/explain/explain_pictures.h"
+#include "app/explain/explain_report.h"
+#include "core/base/exit_status.h"
+#include "core/base/text_format.h"
+#include "core/judge/engine_tree.h"
+#include "core/judge/node_explanation.h"
+#include "render/figures/volume_titles.h"
+#include "scb/error.h"
+#include "scb/triangle_overlap.h"
+#include "scenes/recordings/recorded_trace.h"
+#include "scenes/text/utf8.h"
+
+namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using scenes::BodyAtFrame;
+using scenes::RecordedTrace;
+
+/// A test of the two nodes.
+struct FoundTest {
+    std::size_t number = 0;             ///< among the tests of volumes of its query, from 0
+    Stage stage = Stage::overlapping;   ///< at which it ended
+    std::optional<std::size_t> led_by;  ///< the test that led to it, as far as it is known
+    Answer answer = Answer::correct;
+};
+
+/// Two nodes of a recording at a frame, and the tests of them.
+struct RecordedPair {
+    const RecordedTrace* trace = nullptr;
+    const TraceFrame* frame = nullptr;
+    IndexPair numbers, nodes;  ///< as the engine calls them; indices
+    std::vector<FoundTest> tests;
+    ExplainedPair pair;
+    bool has_verdict = false;
+
+    const TraceHeader& header() const { return trace->header(); }
+    bool has_wrong_test() const {
+        return std::any_of(tests.begin(), tests.end(), [](const FoundTest& test) {
+            return test.answer == Answer::false_negative;
+        });
+    }
+};
+
+/// Where the list names no frame: that of the query with the most pairs or, where this does not
+/// test the nodes, the first that does.
+std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
+    const std::string& path = options.scene.names[0];
+    const auto open = [&](const std::string& frames) {
+        return std::make_unique<RecordedTrace>(path, options.query.bodies, frames);
+    };
+    if (!options.scene.frames.empty()) {
+        std::unique_ptr<RecordedTrace> trace = open(options.scene.frames);
+        if (trace->frames().size() != 1)
+            throw InputError("--frames " + options.scene.frames +
+                             ": this command takes one frame; give one.");
+        return trace;
+    }
+    std::unique_ptr<RecordedTrace> trace = open(scenes::auto_frames);
+    const TraceFrame& frame = trace->frame(trace->frames()[0]);
+    const std::optional<IndexPair> nodes = nodes_of(frame, numbers);
+    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    const bool is_tested =
+        nodes && std::any_of(tests.begin(), tests.end(),
+                             [&](const VolumeTest& test) { return test.nodes == *nodes; });
+    const std::optional<int> other = is_tested ? std::nullopt : trace->frame_with_test(numbers);
+    return open(std::to_string(other.value_or(trace->frames()[0])));
+}
+
+std::uint32_t checked_number(std::int64_t number, const std::string& option) {
+    if (number < 0 || number >= std::int64_t{no_index})
+        throw InputError(option + ": " + std::to_string(number) +
+                         " is no number of a node; give numbers from 0 to " +
+                         std::to_string(no_index - 1) + ".");
+    return static_cast<std::uint32_t>(number);
+}
+
+std::uint32_t checked_node(const BodyAtFrame& body, const NodeTree& tree, std::uint32_t number,
+                           int frame, const std::string& option) {
+    const std::uint32_t node = tree.index_of(number);
+    const std::string start = option + ": at frame " + std::to_string(frame) + " ";
+    if (node == no_index) {
+        std::uint32_t least = no_index, most = 0;
+        for (std::size_t i = 0; i < tree.size(); ++i) {
+            least = std::min(least, tree[i].number);
+            most = std::max(most, tree[i].number);
+        }
+        throw InputError(
+            start + "the tree of " + body.name + " has no node " + std::to_string(number) +
+            (tree.size() == 0
+                 ? std::string("; it has none.")
+                 : format("; it has %zu, with numbers from %u to %u.", tree.size(), least, most)));
+    }
+    if (!has_volume(tree[node].volume)) {
+        const std::string fault = tree.volume_fault(node);
+        throw InputError(start + tree.words(node) + " of " + body.name + " has no volume" +
+                         (fault.empty() ? std::string(" in the recording")
+                                        : " that could be judged (" + fault + ")") +
+                         "; name nodes with volumes.");
+    }
+    return node;
+}
+
+ExplainedNode described(const BodyAtFrame& body, const EngineSide& side, std::uint32_t node) {
+    const TreeNode& told = (*side.tree)[node];
+    ExplainedNode result{body.name, told.number, 0, items_below(*side.shape)[node]};
+    result.are_objects = side.mesh == nullptr;
+    if (side.shape->hangs(node)) result.depth = static_cast<int>(side.shape->depths[node]);
+    const std::string name = side.tree->name_of(node);
+    result.remark = (name.empty() ? "" : "'" + name + "', ") + volume_title(told.volume) +
+                    format(" told at frame %d", told.told_at);
+    return result;
+}
+
+RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::string& option) {
+    RecordedPair found;
+    const int number = trace.frames()[0];
+    found.trace = &trace;
+    found.frame = &trace.frame(number);
+    found.numbers = numbers;
+    const EngineQuery& query = trace.query();
+    const auto& [a, b] = query.sides;
+    const BodyAtFrame &body_a = trace.body(0, number), &body_b = trace.body(1, number);
+    found.nodes = {checked_node(body_a, *a.tree, numbers.a, number, option),
+                   checked_node(body_b, *b.tree, numbers.b, number, option)};
+    const NodeVolume &of_a = (*a.tree)[found.nodes.a].volume,
+                     &of_b = (*b.tree)[found.nodes.b].volume;
+    const std::vector<VolumeTest>& tests = found.frame->events.volume_tests;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        if (tests[i].nodes != found.nodes) continue;
+        const std::uint32_t parent = found.frame->parents[i];
+        found.tests.push_back({i, tests[i].stage, std::nullopt});
+        if (parent != TraversalTree::no_parent) found.tests.back().led_by = parent;
+    }
+    const Stage ended = found.tests.empty() ? Stage::overlapping : found.tests[0].stage;
+    Placement placed;
+    placed.b_to_a = query.b_to_a;
+    placed.margin = query.tolerance;
+    // A convex kind: the symbols of a picture are then those of any volumes.
+    found.pair = {VolumeKind::capsule,
+                  body_a.tree->volume(found.nodes.a),
+                  body_b.tree->volume(found.nodes.b),
+                  placed,
+                  {},
+                  explain_nodes(of_a, of_b, query.b_to_a, query.tolerance, ended),
+                  {},
+                  {{described(body_a, a, found.nodes.a), described(body_b, b, found.nodes.b)}}};
+    found.has_verdict = has_exact_verdict(of_a, of_b);
+    for (FoundTest& test : found.tests)
+        test.answer = judged(test.stage, found.pair.found.certificate.contact);
+    return found;
+}
+
+/// "rejected at box", "passed": what the engine said.
+std::string ending_of(const RecordedPair& found, Stage stage) {
+    return stage == Stage::overlapping ? "passed"
+                                       : "rejected at " + stage_words(found.header(), stage);
+}
+
+IndexPair numbers_of_test(const RecordedPair& found, std::size_t test) {
+    return numbers_of(*found.frame, found.frame->events.volume_tests[test].nodes);
+}
+
+std::string test_text(const RecordedPair& found, const FoundTest& test) {
+    std::string text =
+        ending_of(found, test.stage) +
+        format(", test %zu of %zu", test.number, found.frame->events.volume_tests.size());
+    if (!test.led_by) return text;
+    const IndexPair nodes = numbers_of_test(found, *test.led_by);
+    return text +
+           format(", which test %zu of the nodes (%u, %u) led to", *test.led_by, nodes.a, nodes.b);
+}
+
+/// Where along the direction that separates them A ends and B begins.
+struct Extents {
+    double end_of_a = 0, start_of_b = 0;
+
+    explicit Extents(const RecordedPair& found) {
+        const OverlapStep& step = found.pair.found.steps.steps[0];
+        end_of_a = dot(step.direction, center(found.pair.a)) + step.reach_a;
+        start_of_b = dot(step.direction, center(b_seen_from_a(found.pair))) - step.reach_b;
+    }
+};
+
+std::string verdict_text(const RecordedPair& found) {
+    const ContactCertificate& certificate = found.pair.found.certificate;
+    if (!found.has_verdict) return "not judged: there is no exact test of volumes of these types";
+    if (certificate.contact == Contact::touching)
+        return "touching: neither apart nor in each other by more than " +
+               format("%.6g", found.trace->query().tolerance) + ", the engine's tolerance";
+    if (certificate.contact == Contact::overlapping) return exact_text(found.pair);
+    const Extents extents(found);
+    return exact_text(found.pair) + "\n" + std::string(12, ' ') +
+           format("along it, A ends at %.6g and B begins at %.6g", extents.end_of_a,
+                  extents.start_of_b);
+}
+
+std::string report_text(const RecordedPair& found, bool colored) {
+    constexpr std::size_t most = 10;
+    std::string text = volumes_text(found.pair) + "\n";
+    const auto row = [&text](const std::string& name, const std::string& value) {
+        text += format("  %-10s", name.c_str()) + value + "\n";
+    };
+    for (std::size_t i = 0; i < std::min(found.tests.size(), most); ++i)
+        row(i == 0 ? "engine" : "again", test_text(found, found.tests[i]));
+    if (found.tests.size() > most) row("", format("and %zu times more", found.tests.size() - most));
+    if (found.tests.empty()) row("engine", "it recorded no test of these two nodes at this frame");
+    row("exact", verdict_text(found));
+    if (!found.has_verdict) return text;
+    std::vector<Answer> told;  // each once
+    for (const FoundTest& test : found.tests)
+        if (std::find(told.begin(), told.end(), test.answer) == told.end()) {
+            told.push_back(test.answer);
+            row("answer", answer_text(test.answer, colored));
+        }
+    return text;
+}
+
+Json report_json(const RecordedPair& found) {
+    const scenes::Scene& scene = found.trace->scene();
+    Json json = {{"scene", scene.name},
+                 {"frame", found.frame->frame},
+                 {"engine", found.header().engine->name}};
+    const EngineQuery& query = found.trace->query();
+    for (std::size_t side = 0; side < 2; ++side) {
+        const ExplainedNode& node = (*found.pair.nodes)[side];
+        const NodeTree& tree = *query.sides[side].tree;
+        const std::uint32_t index = side == 0 ? found.nodes.a : found.nodes.b;
+        Json entry = {{"body", node.body},
+                      {"index", node.index},
+                      {"depth", node.depth},
+                      {node.are_objects ? "objects" : "triangles", node.triangles},
+                      {"volume", volume_title(tree[index].volume)},
+                      {"told_at", tree[index].told_at}};
+        if (const std::string name = tree.name_of(index); !name.empty()) entry["name"] = name;
+        json["nodes"].push_back(std::move(entry));
+    }
+    json["tests"] = Json::array();
+    for (const FoundTest& test : found.tests) {
+        Json entry = {{"test", test.number},
+                      {"stage", stage_words(found.header(), test.stage)},
+                      {"answer", found.has_verdict ? Json(answer_names[test.answer]) : Json()}};
+        if (test.led_by) {
+            const IndexPair nodes = numbers_of_test(found, *test.led_by);
+            entry["led_by"] = {{"test", *test.led_by}, {"nodes", {nodes.a, nodes.b}}};
+        }
+        json["tests"].push_back(std::move(entry));
+    }
+    const ContactCertificate& certificate = found.pair.found.certificate;
+    json["exact"] = found.has_verdict ? Json(contact_names[certificate.contact]) : Json();
+    json["certificate"] = certificate_json(found.pair);
+    if (certificate.contact == Contact::disjoint) {
+        const Extents extents(found);
+        json["certificate"]["end_of_a"] = extents.end_of_a;
+        json["certificate"]["start_of_b"] = extents.start_of_b;
+    }
+    json["tolerance"] = query.tolerance;
+    add_volumes_json(json, found.pair);
+    return json;
+}
+
+/// The triangles of the node and of all below it.
+Mesh mesh_below(const BodyAtFrame& body, std::uint32_t node) {
+    const TreeShape& shape = body.tree->shape();
+    Mesh mesh;
+    const auto add = [&](std::span<const std::uint32_t> items) {
+        for (const std::uint32_t item : items) {
+            if (item >= body.mesh->triangles.size()) continue;
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const Vec3& corner : corners(*body.mesh, item)) mesh.vertices.push_back(corner);
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+    };
+    add(body.tree->items(node));
+    std::vector<bool> is_below(shape.size());
+    is_below[node] = true;
+    for (const std::uint32_t i : shape.order)
+        if (shape.parents[i] != no_index && is_below[shape.parents[i]]) {
+            is_below[i] = true;
+            add(body.tree->items(i));
+        }
+    return mesh;
+}
+
+ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& options) {
+    const TraceHeader& header = found.header();
+    const int frame = found.frame->frame;
+    ExplainPicture picture;
+    NamedOptions named;
+    name_view(named, options.picture, options.camera);
+    name_picture(named, options.picture);
+    std::string which = frame_part(frame);
+    picture.triangles.emplace();
+    for (std::size_t side = 0; side < 2; ++side) {
+        const BodyAtFrame& body = found.trace->body(side, frame);
+        which += "_" + scenes::file_name_of(body.name) + "-" +
+                 std::to_string((*found.pair.nodes)[side].index);
+        picture.to_world[side] = body.pose;
+        (*picture.triangles)[side] = mesh_below(body, side == 0 ? found.nodes.a : found.nodes.b);
+    }
+    if ((*picture.triangles)[0].triangles.empty() || (*picture.triangles)[1].triangles.empty())
+        picture.triangles.reset();
+    picture.name = picture_name(header.scene, volume_file_part(header) + "_explain", named, which);
+    const PairNames names = pair_names(header.scene, found.pair);
+    picture.title = (names.scene.empty() ? "" : names.scene + " · ") +
+                    render::volume_title(header) + " · explain · " + names.nodes;
+    picture.subtitle = format("frame %d", frame);
+    picture.is_tested = !found.tests.empty() && found.has_verdict;
+    picture.ending =
+        scenes::printable(header.engine->name) + ":  " +
+        (found.tests.empty() ? "no test was recorded" : ending_of(found, found.tests[0].stage));
+    picture.camera = asked_camera(options.camera, &found.trace->scene());
+    picture.orthographic = options.camera.orthographic;
+    return picture;
+}
+
+}  // namespace
+
+int explain_recording(const ExplainOptions& options, const Console& console) {
+    const std::string option = "--pair " + options.pair;
+    const auto [i, j] = options.nodes();
+    const IndexPair numbers{checked_number(i, option), checked_number(j, option)};
+    const std::unique_ptr<RecordedTrace> trace = open_trace(options, numbers);
+    const RecordedPair found = recorded_pair(*trace, numbers, option);
+    const std::string title = scenes::printable(found.header().scene) + ", " +
+                              scenes::printable(found.header().engine->name) + ", frame " +
+                              std::to_string(found.frame->frame) + ": " +
+                              scenes::printable(node_names(found.pair)) + "\n",
+                      text = title + report_text(found, console.colors_results());
+    Json entry = report_json(found);
+    const int status = found.has_wrong_test() ? exit_different : exit_done;
+    if (status != exit_done) console.alarm("scb: the test rejected volumes that overlap.");
+    if (!options.draws()) {
+        print_result(options.picture.json ? json_text(Json::array({entry}), 2) + "\n" : text);
+        return status;
+    }
+    PictureRun pictures(options.picture, found.header().scene);
+    const ExplainPicture picture = picture_of(found, options);
+    draw_explanation(pictures, options.picture, found.pair, picture, entry);
+    pictures.say(text);
+    entry["file"] = picture.name + ".png";
+    if (options.picture.json) pictures.print_instead(json_text(Json::array({entry}), 2) + "\n");
+    pictures.finish(explain_index_head(options), console);
+    return status;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scb/mesh.h"
+#include "scb/topology.h"
+
+namespace scb {
+
+/// Where a point is, of a closed mesh.
+enum class PointSide : std::uint8_t {
+    out,
+    in,
+    on,  ///< exactly on a triangle
+};
+
+/// Whether points are inside of a closed mesh, exact on the coordinates given.
+///
+/// A point is inside where a ray from it crosses an odd number of triangles: of shells that
+/// overlap, what is in two of them is outside. The ray goes up along z. A ray through an edge or a
+/// vertex is decided as if the point were moved by (e, e^2, 0), for an infinitesimal e > 0: then it
+/// meets neither (Edelsbrunner and Mücke, "Simulation of Simplicity", 1990). The point itself is on
+/// no triangle then, so that the move does not change its side.
+class MeshParity {
+  public:
+    /// A mesh that is closed (see are_closed) and one of its topologies. Refers to both, and makes
+    /// a box for each node. O(n).
+    MeshParity(const Mesh& mesh, const Topology& topology);
+
+    PointSide side(const Vec3& point) const;
+
+  private:
+    const Mesh& mesh_;
+    const Topology& topology_;
+    std::vector<Box> boxes_;
+};
+
+}  // namespace scb
