@@ -238,6 +238,7 @@ std::string verdict_text(const RecordingJudgement& judged,
         text += "Cost: " + cost_finding_words(cost) +
                 (cost.kind == scenes::CostFinding::Kind::repeated ? "" : own_words(settings)) +
                 ".\n";
+    for (const std::string& stretch : judged.stretches) text += "Scale: " + stretch + ".\n";
     return text + "\n";
 }
 
@@ -446,6 +447,7 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                                   {"tolerance", f.tolerance.volumes},
                                   {"triangle_tolerance", f.tolerance.triangles},
                                   {"from_origin", f.tolerance.away}});
+    json["stretches"] = judged.stretches;
     json["odd"] = judged.odd;
     json["notes"] = judged.notes;
     return json;

@@ -151,7 +151,7 @@ class Judge {
             result_.wrong_item_tests.push_back({i, led_by, 0, false, true});
         else if (const auto margin = error_of(query_, query_.b_to_a, event))
             result_.wrong_item_tests.push_back(
-                {i, led_by, *margin, !links_.tested_nodes_of(items)});
+                {i, led_by, *margin, !result_.tests.empty() && !links_.tested_nodes_of(items)});
         else if (have_meshes(query_) && links_.strays(items))
             result_.stray_item_tests.push_back({i, led_by, 0, true});
         if (event.kind == Kind::items_meet) mark_above(led_by);

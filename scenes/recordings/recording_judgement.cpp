@@ -208,10 +208,10 @@ class RecordingJudge {
         for (const std::uint32_t number : bodies) {
             const BodyState& body = recording_->bodies().at(number);
             if (!body.is_stretched() || !stretched_.insert(number).second) continue;
-            result_.notes.push_back(name_of(number) + " is " + stretch_words(body.stretch) +
-                                    " by its pose at frame " +
-                                    std::to_string(recording_->frame()) +
-                                    ", and judged so");
+            result_.stretches.push_back(name_of(number) + " is " + stretch_words(body.stretch) +
+                                        " by its pose at frame " +
+                                        std::to_string(recording_->frame()) +
+                                        ", and judged so");
         }
     }
 

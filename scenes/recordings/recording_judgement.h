@@ -110,6 +110,7 @@ struct RecordingJudgement {
     std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
+    std::vector<std::string> stretches;  ///< bodies whose poses scale or mirror them: clauses
     std::vector<std::string> odd;    ///< sentences without a full stop
     std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
     std::size_t more_odd = 0;

@@ -507,9 +507,9 @@ TEST(RecordingJudgement, AScaledBodyIsJudgedWithItsScale) {
         append(records, query_with({{1, 0, 0}}));
         const RecordingJudgement judged = judge(records);
         EXPECT_EQ(judged.wrong(), scale != 1) << scale;
-        ASSERT_EQ(judged.notes.size(), scale == 1 ? 0u : 1u);
+        ASSERT_EQ(judged.stretches.size(), scale == 1 ? 0u : 1u);
         if (scale != 2) continue;
-        EXPECT_EQ(judged.notes[0], "B is scaled by 2 by its pose at frame 0, and judged so");
+        EXPECT_EQ(judged.stretches[0], "B is scaled by 2 by its pose at frame 0, and judged so");
     }
 }
 
