@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/sentence.h"
 #include "scb/error.h"
 
 namespace scb::scenes {
@@ -33,10 +34,8 @@ std::optional<Identity> identity_of(const std::filesystem::path& file) {
 std::string version_of(const std::filesystem::path& file) {
     const auto status = status_of(file);
     if (!status) return "";
-    std::ostringstream text;
-    text << status->st_dev << ' ' << status->st_ino << ' ' << status->st_size << ' '
-         << status->st_mtim.tv_sec << ' ' << status->st_mtim.tv_nsec;
-    return text.str();
+    return sentence(status->st_dev, ' ', status->st_ino, ' ', status->st_size, ' ',
+                    status->st_mtim.tv_sec, ' ', status->st_mtim.tv_nsec);
 }
 
 struct InputFiles {
@@ -96,6 +95,7 @@ void note_inputs(std::string_view noted) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     std::istringstream text{std::string(noted)};
+    text.imbue(std::locale::classic());
     for (Identity file; text >> file.first >> file.second;) files.noted.insert(file);
 }
 
