@@ -93,7 +93,7 @@ int run(const LevelOptions& options, const Console& console) {
             progress.step(name);
         }
     if (pictures.is_shard()) {
-        pictures.finish_shard();
+        pictures.finish_shard(console);
         return exit_done;
     }
 
