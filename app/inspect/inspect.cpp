@@ -102,6 +102,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
 /// What of a report is in the names of its files.
 void name_files(InspectReport& report, const InspectOptions& options, const QuerySource& source) {
     const InspectOptions usual;
+    report.stem = options.scene.file_stem(report.header.scene);
     name_query(report.named, source, source);
     name_picture(report.named, options.picture);
     if (source.frames().size() != static_cast<std::size_t>(source.query().scene.frames))

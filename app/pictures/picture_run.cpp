@@ -265,7 +265,11 @@ void PictureRun::finish(Json head, const Console& console) {
     const render::GlInfo info = context_.info();
     head["versions"] = versions_json(&info);
     head["files"] = files_;
-    index_.write(head);
+    if (const std::size_t replaced = index_.write(head); replaced > 0)
+        console.note("scb: " + render::count_text(replaced) +
+                     (replaced == 1 ? " picture" : " pictures") + " of another run in " +
+                     folder_.string() + (replaced == 1 ? " was" : " were") +
+                     " replaced; give each run a folder of its own with -o to keep both.");
     written_.push_back("index.json");
     std::string list = written_list();
     if (with_video) list += options_.video.file + "\n";

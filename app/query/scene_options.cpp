@@ -56,6 +56,14 @@ bool SceneOptions::is_trace() const {
     return !given && names.size() == 1 && scenes::names_trace(names[0]);
 }
 
+std::string SceneOptions::file_stem(const std::string& scene) const {
+    if (given || std::none_of(names.begin(), names.end(), scenes::names_recording)) return scene;
+    std::string stems;
+    for (const std::string& name : names)
+        stems += (stems.empty() ? "" : "-") + std::filesystem::path(name).stem().string();
+    return scenes::file_name_of(stems);
+}
+
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {
     return scene.listed.empty()
                ? scenes::parse_frames(list, scene.frames, scene.name)
