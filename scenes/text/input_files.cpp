@@ -42,6 +42,7 @@ struct InputFiles {
     std::mutex mutex;
     std::set<Identity> noted;
     std::map<std::filesystem::path, std::string> versions;  ///< of regular files, when noted first
+    std::string last;
 };
 
 InputFiles& input_files() {
@@ -57,6 +58,7 @@ void note_input(const std::filesystem::path& file) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     files.noted.insert(*identity);
+    files.last = file.string();
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored))
         files.versions.try_emplace(std::filesystem::absolute(file, ignored), version_of(file));
@@ -67,7 +69,10 @@ void forget_inputs() {
     const std::lock_guard lock(files.mutex);
     files.noted.clear();
     files.versions.clear();
+    files.last.clear();
 }
+
+const char* last_input() noexcept { return input_files().last.c_str(); }
 
 std::map<std::filesystem::path, std::string> input_versions() {
     InputFiles& files = input_files();
