@@ -28,7 +28,7 @@ namespace {
         if (const std::exception_ptr error = std::current_exception())
             std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "scb: error: %s\n", out_of_memory);
+        tell_out_of_memory();
         ::_exit(exit_environment);
     } catch (...) {
     }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -117,6 +118,17 @@ struct ToldInputs {
 };
 
 }  // namespace
+
+void tell_out_of_memory() {
+    std::fputs("scb: error: out of memory", stderr);
+    const char* file = scenes::last_input();
+    if (*file != '\0') std::fputs(", and the file that was read last is ", stderr);
+    for (; *file != '\0'; ++file) {
+        const auto c = static_cast<unsigned char>(*file);
+        std::fputc(c < 0x20 || c == 0x7f ? '?' : c, stderr);
+    }
+    std::fputs("; use a smaller mesh or picture, fewer levels, or --max-pairs.\n", stderr);
+}
 
 int run_program(const std::vector<std::string>& words, Watch& watch) {
     CLI::App program{
@@ -244,7 +256,7 @@ int run_program(const std::vector<std::string>& words, Watch& watch) {
                       "); check the limits of processes and memory (ulimit -u, -v).");
         return exit_environment;
     } catch (const std::bad_alloc&) {
-        console.error(out_of_memory);
+        tell_out_of_memory();
         return exit_environment;
     } catch (const std::exception& error) {
         console.error(std::string("unexpected: ") + error.what() + "; please report this.");

@@ -7,8 +7,8 @@
 
 namespace scb::app {
 
-inline constexpr const char* out_of_memory =
-    "out of memory; use a smaller mesh or picture, fewer levels, or --max-pairs.";
+/// Says on standard error that memory ran out, and which file was read last. Takes no memory.
+void tell_out_of_memory();
 
 /// Runs the program `scb` with these words behind its name, and returns its exit status. Results go
 /// to standard output; messages go to standard error. Sets `watch.wanted` for --watch.

@@ -85,6 +85,10 @@ Option Option::only_typed(const std::string& word, const std::string& reason) co
     table_->values[option_].only_typed.emplace(word, reason);
     return *this;
 }
+Option Option::shareable() const {
+    table_->shareable.insert(option_);
+    return *this;
+}
 Option Option::hide() const {
     option_->group("");
     return *this;
@@ -128,6 +132,7 @@ void Command::remove_option(const std::string& name) const {
     CLI::Option* option = app_->get_option(name);
     table_->values.erase(option);
     table_->only_typed.erase(option);
+    table_->shareable.erase(option);
     app_->remove_option(option);
 }
 

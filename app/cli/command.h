@@ -48,6 +48,9 @@ class Option {
     Option only_typed() const;
     /// No configuration file may give this word: `reason` is what a sentence says behind "for".
     Option only_typed(const std::string& word, const std::string& reason) const;
+    /// `scb merge` takes it from the file of a shard, which may be a stranger's: it says what is
+    /// drawn or counted, and neither where anything is written nor what is run.
+    Option shareable() const;
     /// Leaves it out of the help.
     Option hide() const;
 

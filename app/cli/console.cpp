@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,38 @@
 
 namespace scb::app {
 namespace {
+
+/// The text with "./" in front of each line that GitHub Actions would take for a command. It
+/// passes over blanks, those of Unicode too, and ends lines at carriage returns too.
+std::string without_commands(std::string_view text) {
+    std::string plain;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find_first_of("\r\n") + 1);
+        const std::string_view whole = line.empty() ? text : line;
+        const auto is_blank = [](char c) {
+            return c == ' ' || (c >= '\t' && c <= '\r') || static_cast<unsigned char>(c) >= 0x80;
+        };
+        const auto word = std::find_if_not(whole.begin(), whole.end(), is_blank);
+        if (std::string_view(word, whole.end()).starts_with("::")) plain += "./";
+        plain += whole;
+        text.remove_prefix(whole.size());
+    }
+    return plain;
+}
+
+/// What comes from outside as a part of one line.
+std::string one_line(std::string_view text) {
+    return without_commands(scenes::printable(std::string(text)));
+}
+
+void print(std::string_view text) {
+    errno = 0;
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (written) return;
+    throw render::OutputError(std::string("cannot write to standard output: ") +
+                              std::strerror(errno) + "; send it elsewhere.");
+}
 
 bool colored(ColorMode mode, int file) {
     return mode == ColorMode::always || (mode == ColorMode::automatic && isatty(file) != 0);
@@ -29,12 +62,12 @@ void Console::error(std::string_view text) const {
 
 void Console::alarm(std::string_view line) const {
     const bool red = colored(color, STDERR_FILENO);
-    std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "",
-                 scenes::printable(std::string(line)).c_str(), red ? "\033[0m" : "");
+    std::fprintf(stderr, "%s%s%s\n", red ? "\033[1;31m" : "", one_line(line).c_str(),
+                 red ? "\033[0m" : "");
 }
 
 void Console::note(std::string_view line) const {
-    if (!quiet) std::fprintf(stderr, "%s\n", scenes::printable(std::string(line)).c_str());
+    if (!quiet) std::fprintf(stderr, "%s\n", one_line(line).c_str());
 }
 
 void Console::progress(std::string_view what, std::size_t done, std::size_t total) const {
@@ -46,13 +79,8 @@ void Console::progress(std::string_view what, std::size_t done, std::size_t tota
                  static_cast<int>(what.size()), what.data(), done == total ? "\n" : "");
 }
 
-void print_result(std::string_view text) {
-    errno = 0;
-    const bool written =
-        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (written) return;
-    throw render::OutputError(std::string("cannot write to standard output: ") +
-                              std::strerror(errno) + "; send it elsewhere.");
-}
+void print_result(std::string_view text) { print(without_commands(text)); }
+
+void print_github_commands(std::string_view lines) { print(lines); }
 
 }  // namespace scb::app

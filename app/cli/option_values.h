@@ -24,6 +24,7 @@ struct OptionValues {
 struct OptionTable {
     std::map<const CLI::Option*, OptionValues> values{};
     std::set<const CLI::Option*> only_typed{};  ///< see Option::only_typed
+    std::set<const CLI::Option*> shareable{};   ///< see Option::shareable
     std::set<const CLI::Option*> from_file{};   ///< those that a configuration file has given
 };
 

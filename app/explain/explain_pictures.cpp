@@ -25,14 +25,15 @@ std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
     return wish;
 }
 
-std::string explain_name(const TraceHeader& header, const NamedOptions& named, int frame,
+std::string explain_name(const std::string& stem, const TraceHeader& header,
+                         const NamedOptions& named, int frame,
                          const std::array<std::uint32_t, 2>& nodes) {
     std::string which = frame_part(frame);
     for (std::size_t side = 0; side < 2; ++side)
         which += "_" + scenes::file_name_of(header.bodies[side].name) + "-" +
                  std::to_string(nodes[side]);
-    return picture_name(header.scene, std::string(volume_kind_name(header.volume)) + "_explain",
-                        named, which);
+    return picture_name(stem, std::string(volume_kind_name(header.volume)) + "_explain", named,
+                        which);
 }
 
 void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
@@ -103,6 +104,8 @@ std::string asked_words(const ExplainedPair& pair) {
 
 nlohmann::ordered_json explain_index_head(const ExplainOptions& options) {
     nlohmann::ordered_json head = {{"command", "explain"}};
+    head["source"] = utf8_names(options.pairs_file.empty() ? options.scene.names
+                                                           : std::vector{options.pairs_file});
     head["options"] = {{"test", options.query.test},
                        {"threshold", options.query.threshold},
                        {"size", {options.picture.width(), options.picture.height()}},

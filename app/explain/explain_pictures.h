@@ -23,9 +23,10 @@ struct ExplainPicture {
     bool orthographic = false;                       ///< without such a camera
 };
 
-/// The name of such a picture of two nodes: a body's name and a node of each. `named`: the options
-/// of the picture, beside those of the query.
-std::string explain_name(const TraceHeader& header, const NamedOptions& named, int frame,
+/// The name of such a picture of two nodes: a body's name and a node of each. `stem`: see
+/// SceneOptions::file_stem. `named`: the options of the picture, beside those of the query.
+std::string explain_name(const std::string& stem, const TraceHeader& header,
+                         const NamedOptions& named, int frame,
                          const std::array<std::uint32_t, 2>& nodes);
 
 /// Places the picture of two nodes at a frame, with the triangles below them.

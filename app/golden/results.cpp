@@ -55,7 +55,7 @@ void refuse_foreign(const fs::path& file, const std::string& option) {
 
 void tell_github(const golden::SuiteResult& result) {
     if (environment_value("GITHUB_ACTIONS") == "true")
-        print_result(golden::github_annotations(result));
+        print_github_commands(golden::github_annotations(result));
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
     std::error_code ignored;

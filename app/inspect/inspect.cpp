@@ -102,6 +102,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
 /// What of a report is in the names of its files.
 void name_files(InspectReport& report, const InspectOptions& options, const QuerySource& source) {
     const InspectOptions usual;
+    report.stem = options.scene.file_stem(report.header.scene);
     name_query(report.named, source, source);
     name_picture(report.named, options.picture);
     if (source.frames().size() != static_cast<std::size_t>(source.query().scene.frames))
@@ -292,12 +293,16 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "recording the first K cases of whatever went wrong, and not just one")
         .check(decimal_number)
         .type_name("K")
-        .show_default();
-    command.add_flag(
-        "--time", options->time,
-        "Also time the settings that would have helped, which is not the same each time");
-    command.add_flag("--no-view", options->no_view,
-                     "Leave out the page of `scb view` that -o writes too");
+        .show_default()
+        .shareable();
+    command
+        .add_flag("--time", options->time,
+                  "Also time the settings that would have helped, which is not the same each time")
+        .shareable();
+    command
+        .add_flag("--no-view", options->no_view,
+                  "Leave out the page of `scb view` that -o writes too")
+        .shareable();
     add_picture_options(command, options->picture);
     options->picture.samples = PictureOptions{}.samples;
     command.get_option("--output")

@@ -88,7 +88,7 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
 }  // namespace
 
 std::string inspect_name(const InspectReport& report, const NamedOptions& more) {
-    return picture_name(report.header.scene,
+    return picture_name(report.stem,
                         std::string(volume_kind_name(report.header.volume)) + "_inspect",
                         report.named + report.named_frames + more, "");
 }

@@ -210,7 +210,9 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 
 std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
     if (!report.drawn) return "";
-    return explain_name(report.header, report.named, frame, {test.nodes.a, test.nodes.b}) + ".png";
+    return explain_name(report.stem, report.header, report.named, frame,
+                        {test.nodes.a, test.nodes.b}) +
+           ".png";
 }
 
 std::string settings_words(const InspectReport& report, const std::string& over) {

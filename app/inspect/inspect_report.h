@@ -17,6 +17,7 @@ namespace scb::app {
 /// Everything that `scb inspect` found.
 struct InspectReport {
     TraceHeader header;
+    std::string stem;                    ///< that names of files begin with
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones

@@ -135,6 +135,9 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
     const std::vector<Problem> problems = problems_of(judged);
     if (problems.empty()) return {};
     const scenes::Recording recording = scenes::read_recording(std::move(bytes), path);
+    SceneOptions of_file;
+    of_file.names = {path};
+    const std::string stem = of_file.file_stem(recording.scene.name);
     std::vector<ProblemPicture> drawn;
     std::optional<scenes::RecordedBodies> at_frame;
     for (const Problem& problem : problems) {
@@ -181,7 +184,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
             figure.panel.emplace_back(render::PanelNote{
                 "the first of " + render::count_text(problem.count) + " of the kind"});
         const std::string name =
-            picture_name(recording.scene.name,
+            picture_name(stem,
                          scenes::file_name_of(recording.engine) + "_problem-" +
                              std::to_string(drawn.size() + 1) + "-" + problem.name,
                          {}, frame_part(problem.frame));

@@ -51,6 +51,13 @@ std::vector<Json> runs_of(Json index) {
     return runs;
 }
 
+/// Whether runs are of one command and read the same, as far as both say it.
+bool are_of_same_source(const Json& a, const Json& b) {
+    for (const char* name : {"command", "source", "recording"})
+        if (a.contains(name) && b.contains(name) && a[name] != b[name]) return false;
+    return true;
+}
+
 }  // namespace
 
 FolderIndex::FolderIndex(std::filesystem::path file) : file_(std::move(file)) {
@@ -94,7 +101,8 @@ void FolderIndex::read_if_changed() {
 }
 
 void FolderIndex::about_to_write(const std::string& picture) {
-    replaced_.insert(picture);
+    const bool is_first = replaced_.insert(picture).second;
+    if (is_first && render::is_there(file_.parent_path() / picture)) gone_.insert(picture);
     const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
     read_if_changed();
     const std::size_t before = runs_.size();
@@ -125,17 +133,20 @@ void FolderIndex::write_runs() {
     read_ = version();
 }
 
-void FolderIndex::write(const Json& run) {
+std::size_t FolderIndex::write(const Json& run) {
     const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
     read_if_changed();
     for (TakenRun& taken : taken_)
         runs_.insert(runs_.end() - static_cast<std::ptrdiff_t>(std::min(taken.older, runs_.size())),
                      std::move(taken.run));
     taken_.clear();
+    std::size_t of_others = 0;
     for (Run& earlier : runs_) {
+        const bool is_other = !are_of_same_source(earlier.json, run);
         Json files = Json::array();
         for (const Json& entry : earlier.json["files"]) {
             const std::string name = entry["file"];
+            of_others += is_other && gone_.contains(name);
             if (!replaced_.contains(name) && render::is_there(file_.parent_path() / name))
                 files.push_back(entry);
         }
@@ -144,6 +155,7 @@ void FolderIndex::write(const Json& run) {
     std::erase_if(runs_, [](const Run& earlier) { return earlier.json["files"].empty(); });
     runs_.insert(runs_.begin(), {run, replaced_});
     write_runs();
+    return of_others;
 }
 
 std::string index_text(const Json& index) {

@@ -24,8 +24,9 @@ class FolderIndex {
     /// write() puts back what is left of it. Throws OutputError, and as the constructor does.
     void about_to_write(const std::string& picture);
 
-    /// Writes the file; `run` has the field `files`. Throws as about_to_write does.
-    void write(const nlohmann::ordered_json& run);
+    /// Writes the file; `run` has the field `files`. Returns how many pictures it replaced of runs
+    /// of another command or of other sources. Throws as about_to_write does.
+    std::size_t write(const nlohmann::ordered_json& run);
 
   private:
     struct Run {
@@ -53,6 +54,7 @@ class FolderIndex {
     std::vector<Run> runs_;           ///< in the file, the latest first
     std::vector<TakenRun> taken_;     ///< the earliest first
     std::set<std::string> replaced_;  ///< pictures
+    std::set<std::string> gone_;      ///< those of them that there were
 };
 
 /// As text, with its last line's end: names of files and in scenes need not be UTF-8.

@@ -34,7 +34,7 @@ int make_frames(const QuerySources& sources, PictureRun& pictures, const Console
     if (!pictures.is_shard())
         pictures.finish(head(), console);
     else if (all)
-        pictures.finish_shard();
+        pictures.finish_shard(console);
     if (all) return exit_done;
     console.note("scb: interrupted; " +
                  (pictures.is_shard() ? "the shard is to be made again."

@@ -33,12 +33,14 @@ void add_level_options(const Command& command, LevelOptions& options) {
                     "that has 95 % of the leaves, and the deepest")
         .type_name("LIST")
         .offer({"leaves", "all", "auto"})
-        .show_default();
+        .show_default()
+        .shareable();
     add_picture_options(command, options.picture, options.camera);
     add_panel_option(command, options.picture);
     add_level_look(command, options);
     add_shard_options(command, options.picture.shards, "pictures");
-    command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels");
+    command.add_flag("--no-sheet", options.no_sheet, "Do not draw the sheet of all levels")
+        .shareable();
 }
 
 void add_level_look(const Command& command, LevelOptions& options) {
@@ -47,12 +49,16 @@ void add_level_look(const Command& command, LevelOptions& options) {
                "body, depth, radius, thickness, subtree, or the share of the surface that a volume "
                "holds; auto: "
                "body for two or more bodies, thickness for one")
-        .type_name("WHAT");
-    command.add_option("--opacity", options.opacity,
-                       "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
-                       "or 0.25 with --mesh");
-    command.add_flag("--mesh", options.mesh, "Show the meshes, through translucent volumes");
-    command.add_flag("--edges", options.edges, "Show the meshes with their edges");
+        .type_name("WHAT")
+        .shareable();
+    command
+        .add_option("--opacity", options.opacity,
+                    "Opacity of the volumes, 0 to 1; below 1 the mesh shows through. Default 1, "
+                    "or 0.25 with --mesh")
+        .shareable();
+    command.add_flag("--mesh", options.mesh, "Show the meshes, through translucent volumes")
+        .shareable();
+    command.add_flag("--edges", options.edges, "Show the meshes with their edges").shareable();
 }
 
 }  // namespace scb::app

@@ -84,7 +84,8 @@ std::filesystem::path PictureOptions::output_folder() const {
 void add_gl_option(const Command& command, std::string& gl) {
     add_choice(command, "--gl", gl, words_as_choices({"osmesa", "egl"}),
                "Where OpenGL comes from: osmesa or egl")
-        .type_name("NAME");
+        .type_name("NAME")
+        .shareable();
 }
 
 namespace {
@@ -101,7 +102,8 @@ void add_output_size(const Command& command, PictureOptions& options, const char
         .only_typed();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")
-        .show_default();
+        .show_default()
+        .shareable();
 }
 
 void add_view(const Command& command, PictureOptions& options, CameraOptions& camera) {
@@ -112,25 +114,31 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
             "scene's own")
         .file({".json"})
         .offer({"fit", "orbit:"})
-        .type_name("CAMERA");
+        .type_name("CAMERA")
+        .shareable();
     add_choice(command, "--up", camera.up, words_as_choices({"x", "y", "z"}),
                "The axis that points up: x, y or z. Default z; y of glTF files")
-        .type_name("AXIS");
-    command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective");
+        .type_name("AXIS")
+        .shareable();
+    command.add_flag("--ortho", camera.orthographic, "Orthographic instead of perspective")
+        .shareable();
     command
         .add_option("--clip", camera.clip,
                     "Only what is on this side of a plane is drawn: points p of the world with "
                     "(X,Y,Z).p <= D")
-        .type_name("X,Y,Z,D");
+        .type_name("X,Y,Z,D")
+        .shareable();
     add_choice(command, "--samples", options.samples, {{"1", 1}, {"4", 4}},
                "Samples per pixel: 1 or 4")
-        .type_name("N");
+        .type_name("N")
+        .shareable();
 }
 
 void add_drawing(const Command& command, PictureOptions& options) {
     add_choice(command, "--background", options.background, words_as_choices({"light", "dark"}),
                "light or dark")
-        .type_name("THEME");
+        .type_name("THEME")
+        .shareable();
     add_gl_option(command, options.gl);
     command
         .add_flag("--shift-color", options.shift_color,
@@ -148,16 +156,19 @@ void add_jobs(const Command& command, PictureOptions& options) {
 
 /// Where pictures go besides their files.
 void add_copies(const Command& command, PictureOptions& options) {
-    command.add_flag("--svg", options.svg,
-                     "Also write each picture as SVG: text and plots as such, views of the scene "
-                     "as images");
+    command
+        .add_flag("--svg", options.svg,
+                  "Also write each picture as SVG: text and plots as such, views of the scene "
+                  "as images")
+        .shareable();
     command.add_flag("--terminal", options.show,
                      "Also show the pictures in the terminal, where it can: kitty, iTerm2 and "
                      "others like them, and sixel");
 }
 
 void add_json(const Command& command, PictureOptions& options) {
-    command.add_flag("--json", options.json, "Print index.json instead of the file names");
+    command.add_flag("--json", options.json, "Print index.json instead of the file names")
+        .shareable();
 }
 
 }  // namespace
@@ -167,15 +178,19 @@ void add_picture_options(const Command& command, PictureOptions& options, Camera
     add_view(command, options, camera);
     add_drawing(command, options);
     add_jobs(command, options);
-    command.add_flag("--ids", options.ids,
-                     "Also write which node owns each pixel (PNG, ids as RGBA bytes)");
+    command
+        .add_flag("--ids", options.ids,
+                  "Also write which node owns each pixel (PNG, ids as RGBA bytes)")
+        .shareable();
     add_copies(command, options);
     add_json(command, options);
 }
 
 void add_panel_option(const Command& command, PictureOptions& options) {
-    command.add_flag("--no-panel", options.no_panel,
-                     "The view alone, without heading, numbers and legend");
+    command
+        .add_flag("--no-panel", options.no_panel,
+                  "The view alone, without heading, numbers and legend")
+        .shareable();
 }
 
 void add_picture_options(const Command& command, PictureOptions& options) {

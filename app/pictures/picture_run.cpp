@@ -91,8 +91,10 @@ void PictureRun::take_picture(const Json& picture, const std::filesystem::path& 
     for (const char* kind : {"file", "svg", "ids"}) {
         if (!entry.contains(kind)) continue;
         const std::string name = entry[kind].get<std::string>();
-        if (std::filesystem::path(name).filename() != name)
-            throw InputError((from / name).string() + ": a picture has the name of a file alone.");
+        const char* const ending = kind == std::string_view("svg") ? ".svg" : ".png";
+        if (std::filesystem::path(name).filename() != name || !name.ends_with(ending))
+            throw InputError((from / name).string() + ": a picture has the name of a file alone, " +
+                             ending + " at its end; make this shard again.");
         take_file(name, from / name);
     }
     const std::string name = entry.at("file").get<std::string>();
@@ -236,8 +238,10 @@ std::vector<std::filesystem::path> PictureRun::to_show() const {
     return files;
 }
 
-void PictureRun::finish_shard() {
+void PictureRun::finish_shard(const Console& console) {
     queue_.finish();
+    if (options_.video.wanted())
+        console.note("scb: --video: a shard has no video; give the option to `scb merge`.");
     std::vector<std::string> files = written_;
     files.insert(files.end(), cells_.begin(), cells_.end());
     const std::filesystem::path file = parts_.write(files);
@@ -261,7 +265,11 @@ void PictureRun::finish(Json head, const Console& console) {
     const render::GlInfo info = context_.info();
     head["versions"] = versions_json(&info);
     head["files"] = files_;
-    index_.write(head);
+    if (const std::size_t replaced = index_.write(head); replaced > 0)
+        console.note("scb: " + render::count_text(replaced) +
+                     (replaced == 1 ? " picture" : " pictures") + " of another run in " +
+                     folder_.string() + (replaced == 1 ? " was" : " were") +
+                     " replaced; give each run a folder of its own with -o to keep both.");
     written_.push_back("index.json");
     std::string list = written_list();
     if (with_video) list += options_.video.file + "\n";

@@ -77,7 +77,7 @@ class PictureRun {
 
     /// Of a shard: waits until its pictures are written, keeps what else `scb merge` needs of them,
     /// and prints the names of all files.
-    void finish_shard();
+    void finish_shard(const Console& console);
 
     /// Draws the sheet, and waits until everything is written, the video too; then writes
     /// index.json, in which `head` with `files` and the versions at its end is the latest run, and

@@ -256,7 +256,7 @@ std::string QueryView::picture_name(const std::string& what, std::optional<int> 
     if (!frame && frames != std::vector<int>{query.scene().default_frame})
         name_frames(named, frames);
     return app::picture_name(
-        query.header().scene, queries + "_" + what, named,
+        options_.scene.file_stem(query.header().scene), queries + "_" + what, named,
         (frame ? frame_part(*frame) : "") + (test ? format("_test-%07zu", *test) : ""));
 }
 

@@ -85,15 +85,19 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         command
             .add_option("--pick", options.pick,
                         "Print what is under this pixel, from the left and the top")
-            .type_name("X,Y");
+            .type_name("X,Y")
+            .shareable();
         command
             .add_option("--compare", options.compare,
                         "Two overlap tests, such as corrected,printed, or two volumes, such as "
                         "scb,ball: both side by side, and what differs outlined")
             .offer_list(compared_words())
-            .type_name("A,B");
-        command.add_flag("--sheet", options.sheet,
-                         "Also all pictures in one, small, with their counts");
+            .type_name("A,B")
+            .shareable();
+        command
+            .add_flag("--sheet", options.sheet,
+                      "Also all pictures in one, small, with their counts")
+            .shareable();
     } else {
         add_picture_options(command, options.picture);
     }

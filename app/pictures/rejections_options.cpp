@@ -129,34 +129,44 @@ void add_rejections_options(const Command& command, RejectionsOptions& options) 
     add_choice(command, "--by", options.by, choices_of(render::node_color_names),
                "Color of a node at which several paths ended: its first, last or most frequent "
                "(dominant) ending; or share, the share of its tests that rejected")
-        .type_name("WHICH");
+        .type_name("WHICH")
+        .shareable();
     command
         .add_option(
             "--stages,--stage", options.stages,
             "Only paths with these endings: names of stages, 'triangles apart', 'triangles meet'")
-        .type_name("LIST");
+        .type_name("LIST")
+        .shareable();
     command.add_option("--depth", options.depths, "Only nodes of these levels: 7 or 0:9")
-        .type_name("A:B");
-    command.add_option("--body", options.body, "Only the nodes of this body").type_name("NAME");
+        .type_name("A:B")
+        .shareable();
+    command.add_option("--body", options.body, "Only the nodes of this body")
+        .type_name("NAME")
+        .shareable();
     command.add_option("--opacity", options.opacity, "Opacity of the volumes, above 0 to 1")
         .check(real_number)
-        .show_default();
+        .show_default()
+        .shareable();
     command
         .add_option("--focus", options.focus,
                     "Leave out the volumes that are large for their paths, as long as this share "
                     "of paths is "
                     "seen; 1: none. Default: 0.5, and 1 with --nested or --steps")
         .check(real_number)
-        .type_name("SHARE");
-    command.add_flag(
-        "--nested", options.nested,
-        "Also draw nodes that contain other drawn nodes (use --opacity below 1 to see both)");
+        .type_name("SHARE")
+        .shareable();
+    command
+        .add_flag(
+            "--nested", options.nested,
+            "Also draw nodes that contain other drawn nodes (use --opacity below 1 to see both)")
+        .shareable();
     command
         .add_option("--steps", options.steps,
                     "Draw an animation: the first N tests, the first 2N, and so on, each with the "
                     "pair that was tested last")
         .check(decimal_number)
-        .type_name("N");
+        .type_name("N")
+        .shareable();
 }
 
 }  // namespace scb::app

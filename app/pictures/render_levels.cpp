@@ -35,21 +35,21 @@ NamedOptions named_options(const LevelOptions& options) {
     return named;
 }
 
-std::string level_name(const NamedOptions& named, const scenes::Scene& scene,
+std::string level_name(const NamedOptions& named, const std::string& stem,
                        const std::string& volumes, int level, int frame) {
     const std::string which = level == leaf_level ? "_level-leaves" : format("_level-%02d", level);
-    return picture_name(scene.name, volumes + which, named, frame_part(frame));
+    return picture_name(stem, volumes + which, named, frame_part(frame));
 }
 
 /// Which volumes and levels a sheet shows is a part of its name, as they are of the others'.
 std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
-                       const scenes::Scene& scene, int frame) {
+                       const std::string& stem, int frame) {
     const LevelOptions usual;
     NamedOptions of_sheet;
     of_sheet.add_if(options.hierarchy.volumes != usual.hierarchy.volumes, "volume",
                     options.hierarchy.volumes);
     of_sheet.add_if(options.levels != usual.levels, "levels", options.levels);
-    return picture_name(scene.name, "levels_sheet", of_sheet + named, frame_part(frame));
+    return picture_name(stem, "levels_sheet", of_sheet + named, frame_part(frame));
 }
 
 // Its volumes are too large for a view to be shared with deeper levels.
@@ -60,6 +60,7 @@ int run(const LevelOptions& options, const Console& console) {
     const LevelSubject subject =
         level_subject(options.scene, options.hierarchy, options.levels, options.recording, console);
     const scenes::Scene& scene = subject.scene;
+    const std::string stem = options.scene.file_stem(scene.name);
     const int frame = subject.frame;
     const std::vector<int>& levels = subject.levels;
     const std::vector<LevelTrees>& trees = subject.trees;
@@ -74,12 +75,12 @@ int run(const LevelOptions& options, const Console& console) {
     Progress progress(console, total);
     std::vector<std::string> names;
     for (const LevelTrees& each : trees) names.push_back(each.name);
-    const Json head = level_head(options, scene, names, frame, levels,
-                                 exact_camera_view(wish, common.camera, common.center));
+    Json head = level_head(options, scene, names, frame, levels,
+                           exact_camera_view(wish, common.camera, common.center));
     pictures.plan(total, [&] { return head; });
     for (std::size_t k = 0; k < trees.size(); ++k)
         for (const int level : levels) {
-            const std::string name = level_name(named, scene, trees[k].name, level, frame);
+            const std::string name = level_name(named, stem, trees[k].name, level, frame);
             const auto draw = [&, k = k] {
                 const render::Picture picture =
                     render::compose(figures.figure(k, level), width, height,
@@ -93,7 +94,7 @@ int run(const LevelOptions& options, const Console& console) {
             progress.step(name);
         }
     if (pictures.is_shard()) {
-        pictures.finish_shard();
+        pictures.finish_shard(console);
         return exit_done;
     }
 
@@ -135,8 +136,10 @@ int run(const LevelOptions& options, const Console& console) {
         }
         const render::Picture picture =
             render::compose(sheet, options.picture.samples, pictures.overlay());
-        pictures.draw(sheet_name(named, options, scene, frame), picture, {{"sheet", true}}, false);
+        pictures.draw(sheet_name(named, options, stem, frame), picture, {{"sheet", true}}, false);
     }
+    // Behind plan(): shards of one run may have their meshes in other folders.
+    head["source"] = utf8_names(options.scene.names);
     pictures.finish(head, console);
     return exit_done;
 }

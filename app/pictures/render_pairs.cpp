@@ -139,18 +139,22 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         render_command.add_subcommand("pairs", "Draw the triangles that intersect");
     const auto options = std::make_shared<PairsOptions>();
     add_query_view_options(command, *options, Shown::meshes);
-    command.add_flag("--leaves,!--no-leaves", options->leaves,
-                     "Also the volumes of leaves that overlap while their triangles do not");
+    command
+        .add_flag("--leaves,!--no-leaves", options->leaves,
+                  "Also the volumes of leaves that overlap while their triangles do not")
+        .shareable();
     add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "
                "of the triangle itself, or wasted ones of volumes, which led to no pair")
-        .type_name("volumes|triangles|wasted");
+        .type_name("volumes|triangles|wasted")
+        .shareable();
     command
         .add_option("--heat-end", options->heat_end,
                     "Count at the end of the color scale. Default: the first of 1, 2 and 5 times a "
                     "power of ten that holds all counts")
         .check(decimal_number)
-        .type_name("N");
+        .type_name("N")
+        .shareable();
     command.footer(
         "Strong colors are triangles that intersect, black lines where they meet; a line is thin "
         "and gray where a body hides it.\n"

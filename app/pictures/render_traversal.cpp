@@ -160,14 +160,17 @@ void add_render_traversal(const Command& render_command, const Console& console,
     const auto options = std::make_shared<TraversalOptions>();
     add_query_view_options(command, *options, Shown::nothing);
     add_choice(command, "--by", options->by, choices_of(render::matrix_measure_names),
-               "Colors of the matrix. tests: how many; share: how many of them rejected");
+               "Colors of the matrix. tests: how many; share: how many of them rejected")
+        .shareable();
     add_choice(command, "--show", options->show, choices_of(diagram_names),
-               "matrix, icicle or both");
+               "matrix, icicle or both")
+        .shareable();
     command
         .add_option("--root", options->root,
                     "Only the part of the traversal below the test of these nodes of A and of B; "
                     "index.json names the largest parts")
-        .type_name("I,J");
+        .type_name("I,J")
+        .shareable();
     command.footer(
         "Left: the volume tests by depth of A's node and of B's. Right: the recursion as an "
         "icicle, with the roots at the top.\n"

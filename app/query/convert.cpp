@@ -77,7 +77,8 @@ void add_convert(const Command& program, const Console& console, Action& action)
         .file({".scbrec", ".jsonl"})
         .only_typed();
     command.footer(
-        "Nothing is lost. Several recordings are of the threads of one program: what they say "
+        "No bit of a record is lost. Several recordings are of the threads of one program: what "
+        "they say "
         "alike is written once, and their\n"
         "queries stand frame by frame, in the order of the files. Of a damaged file, what can be "
         "read is converted.\n\n"

@@ -46,14 +46,16 @@ void add_leaf_option(const Command& command, int& leaf_triangles) {
     command.add_option("--leaf", leaf_triangles, "Triangles of a packed leaf, at most: 1 to 4")
         .check(decimal_number)
         .type_name("N")
-        .show_default();
+        .show_default()
+        .shareable();
 }
 
 void add_threads_option(const Command& command, int& threads, const std::string& description) {
     command.add_option("--threads", threads, description)
         .check(decimal_number)
         .type_name("N")
-        .show_default();
+        .show_default()
+        .shareable();
 }
 
 void check_threads(int threads) {

@@ -96,14 +96,16 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
         test.offer_list(test_words());
     else
         test.offer(test_words());
-    test.only_typed(std::string(overlap_test_name(OverlapTest::printed)), "it misses collisions");
+    test.shareable().only_typed(std::string(overlap_test_name(OverlapTest::printed)),
+                                "it misses collisions");
     command
         .add_option("--threshold", options.threshold,
                     "Threshold a of the paper, for corrected, line8 and printed: a slab is tested "
                     "against a cylinder if |n0.n1| > a")
         .check(real_number)
         .type_name("A")
-        .show_default();
+        .show_default()
+        .shareable();
 }
 
 std::vector<std::string> compared_words() {
@@ -116,7 +118,8 @@ void add_bodies_option(const Command& command, QueryOptions& options) {
     command
         .add_option("--bodies", options.bodies,
                     "Names of the two bodies, where the scene has more than two")
-        .type_name("A,B");
+        .type_name("A,B")
+        .shareable();
 }
 
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
@@ -126,12 +129,14 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
     add_choice(command, "--descent", options.descent, rules,
                "Which of two nodes is divided, the larger by this measure, or A and B in turn: " +
                    offered(rules))
-        .type_name("RULE");
+        .type_name("RULE")
+        .shareable();
     command
         .add_option("--frames,--frame", options.frames, "Frames: 0,250 or FIRST:LAST[:STEP] or all")
         .type_name("LIST")
         .offer({"all"})
-        .show_default();
+        .show_default()
+        .shareable();
     add_bodies_option(command, options);
 }
 
@@ -139,13 +144,15 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
     command.add_option("--max-pairs", limits.max_pairs, "End a query at this many pairs")
         .check(decimal_number)
         .type_name("K")
-        .show_default();
+        .show_default()
+        .shareable();
     command
         .add_option(
             "--levels,--level", limits.levels,
             "Stop at this level: one number, or 'leaves'; finds pairs of nodes, tests no triangles")
         .type_name("K")
-        .offer({"leaves"});
+        .offer({"leaves"})
+        .shareable();
 }
 
 std::vector<std::string> given_hierarchy_options(const Command& command) {

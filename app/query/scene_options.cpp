@@ -56,6 +56,14 @@ bool SceneOptions::is_trace() const {
     return !given && names.size() == 1 && scenes::names_trace(names[0]);
 }
 
+std::string SceneOptions::file_stem(const std::string& scene) const {
+    if (given || std::none_of(names.begin(), names.end(), scenes::names_recording)) return scene;
+    std::string stems;
+    for (const std::string& name : names)
+        stems += (stems.empty() ? "" : "-") + std::filesystem::path(name).stem().string();
+    return scenes::file_name_of(stems);
+}
+
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {
     return scene.listed.empty()
                ? scenes::parse_frames(list, scene.frames, scene.name)
@@ -102,23 +110,27 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .expected(1, 2)
         .file(scene_endings())
         .offer(builtin_names())
-        .type_name("[SCENE]");
+        .type_name("[SCENE]")
+        .shareable();
     command
         .add_option("--pose", options.pose,
                     "Pose of the second of two meshes: 12 numbers, [R|t] row by row, with commas")
         .delimiter(',')
         .expected(12)
-        .type_name("R00,R01,R02,T0,...");
+        .type_name("R00,R01,R02,T0,...")
+        .shareable();
     command
         .add_option("--models", options.models_dir,
                     "Folder to search for meshes that are missing at their given path")
         .envname("SCB_MODELS")
-        .folder();
+        .folder()
+        .shareable();
     if (with_frame)
         command
             .add_option("--frames,--frame", options.frames,
                         "The frame, one number. Default: the scene's own")
-            .type_name("N");
+            .type_name("N")
+            .shareable();
 }
 
 BuildOptions HierarchyOptions::build() const {
@@ -203,6 +215,7 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
                                                   : "Bounding volume: one of " + volume_names(", "))
                               .type_name(several ? "LIST" : "VOLUME")
                               .show_default();
+    volume.shareable();
     const std::vector<std::string> kinds = scenes::split_list(volume_names(","));
     if (several)
         volume.offer_list(kinds);
@@ -215,7 +228,8 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
     add_choice(command, "--growth", options.growth,
                choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
                "How minimum balls are grown: ritter or radius")
-        .type_name("RULE");
+        .type_name("RULE")
+        .shareable();
     const std::string divided =
         "How nodes are divided: paper (Section 3), or cost, which takes longer to build and less "
         "to query";
@@ -223,15 +237,19 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         command.add_option("--split", *splits, divided)
             .type_name("LIST")
             .offer_list(words_of(splits_offered))
-            .show_default();
+            .show_default()
+            .shareable();
     else
-        add_choice(command, "--split", options.split, splits_offered, divided).type_name("METHOD");
+        add_choice(command, "--split", options.split, splits_offered, divided)
+            .type_name("METHOD")
+            .shareable();
     add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
                "An error on purpose, for `scb golden selftest`")
         .hide();
     command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
         .check(real_number)
-        .show_default();
+        .show_default()
+        .shareable();
 }
 
 }  // namespace scb::app

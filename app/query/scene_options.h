@@ -26,6 +26,9 @@ struct SceneOptions {
     bool is_recording() const;
     /// Whether the one name is that of a trace.
     bool is_trace() const;
+    /// What the names of files begin with that are made of the scene of this name: where there is a
+    /// recording, of which there may be many of one scene, the stems of the files; else that name.
+    std::string file_stem(const std::string& scene) const;
     /// `frames`: a list of those that will be asked for, as far as it is known: the meshes of a
     /// recording may change.
     scenes::Scene load(const std::string& list_of_frames = "") const;

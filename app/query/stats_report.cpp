@@ -212,9 +212,10 @@ std::string stats_csv_header(bool with_measures) {
     return text + "\n";
 }
 
-/// As a field of a line of CSV (RFC 4180).
+/// As a field of a line of CSV (RFC 4180). With a colon in quotes too: print_result would change a
+/// name that begins with two.
 std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    if (text.find_first_of(",:\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
     return quoted + "\"";

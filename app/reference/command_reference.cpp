@@ -16,6 +16,7 @@ ReferenceOption reference_of(const CLI::Option& option, const OptionTable& table
     result.takes_value = option.get_items_expected_max() != 0;
     result.takes_several = option.get_expected_max() > 1 && option.get_delimiter() == '\0';
     result.is_only_typed = table.only_typed.contains(&option) || result.takes_several;
+    result.is_shareable = table.shareable.contains(&option);
     result.parsed = &option;
     result.is_required = option.get_required();
     if (result.takes_value) result.value = option.get_type_name();

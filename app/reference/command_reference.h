@@ -16,6 +16,7 @@ struct ReferenceOption {
     bool takes_several = false;  ///< values, one after the other
     bool is_required = false;
     bool is_only_typed = false;           ///< no configuration file may give it
+    bool is_shareable = false;            ///< see Option::shareable
     const CLI::Option* parsed = nullptr;  ///< which of the parser's it is
     OptionValues values;
 

@@ -2,7 +2,9 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/pictures/video_options.h"
 #include "app/shards/shard_file.h"
+#include "app/shards/shard_words.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -13,6 +15,7 @@ namespace fs = std::filesystem;
 struct MergeOptions {
     std::vector<std::string> shards;
     std::string output;
+    VideoOptions video;
 };
 
 /// The files of shards that a name stands for: itself, or those in a folder of results.
@@ -32,11 +35,16 @@ std::vector<fs::path> files_of(const fs::path& name) {
 }
 
 /// What the program is called with to join them.
-std::vector<std::string> merging_words(const MergeOptions& options, const Console& console) {
+std::vector<std::string> merging_words(const MergeOptions& options, const Command& program,
+                                       const Console& console) {
     std::vector<fs::path> files;
     for (const std::string& name : options.shards)
         for (fs::path& file : files_of(name)) files.push_back(std::move(file));
-    const std::vector<std::string> of_shards = read_shards(files).front().words;
+    const ReferenceCommand reference = reference_of_program(program);
+    const auto check = [&](const fs::path& file, const ShardFile& shard) {
+        check_shard_words(file, shard.words, reference);
+    };
+    const std::vector<std::string> of_shards = read_shards(files, check).front().words;
     console.note("scb: joins the shards of " + shard_command(of_shards, "K/N"));
     for (const fs::path& file : files) {
         std::error_code ignored;
@@ -50,6 +58,9 @@ std::vector<std::string> merging_words(const MergeOptions& options, const Consol
     words.insert(words.end(), of_shards.begin(), of_shards.end());
     for (const fs::path& file : files) words.push_back("--merged=" + file.string());
     if (!options.output.empty()) words.push_back("--output=" + options.output);
+    if (options.video.wanted()) words.push_back("--video=" + options.video.file);
+    if (const auto rate = options.video.frames_per_second)
+        words.push_back("--fps=" + std::to_string(*rate));
     return words;
 }
 
@@ -71,6 +82,7 @@ void add_merge(const Command& program, const Console& console, const RunAgain& r
                     "Folder for what is made; it can be that of the shards, where they share one")
         .folder()
         .only_typed();
+    add_video_options(command, options->video);
     command.footer(
         "Several machines share a run: each makes some of its frames, by --shard of `scb render "
         "...`, `inspect` or `bench`.\n"
@@ -81,8 +93,10 @@ void add_merge(const Command& program, const Console& console, const RunAgain& r
         "  scb render pairs spheres-l1 --frames all --sheet --shard 1/2 -o out/\n"
         "  scb render pairs spheres-l1 --frames all --sheet --shard 2/2 -o out/\n"
         "  scb merge out/ -o out/");
-    command.callback([&action, &console, &run_again, options] {
-        action = [&, options] { return run_again(merging_words(*options, console)); };
+    command.callback([&action, &console, &run_again, command, options] {
+        action = [&, command, options] {
+            return run_again(merging_words(*options, command, console));
+        };
     });
 }
 

@@ -9,6 +9,7 @@
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/json_reader.h"
+#include "scenes/text/tokens.h"
 
 namespace scb::app {
 namespace {
@@ -59,7 +60,12 @@ ShardFile shard_of(const Json& json) {
 
 std::string shard_command(const std::vector<std::string>& words, const std::string& shard) {
     std::string text = "scb";
-    for (const std::string& word : words) text += " " + golden::shell_word(word);
+    // Of a file that may be a stranger's.
+    constexpr std::size_t longest_word = 400;
+    for (const std::string& word : words)
+        text +=
+            " " + (word.size() <= longest_word ? golden::shell_word(word)
+                                               : golden::shell_word(scenes::excerpt(word)) + "...");
     return text + " --shard " + shard + " -o DIR";
 }
 
@@ -144,10 +150,11 @@ std::string file_hash(const fs::path& file) {
     return short_hash(scenes::file_bytes(file.string()));
 }
 
-std::vector<ShardFile> read_shards(std::vector<fs::path>& paths) {
+std::vector<ShardFile> read_shards(std::vector<fs::path>& paths, const ShardCheck& check) {
     std::vector<std::pair<ShardFile, fs::path>> shards;
     for (const fs::path& path : paths) {
         shards.emplace_back(read_shard_file(path), path);
+        if (check) check(path, shards.back().first);
         check_same_run(shards.front().first, shards.front().second, shards.back().first, path);
     }
     std::stable_sort(shards.begin(), shards.end(), [](const auto& x, const auto& y) {

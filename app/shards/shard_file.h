@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -42,9 +43,13 @@ void write_shard_file(const std::filesystem::path& path, const ShardFile& shard)
 /// A hash of what is in a file of a shard. Throws InputError where it cannot be read.
 std::string file_hash(const std::filesystem::path& file);
 
+/// Throws InputError where a shard is refused.
+using ShardCheck = std::function<void(const std::filesystem::path&, const ShardFile&)>;
+
 /// All shards of one run, in their order; `paths` get that order too. Throws InputError where some
 /// are missing or are of other runs, and says how the missing ones are made; also where a file that
-/// one made is not as it was.
-std::vector<ShardFile> read_shards(std::vector<std::filesystem::path>& paths);
+/// one made is not as it was, and where `check`, which sees each before others, does.
+std::vector<ShardFile> read_shards(std::vector<std::filesystem::path>& paths,
+                                   const ShardCheck& check = {});
 
 }  // namespace scb::app

@@ -20,9 +20,10 @@ void ShardOptions::check_folder(const std::string& folder) const {
 }
 
 std::vector<std::string> ShardOptions::words() const {
-    // Where results go, and who is shown them, differs from machine to machine.
-    return given_words(*command,
-                       {"--shard", "--merged", "--output", "--jobs", "--open", "--terminal"});
+    // Where results go, and who is shown them, differs from machine to machine, and is said to `scb
+    // merge` itself.
+    return given_words(*command, {"--shard", "--merged", "--output", "--jobs", "--open",
+                                  "--terminal", "--video", "--fps"});
 }
 
 void add_shard_options(const Command& command, ShardOptions& options, const std::string& parts) {

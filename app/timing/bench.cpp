@@ -36,6 +36,7 @@ using Json = nlohmann::ordered_json;
 /// A scene that is to be measured.
 struct Entry {
     scenes::Scene scene;
+    std::string stem;  ///< that its picture's name begins with
     std::size_t a = 0, b = 0;
     std::vector<int> frames;
     bool builtin = false;
@@ -44,6 +45,7 @@ struct Entry {
 Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     Entry entry;
     entry.scene = scene.load(query.frames);
+    entry.stem = scene.file_stem(entry.scene.name);
     std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
     entry.frames = frames_of(entry.scene, query.frames);
     return entry;
@@ -119,8 +121,8 @@ struct BenchFiles {
         named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
         name_pose(named, options.scene.pose);
     }
-    std::string picture(const scenes::Scene& scene) const {
-        return picture_name(scene.name, "bench", named, "") + ".png";
+    std::string picture(const Entry& entry) const {
+        return picture_name(entry.stem, "bench", named, "") + ".png";
     }
     std::string of_all(const char* name, const char* ending) const {
         return name + named.text() + ending;
@@ -199,7 +201,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         if (options.measures)
             for (const std::string& file : {measures_csv, measures_picture})
                 written.push_back(file);
-        for (const Entry& entry : all) written.push_back(files.picture(entry.scene));
+        for (const Entry& entry : all) written.push_back(files.picture(entry));
         for (const std::string& file : written)
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     }
@@ -275,7 +277,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         if (!writes) return true;
         render::BenchFigure figure = bench_figure(*bench);
         figure.scene += place_words(options.scene.pose);
-        draw(std::move(figure), files.picture(entry.scene), entry.scene.name);
+        draw(std::move(figure), files.picture(entry), entry.scene.name);
         if (report.correlation) {
             draw(report.correlation->figure(), measures_picture, scene_names());
             render::write_file_whole(folder / measures_csv,
@@ -303,11 +305,11 @@ int run(const BenchCommandOptions& options, const Console& console) {
     if (writes && options.picture.show) {
         std::vector<std::filesystem::path> drawn;
         for (std::size_t e = 0; e < report.scenes.size(); ++e)
-            drawn.push_back(folder / files.picture(all[e].scene));
+            drawn.push_back(folder / files.picture(all[e]));
         show_pictures(drawn, console);
     }
     if (options.picture.open && !report.scenes.empty())
-        open_file(all.size() == 1 ? folder / files.picture(all[0].scene) : folder, console);
+        open_file(all.size() == 1 ? folder / files.picture(all[0]) : folder, console);
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");

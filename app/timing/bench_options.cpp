@@ -154,7 +154,8 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
                         "; packed ones have the test 'symmetric'")
         .offer_list(layout_words())
         .type_name("LIST")
-        .show_default();
+        .show_default()
+        .shareable();
     add_leaf_option(command, options.leaf_triangles);
     command
         .add_option(
@@ -163,27 +164,32 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
             "avx2 or avx512; answers are the same")
         .offer({"best", "base", "sse4", "avx2", "avx512"})
         .type_name("LEVEL")
-        .show_default();
+        .show_default()
+        .shareable();
     add_threads_option(command, options.threads,
                        "Threads that share a query of packed layouts, and each build");
     command.add_option("--repeat", options.repeats, "Time each query N times and take the median")
         .check(decimal_number)
         .type_name("N")
-        .show_default();
-    command.add_flag("--warm", options.warm,
-                     "Run one hierarchy through all frames, then the next. Default: they take "
-                     "turns at each frame");
+        .show_default()
+        .shareable();
+    command
+        .add_flag("--warm", options.warm,
+                  "Run one hierarchy through all frames, then the next. Default: they take "
+                  "turns at each frame")
+        .shareable();
     add_figure_options(command, options.picture,
                        "Folder for bench.csv, bench.json and a picture per scene");
     add_shard_options(command, options.picture.shards, "frames of each scene");
     command.add_flag("--coherent", options.coherent,
                      "Also time each packed layout with a front: if bodies move slowly, a query "
                      "begins where an earlier one ended. Add --warm for a fair comparison");
-    command.add_flag(
-        "--measures", options.measures,
-        "Also measure each hierarchy (see scb stats --measures), and say which measure "
-        "goes together with the cost: measures.csv and measures.png of -o");
-    command.add_flag("--json", options.json, "Print JSON instead of a table");
+    command
+        .add_flag("--measures", options.measures,
+                  "Also measure each hierarchy (see scb stats --measures), and say which measure "
+                  "goes together with the cost: measures.csv and measures.png of -o")
+        .shareable();
+    command.add_flag("--json", options.json, "Print JSON instead of a table").shareable();
     command.footer(
         "ms: mean processor time of a query (with --threads above 1: the time that passes); / SCB: "
         "time over that of the first\n"

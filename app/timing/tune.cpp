@@ -135,13 +135,15 @@ NamedOptions named_run(const TuneCommandOptions& options, const scenes::Scene& s
 std::string picture_file(const TuneCommandOptions& options, const scenes::Scene& scene) {
     NamedOptions named = named_run(options, scene);
     name_picture(named, options.picture);
-    return picture_name(scene.name, "tune", named, "") + ".png";
+    return picture_name(options.scene.file_stem(scene.name), "tune", named, "") + ".png";
 }
 
 /// The tables are the same with any picture.
 std::string table_file(const TuneCommandOptions& options, const scenes::Scene& scene,
                        const char* ending) {
-    return picture_name(scene.name, "tune", named_run(options, scene), "") + ending;
+    return picture_name(options.scene.file_stem(scene.name), "tune", named_run(options, scene),
+                        "") +
+           ending;
 }
 
 void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,

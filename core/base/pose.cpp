@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
+#include "core/base/sentence.h"
 #include "scb/error.h"
 
 namespace scb {
@@ -35,16 +35,13 @@ double rigidity_defect(const Pose& pose) {
 void check_rigid(const Pose& pose, std::string_view name) {
     const double defect = rigidity_defect(pose);
     if (defect <= 1e-9) return;
-    std::ostringstream sentence;
-    sentence << name << ": the pose is not rigid (";
-    if (std::isinf(defect))
-        sentence << "it mirrors, is singular, or has an entry that is not finite";
-    else
-        sentence << "R^T R differs from the identity by " << defect << ", 1e-9 is allowed";
-    sentence << "); give a rotation matrix with determinant 1, "
-             << (defect < 1e-3 ? "its numbers with 10 digits or more."
-                               : "and scale the mesh instead.");
-    throw InputError(sentence.str());
+    const std::string reason =
+        std::isinf(defect)
+            ? "it mirrors, is singular, or has an entry that is not finite"
+            : sentence("R^T R differs from the identity by ", defect, ", 1e-9 is allowed");
+    throw InputError(sentence(
+        name, ": the pose is not rigid (", reason, "); give a rotation matrix with determinant 1, ",
+        defect < 1e-3 ? "its numbers with 10 digits or more." : "and scale the mesh instead."));
 }
 
 }  // namespace scb

@@ -7,9 +7,12 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "core/base/c_locale.h"
+
 namespace scb {
 
 std::string format(const char* pattern, ...) {
+    const CLocale with_points;
     va_list arguments, again;
     va_start(arguments, pattern);
     va_copy(again, arguments);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text_format.h"
 #include "core/explain/step_parts.h"
 #include "core/overlap/overlap_extents.h"
 
@@ -137,9 +137,8 @@ void add_cylinder_steps(OverlapSteps& result, const Numbers& x, double threshold
         result.steps.back().error = "as printed: the call of line " +
                                     std::to_string(above ? 23 : 20) + ", which never rejects here";
     if (!skipped) return;
-    char why[96];
-    std::snprintf(why, sizeof why, "|n0·n1| = %g is not above a = %g", std::abs(x.cosine),
-                  threshold);
+    const std::string why =
+        format("|n0·n1| = %g is not above a = %g", std::abs(x.cosine), threshold);
     for (std::size_t i = result.steps.size() - 2; i < result.steps.size(); ++i)
         result.steps[i].skipped = why;
 }

@@ -56,9 +56,9 @@ Obb fit_obb_list(std::span<const Vec3> points, const FitOptions& options) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <sstream>
 
 #include "core/base/enum_names.h"
+#include "core/base/sentence.h"
 #include "scb/error.h"
 #include "scb/mesh.h"
 
@@ -80,12 +80,9 @@ void check(std::span<const Vec3> points, const FitOptions& options) {
     if (!(options.margin >= 0))
         throw InputError("the margin is below 0 or not a number; give a share of the radius.");
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!(points[i].cwiseAbs().array() <= max_coordinate).all()) {
-            std::ostringstream sentence;
-            sentence << "point " << i << " is not finite, or beyond " << max_coordinate
-                     << "; a volume needs finite points.";
-            throw InputError(sentence.str());
-        }
+        if (!(points[i].cwiseAbs().array() <= max_coordinate).all())
+            throw InputError(sentence("point ", i, " is not finite, or beyond ", max_coordinate,
+                                      "; a volume needs finite points."));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "scb/mesh.h"
 
 #include <cmath>
-#include <sstream>
 
+#include "core/base/sentence.h"
 #include "scb/error.h"
 
 namespace scb {
@@ -10,10 +10,7 @@ namespace {
 
 template <class... Parts>
 [[noreturn]] void refuse(std::string_view name, const Parts&... parts) {
-    std::ostringstream sentence;
-    sentence << name << ": ";
-    (sentence << ... << parts);
-    throw InputError(sentence.str());
+    throw InputError(sentence(name, ": ", parts...));
 }
 
 }  // namespace

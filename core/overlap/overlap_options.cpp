@@ -1,10 +1,9 @@
 #include "scb/overlap_options.h"
 
-#include <cstdio>
-
 #include <array>
 
 #include "core/base/enum_names.h"
+#include "core/base/text_format.h"
 
 namespace scb {
 namespace {
@@ -56,11 +55,7 @@ std::span<const Stage> convex_stages() { return by_search; }
 
 std::string overlap_title(const OverlapOptions& options) {
     std::string title(overlap_test_name(options.test));
-    if (has_threshold(options.test)) {
-        char text[32];
-        std::snprintf(text, sizeof text, " a=%g", options.threshold);
-        title += text;
-    }
+    if (has_threshold(options.test)) title += format(" a=%g", options.threshold);
     return title;
 }
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <cstdio>
 #include <kainjow/mustache.hpp>
 #include <set>
 #include <string_view>
 
+#include "core/base/text_format.h"
 #include "golden/compare/number_words.h"
 #include "golden/report/report_pictures.h"
 #include "golden/report/report_tables.h"
@@ -59,11 +59,7 @@ std::string update_prefix(const CaseResult& result) {
     return result.update.substr(0, result.update.size() - name.size());
 }
 
-std::string seconds_text(double seconds) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), seconds < 10 ? "%.2f s" : "%.0f s", seconds);
-    return text.data();
-}
+std::string seconds_text(double seconds) { return format("%.*f s", seconds < 10 ? 2 : 0, seconds); }
 
 /// What the traces say is first; many things of which each has some other pixels are folded away.
 void set_lines(data& values, const std::vector<std::string>& all) {

@@ -1,7 +1,6 @@
 #include "golden/report/report_values.h"
 
-#include <array>
-#include <cstdio>
+#include "core/base/text_format.h"
 
 namespace scb::golden::report {
 
@@ -10,9 +9,7 @@ using kainjow::mustache::data;
 data flag(bool value) { return data(value ? data::type::bool_true : data::type::bool_false); }
 
 std::string percent(double part, double whole) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", whole > 0 ? 100 * part / whole : 0);
-    return text.data();
+    return format("%.4g", whole > 0 ? 100 * part / whole : 0);
 }
 
 std::string box_numbers(const PixelBox& box) {

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <map>
 
+#include "core/base/c_locale.h"
 #include "core/base/statistics.h"
+#include "core/base/text_format.h"
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
@@ -28,13 +29,10 @@ std::string count_text_of(double mean) {
 std::string ratio_text(const std::optional<double>& ratio) {
     if (!ratio) return unknown;
     if (*ratio < 0.005) return "<0.01";
-    char text[48];
-    if (*ratio < 99.95) {
-        std::snprintf(text, sizeof text, "%.*f", *ratio >= 9.995 ? 1 : 2, *ratio);
-        return text;
-    }
-    std::snprintf(text, sizeof text, "%.2e", *ratio);
-    return number_text(std::strtod(text, nullptr));
+    if (*ratio < 99.95) return format("%.*f", *ratio >= 9.995 ? 1 : 2, *ratio);
+    const std::string text = format("%.2e", *ratio);
+    const CLocale with_points;
+    return number_text(std::strtod(text.c_str(), nullptr));
 }
 
 // How many series of the same kind are before a row, and how many there are.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text_format.h"
 #include "core/base/trigonometry.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/plot_axis.h"
@@ -15,9 +15,8 @@ namespace {
 
 std::string correlation_number(double value) {
     if (!std::isfinite(value)) return "–";
-    char text[16];
-    std::snprintf(text, sizeof text, "%.2f", std::abs(value) < 0.005 ? 0.0 : std::abs(value));
-    return (value <= -0.005 ? "−" : "") + std::string(text);
+    return (value <= -0.005 ? "−" : "") +
+           format("%.2f", std::abs(value) < 0.005 ? 0.0 : std::abs(value));
 }
 
 // From 0, or half steps below it as far as values reach, to 1.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/side_panel.h"
 #include "render/plots/ending_colors.h"
@@ -146,10 +146,8 @@ Rgba8 wrong_rejection_color(const Theme& theme) {
 
 std::string change_text(std::uint64_t from, std::uint64_t to) {
     if (from == 0) return "–";
-    char text[32];
     const double change = 100 * (static_cast<double>(to) / static_cast<double>(from) - 1);
-    std::snprintf(text, sizeof text, "%.1f %%", std::abs(change));
-    return (change < 0 ? "−" : "+") + std::string(text);
+    return (change < 0 ? "−" : "+") + format("%.1f %%", std::abs(change));
 }
 
 Picture compose(const InspectFigure& figure, int width, int height, Overlay& overlay) {

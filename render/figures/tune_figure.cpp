@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/analysis/pass_counts.h"
+#include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/bar_plot.h"
 #include "render/view/palette.h"
@@ -26,9 +26,7 @@ bool has_packed(const TuneFigure& figure) {
 }
 
 std::string multiple_text(double ratio) {
-    char text[32];
-    std::snprintf(text, sizeof text, ratio >= 100 ? "%.0f" : ratio >= 0.1 ? "%.2f" : "%.3f", ratio);
-    return text;
+    return format("%.*f", ratio >= 100 ? 0 : ratio >= 0.1 ? 2 : 3, ratio);
 }
 
 /// The bar of the recommended setting is in full color.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text_format.h"
 #include "render/overlay/scales.h"
 
 namespace scb::render {
@@ -179,14 +179,12 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 }
 
 std::string number_text(double value, int digits) {
-    char text[48];
     if (std::abs(value) >= 100 && std::abs(value) < 1e7 && digits <= 3)
         return (value < 0 ? "-" : "") +
                count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
     // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end
     // goes.
-    std::snprintf(text, sizeof text, "%#.*g", digits, value);
-    std::string result(text);
+    std::string result = format("%#.*g", digits, value);
     if (const std::size_t exponent = result.find('e'); exponent != std::string::npos) {
         if (exponent > 0 && result[exponent - 1] == '.') result.erase(exponent - 1, 1);
     } else if (result.back() == '.') {
@@ -210,9 +208,7 @@ std::string mean_text(std::uint64_t sum, std::size_t frames) {
 
 std::string share_text(double part, double whole) {
     if (!(whole > 0)) return "–";
-    char text[16];
-    std::snprintf(text, sizeof text, "%.1f %%", 100 * part / whole);
-    return text;
+    return format("%.1f %%", 100 * part / whole);
 }
 
 }  // namespace scb::render

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/text_format.h"
 #include "render/overlay/font_face.h"
 
 namespace scb::render {
@@ -112,8 +112,7 @@ PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, doub
     while (power * 10 <= largest) power *= 10;
     const double value = power * (5 * power <= largest ? 5 : (2 * power <= largest ? 2 : 1));
     const int width = static_cast<int>(std::lround(value * pixels_per_unit));
-    char label[32];
-    std::snprintf(label, sizeof label, "%g", value);
+    const std::string label = format("%g", value);
 
     const int end = std::max(4, style.unit / 3), thickness = std::max(1, style.unit / 10);
     // Legible in front of any subject.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
+#include "core/base/c_locale.h"
+#include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 
 #include "core/base/logarithm.h"
@@ -30,17 +31,15 @@ RoundNumber next(RoundNumber n) {
 
 // count * number, correctly rounded: through text, as powers of ten below one are not exact.
 double times(double count, RoundNumber n) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.0fe%d", count * n.mantissa, n.exponent);
-    return std::strtod(text, nullptr);
+    const std::string text = format("%.0fe%d", count * n.mantissa, n.exponent);
+    const CLocale with_points;
+    return std::strtod(text.c_str(), nullptr);
 }
 
 int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
 std::string fixed_text(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string result(text);
+    std::string result = format("%.*f", decimals, value);
     if (std::abs(value) < 1e3 || std::abs(value) >= 1e15) return result;
     const std::size_t begin = value < 0 ? 1 : 0;
     const std::size_t point = std::min(result.find('.'), result.size());
@@ -52,11 +51,7 @@ std::string fixed_text(double value, int decimals) {
 std::string linear_label(double value, int exponent, double largest) {
     if (value == 0) return "0";
     const int digits = exponent_of(largest) - exponent + 1;
-    if (largest >= 1e15 || exponent < -7) {
-        char text[64];
-        std::snprintf(text, sizeof text, "%.*g", std::clamp(digits, 1, 17), value);
-        return text;
-    }
+    if (largest >= 1e15 || exponent < -7) return format("%.*g", std::clamp(digits, 1, 17), value);
     const int thousands = largest >= 1e9 ? 9 : largest >= 1e6 ? 6 : largest >= 1e4 ? 3 : 0;
     // More digits behind the point than before it are harder to read than separators.
     if (thousands > 0 && thousands - exponent <= 2)

@@ -37,16 +37,15 @@ fs::path& set_program() {
     return path;
 }
 
-[[noreturn]] void fail_to_start(const std::string& program, const std::string& reason) {
-    throw MeshReaderError(program +
-                          ": meshes are read by a process of this program, which did "
-                          "not start (" +
-                          reason +
-                          "); check that /proc is mounted, and the limits of processes and memory "
-                          "(ulimit -u, ulimit -v).");
+[[noreturn]] void fail_to_start(const std::string& mesh, const std::string& program,
+                                const std::string& reason) {
+    throw MeshReaderError(mesh + ": such meshes are read by a process of " + program +
+                          ", which did not start (" + reason +
+                          "); check that /proc is mounted, and the limits of processes, files and "
+                          "memory (ulimit -u, -n, -v).");
 }
-[[noreturn]] void fail_to_start(const std::string& program, int error) {
-    fail_to_start(program, std::generic_category().message(error));
+[[noreturn]] void fail_to_start(const std::string& mesh, const std::string& program, int error) {
+    fail_to_start(mesh, program, std::generic_category().message(error));
 }
 
 struct Descriptor {
@@ -102,12 +101,12 @@ class Reader {
   public:
     explicit Reader(std::string path) : program_(mesh_reader().string()) {
         std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(program_, errno);
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(path, program_, errno);
         Descriptor given, copy;
         answers_.number = ends[0];
         given.number = ends[1];
         copy.number = ::fcntl(given.number, F_DUPFD_CLOEXEC, mesh_answer_descriptor + 1);
-        if (copy.number < 0) fail_to_start(program_, errno);
+        if (copy.number < 0) fail_to_start(path, program_, errno);
         const SpawnSettings settings(copy.number);
         std::string command = mesh_reader_command;
         const std::array<char*, 4> arguments = {program_.data(), command.data(), path.data(),
@@ -118,7 +117,7 @@ class Reader {
                                   arguments.data(), environ);
         if (error == 0) return;
         id_ = -1;
-        fail_to_start(program_, error);
+        fail_to_start(path, program_, error);
     }
     ~Reader() { end(); }
     Reader(const Reader&) = delete;
@@ -228,7 +227,7 @@ fs::path mesh_reader() {
     if (!set_program().empty()) return set_program();
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error) fail_to_start("/proc/self/exe", error.value());
+    if (error) fail_to_start("/proc/self/exe", "scb", error.value());
     return program.parent_path() / "scb";
 }
 
@@ -238,11 +237,11 @@ Mesh isolated_mesh(const std::string& path) {
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
         const std::optional<int> status = reader.wait();
         const bool killed = status && WIFSIGNALED(*status);
-        fail_to_start(reader.program(),
+        fail_to_start(path, reader.program(),
                       killed ? ::strsignal(WTERMSIG(*status)) : "it ended without a word");
     }
     if (greeting != mesh_greeting)
-        fail_to_start(reader.program(), "what was started is another program");
+        fail_to_start(path, reader.program(), "what was started is another program");
     std::optional<ReceivedAnswer> answer =
         receive_answer([&](std::span<std::byte> bytes) { return reader.read(bytes); });
     const std::optional<int> status = reader.wait();

@@ -157,7 +157,7 @@ struct RecordedQuery {
 };
 
 struct RecordedQueryEnd {
-    bool complete = true;
+    std::uint8_t complete = 1;      ///< 0: it did not find all
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
 
     bool operator==(const RecordedQueryEnd&) const = default;
@@ -176,9 +176,17 @@ struct RecordedUnknown {
     bool operator==(const RecordedUnknown&) const = default;
 };
 
-using Record =
-    std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
-                 RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
-                 RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedUnknown>;
+struct Record
+    : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
+                   RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
+                   RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject,
+                   RecordedUnknown> {
+    using variant::variant;
+
+    /// What a newer version has put behind what this one knows of the record.
+    std::vector<std::uint8_t> appended{};
+
+    bool operator==(const Record&) const = default;
+};
 
 }  // namespace scb::scenes

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <bit>
+#include <cmath>
 
 #include "scb/error.h"
 #include "scenes/traces/trace_block.h"
@@ -47,6 +48,27 @@ std::vector<double> read_reals(ByteReader& in, std::uint64_t count) {
     return reals;
 }
 
+// A conversion by the processor makes each NaN a quiet one; these keep its bits.
+constexpr std::uint32_t float_nan = 0x7f800000, float_fraction = 0x007fffff;
+constexpr std::uint64_t double_nan = 0x7ff0000000000000;
+constexpr int more_fraction_bits = 29;
+
+double widened(std::uint32_t bits) {
+    const auto value = std::bit_cast<float>(bits);
+    if (!std::isnan(value)) return static_cast<double>(value);
+    const std::uint64_t sign = bits >> 31, fraction = bits & float_fraction;
+    return std::bit_cast<double>(sign << 63 | double_nan | fraction << more_fraction_bits);
+}
+
+std::uint32_t narrowed(double value) {
+    if (!std::isnan(value)) return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const auto fraction = static_cast<std::uint32_t>(bits >> more_fraction_bits) & float_fraction;
+    constexpr std::uint32_t quiet = 0x00400000;
+    return static_cast<std::uint32_t>(bits >> 63) << 31 | float_nan |
+           (fraction == 0 ? quiet : fraction);
+}
+
 RecordedVolume read_volume(ByteReader& in) {
     RecordedVolume volume;
     const std::uint8_t kind = in.byte();
@@ -64,8 +86,7 @@ RecordedMesh read_mesh(ByteReader& in) {
     const std::uint64_t vertices = in.fixed32(), triangles = in.fixed32();
     if (mesh.coordinate_bytes == 4) {
         mesh.coordinates.resize(counted(in, 3 * vertices, 4));
-        for (double& c : mesh.coordinates)
-            c = static_cast<double>(std::bit_cast<float>(in.fixed32()));
+        for (double& c : mesh.coordinates) c = widened(in.fixed32());
     } else if (mesh.coordinate_bytes == 8) {
         mesh.coordinates = read_reals(in, 3 * vertices);
     } else {
@@ -112,7 +133,7 @@ Record read_record(RecordTag tag, ByteReader& in) {
         case RecordTag::query:
             return RecordedQuery{in.fixed32(), in.fixed32()};
         case RecordTag::query_end:
-            return RecordedQueryEnd{in.byte() != 0, in.fixed64()};
+            return RecordedQueryEnd{in.byte(), in.fixed64()};
         case RecordTag::end:
             return RecordedEnd{};
         default:
@@ -161,7 +182,7 @@ struct WriteRecord {
         out.fixed32(static_cast<std::uint32_t>(r.indices.size() / 3));
         for (const double c : r.coordinates)
             if (r.coordinate_bytes == 4)
-                out.fixed32(std::bit_cast<std::uint32_t>(static_cast<float>(c)));
+                out.fixed32(narrowed(c));
             else
                 out.real(c);
         for (const std::uint32_t index : r.indices) out.fixed32(index);
@@ -219,7 +240,7 @@ struct WriteRecord {
         return RecordTag::query;
     }
     RecordTag operator()(const RecordedQueryEnd& r) {
-        out.byte(r.complete ? 1 : 0);
+        out.byte(r.complete);
         out.fixed64(r.nanoseconds);
         return RecordTag::query_end;
     }
@@ -237,6 +258,7 @@ bool starts_as_recording(std::string_view bytes) { return bytes.starts_with(magi
 std::vector<std::uint8_t> record_payload(const Record& record) {
     ByteWriter payload;
     std::visit(WriteRecord{payload}, record);
+    payload.append(record.appended);
     return payload.bytes;
 }
 
@@ -304,8 +326,8 @@ const Record* RecordingReader::next() {
     ByteReader payload{block_.take(block_.fixed32())};
     if (!block_.ok) contradict("a record is cut off");
     record_ = read_record(static_cast<RecordTag>(tag), payload);
-    // What a newer version adds to a record stands behind what this one knows.
     if (!payload.ok) contradict("a record of kind " + std::to_string(tag) + " makes no sense");
+    record_.appended.assign(payload.bytes.begin(), payload.bytes.end());
     ended_ = std::holds_alternative<RecordedEnd>(record_);
     return &record_;
 }
@@ -329,6 +351,7 @@ RecordingWriter::RecordingWriter() {
 void RecordingWriter::add(const Record& record) {
     ByteWriter payload;
     const auto tag = static_cast<std::uint8_t>(std::visit(WriteRecord{payload}, record));
+    payload.append(record.appended);
     if (payload.bytes.size() > UINT32_MAX - 64)
         throw InputError("a record of " + std::to_string(payload.bytes.size()) +
                          " bytes is more than a recording holds; record a smaller mesh.");

@@ -3,7 +3,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -27,6 +26,10 @@ std::string hex_of(std::string_view bytes) {
     for (const char c : bytes)
         text += format("%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
     return text;
+}
+
+std::string hex_of(const std::vector<std::uint8_t>& bytes) {
+    return hex_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 Json text_json(const std::string& text) {
@@ -120,12 +123,12 @@ struct LineOf {
         return {{"query", Json::array({r.body_a, r.body_b})}};
     }
     Json operator()(const RecordedQueryEnd& r) {
-        return {{"complete", r.complete}, {"nanoseconds", r.nanoseconds}};
+        const Json complete = r.complete > 1 ? Json(r.complete) : Json(r.complete == 1);
+        return {{"complete", complete}, {"nanoseconds", r.nanoseconds}};
     }
     Json operator()(const RecordedEnd&) { return {{"end", true}}; }
     Json operator()(const RecordedUnknown& r) {
-        return {{"unknown", r.tag},
-                {"hex", hex_of({reinterpret_cast<const char*>(r.bytes.data()), r.bytes.size()})}};
+        return {{"unknown", r.tag}, {"hex", hex_of(r.bytes)}};
     }
 };
 
@@ -137,15 +140,15 @@ JsonPlace optional_field(const JsonPlace& object, const char* name) {
                              : JsonPlace{&nothing, object.file, object.path + name};
 }
 
-std::string bytes_of_hex(const JsonPlace& place) {
+std::vector<std::uint8_t> bytes_of_hex(const JsonPlace& place) {
     const std::string text = read_text(place);
-    std::string bytes;
+    std::vector<std::uint8_t> bytes;
     for (std::size_t i = 0; i < text.size(); i += 2) {
-        unsigned char byte = 0;
+        std::uint8_t byte = 0;
         const char *const first = text.data() + i, *const last = first + 2;
         if (text.size() - i < 2 || std::from_chars(first, last, byte, 16).ptr != last)
             refuse_value(place, "hexadecimal digits, two for each byte");
-        bytes += static_cast<char>(byte);
+        bytes.push_back(byte);
     }
     return bytes;
 }
@@ -155,7 +158,8 @@ std::string text_of(const JsonPlace& object, const char* name) {
     if (place.value->is_null()) return {};
     if (!place.value->is_object()) return read_text(place);
     check_fields(place, {"hex"});
-    return bytes_of_hex(field(place, "hex"));
+    const std::vector<std::uint8_t> bytes = bytes_of_hex(field(place, "hex"));
+    return {bytes.begin(), bytes.end()};
 }
 
 std::uint32_t number_of(const JsonPlace& place, std::int64_t most = UINT32_MAX) {
@@ -180,12 +184,14 @@ double real_of(const JsonPlace& place) {
     if (text == "inf") return std::numeric_limits<double>::infinity();
     if (text == "-inf") return -std::numeric_limits<double>::infinity();
     if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-    unsigned long long bits = 0;
-    char rest = 0;
-    if (text.size() == 20 && std::sscanf(text.c_str(), "nan:%16llx%c", &bits, &rest) == 1)
-        if (const auto value = std::bit_cast<double>(static_cast<std::uint64_t>(bits));
-            std::isnan(value))
-            return value;
+    constexpr std::string_view prefix = "nan:";
+    if (text.size() == prefix.size() + 16 && text.starts_with(prefix)) {
+        std::uint64_t bits = 0;
+        const char* const last = text.data() + text.size();
+        const auto read = std::from_chars(text.data() + prefix.size(), last, bits, 16);
+        const auto value = std::bit_cast<double>(bits);
+        if (read.ptr == last && std::isnan(value)) return value;
+    }
     refuse_value(place, "a number, \"inf\", \"-inf\" or \"nan\"");
 }
 
@@ -244,20 +250,41 @@ void add_events(RecordingWriter& out, const JsonPlace& list) {
     }
 }
 
+std::uint8_t complete_of(const JsonPlace& place) {
+    if (place.value->is_boolean()) return place.value->get<bool>() ? 1 : 0;
+    if (!place.value->is_number_unsigned() || place.value->get<std::uint64_t>() > 255)
+        refuse_value(place, "true, false, or the byte of a later version");
+    return place.value->get<std::uint8_t>();
+}
+
+/// Whether a coordinate can be one of 4 bytes. Finite ones are rounded.
+bool fits_float(double value) {
+    if (std::isinf(value)) return true;
+    if (!std::isnan(value)) return std::abs(value) <= std::numeric_limits<float>::max();
+    // Their sign and the first 23 bits of their fraction.
+    constexpr std::uint64_t beyond = (std::uint64_t{1} << 29) - 1;
+    return (std::bit_cast<std::uint64_t>(value) & beyond) == 0;
+}
+
 /// The record of a line; the field that only its kind has says which.
-void add_line(RecordingWriter& out, const JsonPlace& line) {
+void add_line(RecordingWriter& writer, const JsonPlace& line,
+              const std::vector<std::uint8_t>& appended) {
+    const auto add = [&](Record record) {
+        record.appended = appended;
+        writer.add(record);
+    };
     const auto name = [&] { return text_of(line, "name"); };
     const auto number = [&](const char* key) { return number_of(field(line, key)); };
     if (has(line, "tests")) {
         check_fields(line, {"tests"});
-        add_events(out, field(line, "tests"));
+        if (!appended.empty()) refuse(line, "appended: tests have a fixed size; leave it out.");
+        add_events(writer, field(line, "tests"));
     } else if (has(line, "setting")) {
         check_fields(line, {"setting", "value"});
-        out.add(RecordedSetting{text_of(line, "setting"), text_of(line, "value")});
+        add(RecordedSetting{text_of(line, "setting"), text_of(line, "value")});
     } else if (has(line, "stage")) {
         check_fields(line, {"stage", "name"});
-        out.add(
-            RecordedStage{static_cast<std::uint8_t>(number_of(field(line, "stage"), 255)), name()});
+        add(RecordedStage{static_cast<std::uint8_t>(number_of(field(line, "stage"), 255)), name()});
     } else if (has(line, "mesh")) {
         check_fields(line, {"mesh", "name", "coordinate_bytes", "coordinates", "indices"});
         RecordedMesh r{number("mesh"), name(), 8, reals_of(line, "coordinates"),
@@ -268,39 +295,38 @@ void add_line(RecordingWriter& out, const JsonPlace& line) {
         if (r.coordinate_bytes != 4 && r.coordinate_bytes != 8)
             refuse_value(field(line, "coordinate_bytes"), "4 or 8");
         for (const double value : r.coordinates)
-            if (r.coordinate_bytes == 4 && std::isfinite(value) &&
-                std::abs(value) > std::numeric_limits<float>::max())
+            if (r.coordinate_bytes == 4 && !fits_float(value))
                 refuse(line, "coordinates: one does not fit into 4 bytes; say 8.");
         if (r.coordinates.size() % 3 != 0)
             refuse(line, "coordinates: there are not three of each vertex.");
         if (r.indices.size() % 3 != 0)
             refuse(line, "indices: there are not three of each triangle.");
-        out.add(r);
+        add(r);
     } else if (has(line, "tree")) {
         check_fields(line, {"tree", "name", "of_mesh", "directions"});
         RecordedTree r{number("tree"), number_or_none(line, "of_mesh"), name(),
                        reals_of(line, "directions")};
         if (r.directions.size() % 3 != 0)
             refuse(line, "directions: there are not three numbers of each.");
-        out.add(r);
+        add(r);
     } else if (has(line, "node")) {
         check_fields(line,
                      {"node", "in_tree", "parent", "id", "name", "children", "items", "volume"});
-        out.add(RecordedNode{number("in_tree"), number("node"), number_or_none(line, "parent"),
-                             long_number_of(line, "id"), name(), numbers_of(line, "children"),
-                             numbers_of(line, "items"), volume_of(line)});
+        add(RecordedNode{number("in_tree"), number("node"), number_or_none(line, "parent"),
+                         long_number_of(line, "id"), name(), numbers_of(line, "children"),
+                         numbers_of(line, "items"), volume_of(line)});
     } else if (has(line, "object")) {
         check_fields(line, {"object", "in_tree", "volume"});
-        out.add(RecordedObject{number("in_tree"), number("object"), volume_of(line)});
+        add(RecordedObject{number("in_tree"), number("object"), volume_of(line)});
     } else if (has(line, "refit")) {
         check_fields(line, {"refit", "in_tree", "volume"});
-        out.add(RecordedRefit{number("in_tree"), number("refit"), volume_of(line)});
+        add(RecordedRefit{number("in_tree"), number("refit"), volume_of(line)});
     } else if (has(line, "body")) {
         check_fields(line, {"body", "name", "of_tree"});
-        out.add(RecordedBody{number("body"), number("of_tree"), name()});
+        add(RecordedBody{number("body"), number("of_tree"), name()});
     } else if (has(line, "frame")) {
         check_fields(line, {"frame"});
-        out.add(RecordedFrame{number("frame")});
+        add(RecordedFrame{number("frame")});
     } else if (has(line, "pose")) {
         check_fields(line, {"pose", "rows"});
         const std::vector<double> rows = reals_of(line, "rows");
@@ -309,27 +335,26 @@ void add_line(RecordingWriter& out, const JsonPlace& line) {
         if (rows.size() != r.rows.size())
             refuse(line, "rows: a pose has twelve numbers, the rows of [R|t].");
         std::copy(rows.begin(), rows.end(), r.rows.begin());
-        out.add(r);
+        add(r);
     } else if (has(line, "query")) {
         check_fields(line, {"query"});
         const JsonPlace bodies = field(line, "query");
         if (array_size(bodies, "two bodies") != 2) refuse_value(bodies, "two bodies");
-        out.add(RecordedQuery{number_of(element(bodies, 0)), number_of(element(bodies, 1))});
+        add(RecordedQuery{number_of(element(bodies, 0)), number_of(element(bodies, 1))});
     } else if (has(line, "complete")) {
         check_fields(line, {"complete", "nanoseconds"});
-        out.add(RecordedQueryEnd{read_bool(field(line, "complete")),
-                                 long_number_of(line, "nanoseconds")});
+        add(RecordedQueryEnd{complete_of(field(line, "complete")),
+                             long_number_of(line, "nanoseconds")});
     } else if (has(line, "end")) {
         check_fields(line, {"end"});
-        out.add(RecordedEnd{});
+        add(RecordedEnd{});
     } else if (has(line, "unknown")) {
         check_fields(line, {"unknown", "hex"});
         const std::uint32_t tag = number_of(field(line, "unknown"), 255);
         if (tag <= static_cast<std::uint32_t>(RecordTag::end))
             refuse_value(field(line, "unknown"),
                          "a kind of record that this version does not know");
-        const std::string bytes = bytes_of_hex(field(line, "hex"));
-        out.add(RecordedUnknown{static_cast<std::uint8_t>(tag), {bytes.begin(), bytes.end()}});
+        add(RecordedUnknown{static_cast<std::uint8_t>(tag), bytes_of_hex(field(line, "hex"))});
     } else {
         refuse(line, "this is no record of a recording; scenes/recordings/README.md lists them.");
     }
@@ -345,7 +370,9 @@ void RecordingJsonWriter::add(const Record& record) {
         tests_ += (test_count_++ == 0 ? "" : ",") + event_json(*event).dump();
         return;
     }
-    text_ += std::visit(LineOf{}, record).dump() + '\n';
+    Json line = std::visit(LineOf{}, record);
+    if (!record.appended.empty()) line["appended"] = hex_of(record.appended);
+    text_ += line.dump() + '\n';
 }
 
 void RecordingJsonWriter::end_tests() {
@@ -374,10 +401,13 @@ std::string recording_of_json(std::string_view text, const std::string& name) {
         text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
         if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
         const std::string place = name + ": line " + std::to_string(number);
-        const nlohmann::json document = parse_json(line, place);
+        nlohmann::json document = parse_json(line, place);
         const JsonPlace whole{&document, place, ""};
         if (!document.is_object()) refuse_value(whole, "a record as a JSON object");
-        add_line(out, whole);
+        std::vector<std::uint8_t> appended;
+        if (has(whole, "appended")) appended = bytes_of_hex(field(whole, "appended"));
+        document.erase("appended");
+        add_line(out, whole, appended);
     }
     return out.finish();
 }

@@ -19,11 +19,7 @@ constexpr double least_noted = 1e-12;
 
 using Notes = std::vector<std::string>;
 
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
+std::string short_number(double value) { return format("%.9g", value); }
 
 double length_of(const Vec3& v) { return std::sqrt(squared_norm(v)); }
 

@@ -1,13 +1,22 @@
 #include "scenes/text/file_bytes.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "scb/error.h"
 
 namespace scb::scenes {
+
+void refuse_to_open(const std::string& path, int error) {
+    const bool too_many = error == EMFILE || error == ENFILE;
+    throw InputError(
+        path + ": cannot be opened (" + std::generic_category().message(error) + "); " +
+        (too_many ? "raise the limit of open files (ulimit -n)." : "check its permissions."));
+}
 
 void check_is_file(const std::string& path) {
     std::error_code error;
@@ -33,7 +42,7 @@ std::string lower_case_extension(const std::string& path) {
 std::string file_bytes(const std::string& path, std::size_t most) {
     check_is_file(path);
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw InputError(path + ": cannot be opened; check its permissions.");
+    if (!stream) refuse_to_open(path, errno);
     std::string bytes;
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);

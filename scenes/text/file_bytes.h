@@ -9,6 +9,8 @@ namespace scb::scenes {
 /// Throws InputError, naming the file, where it is missing, cannot be reached, or is not a regular
 /// file.
 void check_is_file(const std::string& path);
+/// Throws the InputError of a file that could not be opened, for the reason `error` (an errno).
+[[noreturn]] void refuse_to_open(const std::string& path, int error);
 
 /// ".ply" of a.PLY: what stands behind the last dot of a name, in lower case.
 std::string lower_case_extension(const std::string& path);

@@ -1,6 +1,7 @@
 #include "scenes/text/file_window.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 
 #include "scb/error.h"
@@ -19,7 +20,7 @@ FileWindow::FileWindow(const std::string& path)
     // The window is the buffer.
     stream_.rdbuf()->pubsetbuf(nullptr, 0);
     stream_.open(path, std::ios::binary);
-    if (!stream_) throw InputError(path + ": cannot be opened; check its permissions.");
+    if (!stream_) refuse_to_open(path, errno);
     std::error_code error;
     size_ = std::filesystem::file_size(path, error);
     if (error) size_ = 0;

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/sentence.h"
 #include "scb/error.h"
 
 namespace scb::scenes {
@@ -33,16 +34,15 @@ std::optional<Identity> identity_of(const std::filesystem::path& file) {
 std::string version_of(const std::filesystem::path& file) {
     const auto status = status_of(file);
     if (!status) return "";
-    std::ostringstream text;
-    text << status->st_dev << ' ' << status->st_ino << ' ' << status->st_size << ' '
-         << status->st_mtim.tv_sec << ' ' << status->st_mtim.tv_nsec;
-    return text.str();
+    return sentence(status->st_dev, ' ', status->st_ino, ' ', status->st_size, ' ',
+                    status->st_mtim.tv_sec, ' ', status->st_mtim.tv_nsec);
 }
 
 struct InputFiles {
     std::mutex mutex;
     std::set<Identity> noted;
     std::map<std::filesystem::path, std::string> versions;  ///< of regular files, when noted first
+    std::string last;
 };
 
 InputFiles& input_files() {
@@ -58,6 +58,7 @@ void note_input(const std::filesystem::path& file) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     files.noted.insert(*identity);
+    files.last = file.string();
     std::error_code ignored;
     if (std::filesystem::is_regular_file(file, ignored))
         files.versions.try_emplace(std::filesystem::absolute(file, ignored), version_of(file));
@@ -68,7 +69,10 @@ void forget_inputs() {
     const std::lock_guard lock(files.mutex);
     files.noted.clear();
     files.versions.clear();
+    files.last.clear();
 }
+
+const char* last_input() noexcept { return input_files().last.c_str(); }
 
 std::map<std::filesystem::path, std::string> input_versions() {
     InputFiles& files = input_files();
@@ -96,6 +100,7 @@ void note_inputs(std::string_view noted) {
     InputFiles& files = input_files();
     const std::lock_guard lock(files.mutex);
     std::istringstream text{std::string(noted)};
+    text.imbue(std::locale::classic());
     for (Identity file; text >> file.first >> file.second;) files.noted.insert(file);
 }
 

@@ -13,6 +13,10 @@ namespace scb::scenes {
 /// where there is no such file.
 void note_input(const std::filesystem::path& file);
 
+/// The name of the file that was noted last, or of none; for a process that ends for want of
+/// memory, and therefore takes none.
+const char* last_input() noexcept;
+
 /// Forgets all files that were noted; for a process that runs the program several times.
 void forget_inputs();
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/c_locale.h"
+
 namespace scb::scenes {
 
 /// The words of a text, one after the other, parted by blanks and line ends.
@@ -36,8 +38,10 @@ inline std::optional<double> number_in(std::string_view word) {
     const bool whole = !word.empty() && parsed.ptr == word.data() + word.size();
     if (!whole || parsed.ec == std::errc::invalid_argument) return std::nullopt;
     // A number too large or too small for a double is still spelled correctly: infinite, or 0.
-    if (parsed.ec == std::errc::result_out_of_range)
+    if (parsed.ec == std::errc::result_out_of_range) {
+        const CLocale with_points;
         return std::strtod(std::string(word).c_str(), nullptr);
+    }
     return value;
 }
 

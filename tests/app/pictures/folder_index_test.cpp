@@ -81,6 +81,62 @@ TEST_F(FolderIndex, KeepsWhatIsLeftOfAnEarlierRun) {
     EXPECT_EQ(second["earlier"][0]["files"], json::array({first["files"][0]}));
 }
 
+// Of one scene there are many: each has the name of its own file in its pictures' names.
+TEST_F(FolderIndex, KeepsThePicturesOfTwoRecordingsApart) {
+    const std::string small = " --size 320x240", before = folder / "before.scbrec",
+                      after = folder / "after.scbrec", trace = folder / "own.scbtrace";
+    ASSERT_EQ(run_scb("trace cone --frames 80 -o " + before).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 80 --split cost -o " + after).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 80 -o " + trace).status, 0);
+    std::set<std::string> names;
+    std::size_t count = 0;
+    const std::vector<std::string> commands = {
+        "render levels",   "render pairs", "render pairs --volume obb",      "render traversal",
+        "tune --no-time ", "inspect",      "explain --volume obb --pair 0,0"};
+    for (const std::string& command : commands)
+        for (const std::string& recording : {before, after}) {
+            const ProgramRun made = run_scb(command + " " + recording + small + " -o " + out);
+            EXPECT_LT(made.status, 2) << command << made.err;
+            EXPECT_EQ(made.err.find("replaced"), std::string::npos) << made.err;
+            for (const std::string& line : lines(made.out)) {
+                if (!line.ends_with(".png") || !line.starts_with(out)) continue;
+                names.insert(line);
+                ++count;
+                const std::string stem = std::filesystem::path(recording).stem();
+                EXPECT_TRUE(line.starts_with(out + "/" + stem + "_")) << line;
+            }
+        }
+    EXPECT_GE(count, 2 * commands.size());
+    EXPECT_EQ(names.size(), count);
+    // Of two that are compared both are named; a trace has the names of its scene.
+    const auto pairs_of = [&](const std::string& files) {
+        return run_scb("render pairs " + files + small + " -o " + out).out;
+    };
+    EXPECT_NE(pairs_of(before + " " + after).find("/before-after_"), std::string::npos);
+    EXPECT_EQ(pairs_of(trace), pairs_of("cone --frames 80"));
+}
+
+TEST_F(FolderIndex, SaysThatPicturesOfAnotherSourceWereReplaced) {
+    for (const char* name : {"one", "two"}) {
+        std::filesystem::create_directories(folder / name);
+        ASSERT_EQ(run_scb("export cone --levels 2 -o " + (folder / name) + "/ball.ply").status, 0);
+    }
+    const std::string words = " --levels 2,3 --no-sheet --size 320x240 -o " + out,
+                      one = "render levels " + (folder / "one") + "/ball.ply" + words,
+                      two = "render levels " + (folder / "two") + "/ball.ply" + words;
+    EXPECT_EQ(run_scb(one).err, "");
+    EXPECT_EQ(run_scb(one).err, "") << "a run replaces itself";
+    EXPECT_EQ(run_scb(two).err,
+              "scb: 2 pictures of another run in " + out +
+                  " were replaced; give each run a folder of its own with -o to keep both.\n");
+    EXPECT_EQ(run_scb(two).err, "");
+    // What nobody sees any more is not replaced.
+    std::filesystem::remove(out + "/ball_scb_level-02_size-320x240_frame-0000.png");
+    EXPECT_EQ(run_scb(one).err,
+              "scb: 1 picture of another run in " + out +
+                  " was replaced; give each run a folder of its own with -o to keep both.\n");
+}
+
 TEST_F(FolderIndex, LeavesOutPicturesThatAreGone) {
     run("render traversal cone --frames 70,80");
     run("render traversal cone --frames 90");

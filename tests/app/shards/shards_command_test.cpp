@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
+#include "app/cli/commands.h"
+#include "app/reference/command_reference.h"
 #include "core/base/text_format.h"
 #include "tests/app/program.h"
 
@@ -93,7 +98,13 @@ TEST_F(Shards, OfAnAnimationAreJoinedToOne) {
     fs::rename(video, other);
     make_shards(arguments, 2);
     EXPECT_FALSE(fs::exists(video));
+    EXPECT_NE(run_scb(arguments + " --shard 1/2 -o " + parts)
+                  .err.find("--video: a shard has no video; give the option to `scb merge`."),
+              std::string::npos);
+    // A shard does not say where anything is written.
     EXPECT_EQ(run_scb("--quiet merge " + parts + " -o " + merged).status, 0);
+    EXPECT_FALSE(fs::exists(video));
+    EXPECT_EQ(run_scb("--quiet merge " + parts + " -o " + merged + " --video " + video).status, 0);
     EXPECT_EQ(file_text(video), file_text(other));
     EXPECT_EQ(differing(whole, merged), std::vector<std::string>{});
 }
@@ -204,6 +215,8 @@ TEST_F(BadShards, DamagedOnesAreRefused) {
     refused([](json& shard) { shard["parts"][0]["made"] = 3; }, "part 0 is damaged");
     refused([&](json& shard) { first_picture(shard)["file"] = "../../stolen.png"; },
             "a picture has the name of a file alone");
+    refused([&](json& shard) { first_picture(shard)["file"] = "notes.txt"; },
+            "a picture has the name of a file alone, .png at its end");
     refused([&](json& shard) { first_picture(shard)["file"] = "gone.png"; }, "gone.png");
     refused([](json& shard) { shard["files"].begin().value() = "00000000"; },
             "the file is not as shard 1/2 made it; make this shard again: scb render pairs");
@@ -217,6 +230,73 @@ TEST_F(BadShards, DamagedOnesAreRefused) {
         write_text(file, good.substr(0, bytes));
         expect_refused("merge " + parts + " -o " + merged, "not valid JSON");
     }
+}
+
+// A shard may be a stranger's: it says what is drawn, not where anything is written or what is run.
+TEST_F(BadShards, WithOptionsThatWriteAreRefused) {
+    make_shards(arguments, 2);
+    const std::string file = parts + "/shards/1-of-2.json", other = parts + "/shards/2-of-2.json",
+                      good = file_text(file), other_good = file_text(other),
+                      stolen = folder / "stolen.webp";
+    for (const std::string& word :
+         {"--video=" + stolen, "--output=" + (folder / "other"), "-o" + (folder / "other"),
+          std::string("-o"), std::string("--fps=3"), std::string("--open"),
+          std::string("--terminal"), std::string("--shard=1/2"), "--merged=" + file,
+          std::string("--jobs=1"), std::string("--help"), std::string("--watch"),
+          std::string("--version"), std::string("--size"), std::string("--new-option=x"),
+          std::string("--"), "--pairs-out=" + stolen, std::string("--vid")}) {
+        write_text(file, good);
+        write_text(other, other_good);
+        for (const char* name : {"1-of-2.json", "2-of-2.json"})
+            change(name, [&](json& shard) { shard["command"].push_back(word); });
+        expect_refused("merge " + parts + " -o " + merged,
+                       "1-of-2.json: its command has '" + word.substr(0, 40) +
+                           "', which no shard of `scb render pairs` leaves to `scb merge`");
+    }
+    EXPECT_FALSE(fs::exists(stolen));
+    EXPECT_FALSE(fs::exists(folder / "other"));
+    // A long word is quoted in part.
+    for (const std::string& word : {std::string(3000, 'x'), "--size=" + std::string(3000, 'x')}) {
+        write_text(file, good);
+        change("1-of-2.json", [&](json& shard) { shard["command"].push_back(word); });
+        const ProgramRun run = run_scb("--quiet merge " + parts + " -o " + merged);
+        EXPECT_EQ(run.status, 2);
+        EXPECT_LT(run.err.size(), 2000u) << run.err;
+    }
+}
+
+// An option that nobody has marked is refused by the merge: each is of a known kind.
+TEST(ShardOptions, AreShareableOrSaidToTheMerge) {
+    CLI::App app;
+    OptionTable table;
+    Console console;
+    Action action;
+    const Command program(app, table);
+    const Command render = program.add_subcommand("render", "");
+    add_render_levels(render, console, action);
+    add_render_pairs(render, console, action);
+    add_render_rejections(render, console, action);
+    add_render_traversal(render, console, action);
+    add_inspect(program, console, action);
+    add_bench(program, console, action);
+    const std::set<std::string> said_to_merge = {"--help", "--output",   "--open",
+                                                 "--jobs", "--terminal", "--video",
+                                                 "--fps",  "--shard",    "--coherent"};
+    const ReferenceCommand reference = reference_of_program(program);
+    std::size_t shareable = 0;
+    for (const ReferenceCommand* command : all_commands(reference)) {
+        if (!command->commands.empty()) continue;
+        for (const ReferenceOption& option : command->options) {
+            const bool is_said =
+                std::any_of(option.names.begin(), option.names.end(),
+                            [&](const std::string& name) { return said_to_merge.contains(name); });
+            EXPECT_NE(option.is_shareable, is_said) << command->name << option.names.back();
+            EXPECT_FALSE(option.is_shareable && option.is_only_typed && !option.takes_several)
+                << command->name << option.names.back();
+            shareable += option.is_shareable;
+        }
+    }
+    EXPECT_GT(shareable, 100u);
 }
 
 // A view for the sheet of another size would be copied beyond its cell.

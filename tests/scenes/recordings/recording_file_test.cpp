@@ -126,7 +126,7 @@ TEST(RecordingFile, RefusesRecordsThatContradictThemselves) {
          {recording_with_block("anything", "none"), recording_with_block("")})
         EXPECT_EQ(records_of(left_out + behind), std::vector<Record>{RecordedFrame{3}});
     EXPECT_EQ(records_of(recording_with_block("\xcb\x02\x00\x00\x00\x01\x02"s)),
-              std::vector<Record>{RecordedEnd{}})
+              std::vector<Record>{appended(RecordedEnd{}, {1, 2})})
         << "what a newer version adds to a record";
 }
 

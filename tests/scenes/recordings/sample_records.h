@@ -9,6 +9,12 @@
 
 namespace scb::scenes {
 
+/// The record as a newer version has it, with these bytes behind what is known of it.
+inline Record appended(Record record, std::vector<std::uint8_t> bytes) {
+    record.appended = std::move(bytes);
+    return record;
+}
+
 /// One of each kind of record, and some whose numbers and texts are hard to keep.
 inline std::vector<Record> sample_records() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -38,9 +44,16 @@ inline std::vector<Record> sample_records() {
         RecordedEvent{static_cast<std::uint8_t>(RecordTag::items_meet), 1, 2},
         RecordedEvent{static_cast<std::uint8_t>(RecordTag::pair), 1, 2},
         RecordedEvent{191, 1, 2},
-        RecordedQueryEnd{false, UINT64_MAX},
+        RecordedQueryEnd{0, UINT64_MAX},
+        RecordedQueryEnd{2, 0},
+        RecordedQueryEnd{255, 0},
         RecordedUnknown{250, {0, 1, 255}},
-        RecordedFrame{1}};
+        appended(RecordedFrame{1}, {0}),
+        appended(RecordedPose{0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}, {1, 2, 3}),
+        appended(RecordedNode{0, 2, 0, 2, "", {}, {1}, {RecordedKind::none, {}}}, {255, 0}),
+        appended(RecordedMesh{3, "", 4, {}, {}}, {7}),
+        appended(RecordedSetting{"key", "value"}, {0x22}),
+        appended(RecordedQueryEnd{}, {9})};
     for (std::uint32_t i = 0; i < 1000; ++i) records.emplace_back(RecordedEvent{1, i, i / 2});
     records.emplace_back(RecordedEnd{});
     return records;
