@@ -82,7 +82,13 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
         const char* sound = tree.unfinished ? "the file breaks off in it, not judged" : "sound";
         text +=
             "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
-            std::to_string(tree.depth) + ": " +
+            std::to_string(tree.depth) +
+            (tree.roots > 1 ? ", " + count_text(tree.roots) + " roots" : "") +
+            (tree.in_several_leaves > 0
+                 ? ", " + counted(tree.in_several_leaves, "triangle", "triangles") +
+                       " in several leaves"
+                 : "") +
+            ": " +
             (tree.problems.empty() ? sound : counted(tree.problems.size(), "problem", "problems")) +
             "\n";
         std::map<TreeFault, std::vector<const WatchedProblem*>> by_fault;
@@ -405,6 +411,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                         {"name", tree.name},
                         {"nodes", tree.nodes},
                         {"depth", tree.depth},
+                        {"roots", tree.roots},
+                        {"triangles_in_several_leaves", tree.in_several_leaves},
                         {"problems", std::move(problems)}};
         if (tree.fit)
             of_tree["fit"] = {{"what", tree.fit->what},

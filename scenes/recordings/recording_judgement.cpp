@@ -622,12 +622,17 @@ class RecordingJudge {
                                  tree.name,
                                  tree.tree.size(),
                                  0,
+                                 0,
+                                 0,
                                  recording_->unfinished_tree() == number,
                                  watch.problems(),
                                  fits_[number].fit,
                                  fits_[number].frame};
-            for (const std::uint32_t i : recording_->side_of(number).shape->order)
-                judged.depth = std::max(judged.depth, recording_->side_of(number).shape->depths[i]);
+            const TreeShape& shape = *recording_->side_of(number).shape;
+            for (const std::uint32_t i : shape.order)
+                judged.depth = std::max(judged.depth, shape.depths[i]);
+            judged.roots = shape.roots.size();
+            judged.in_several_leaves = watch.unjudged().of_splits;
             result_.trees.push_back(std::move(judged));
         }
         for (const auto& [stage, name] : recording_->stages()) stages_[stage].name = name;

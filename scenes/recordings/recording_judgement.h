@@ -89,6 +89,8 @@ struct TreeJudgement {
     std::string name;
     std::size_t nodes = 0;
     std::uint32_t depth = 0;
+    std::size_t roots = 0;
+    std::uint64_t in_several_leaves = 0;  ///< triangles: the most of any frame
     bool unfinished = false;  ///< the file breaks off in it: what it was before that was judged
     std::vector<WatchedProblem> problems;
     std::optional<TreeFit> fit;  ///< one change that explains most nodes that do not contain
