@@ -49,7 +49,8 @@ std::string when(const WatchedProblem& problem) {
                  amount_words(problem.problem.amount) + " at frame " +
                  std::to_string(problem.worst_at);
     if (problem.stale)
-        words += "; stale: the volume was last recorded at frame " + std::to_string(problem.told_at);
+        words +=
+            "; stale: the volume was last recorded at frame " + std::to_string(problem.told_at);
     return words;
 }
 
@@ -119,9 +120,9 @@ std::string tests_text(const RecordingJudgement& judged) {
         if (stage.wrong > 0) text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
         text += "\n";
     }
-    const auto farthest = std::max_element(
-        judged.stages.begin(), judged.stages.end(),
-        [](const auto& x, const auto& y) { return x.most_apart < y.most_apart; });
+    const auto farthest =
+        std::max_element(judged.stages.begin(), judged.stages.end(),
+                         [](const auto& x, const auto& y) { return x.most_apart < y.most_apart; });
     if (farthest->most_apart > 0)
         text += "  farthest apart of the false ones: " + farthest->farthest + "\n";
     return text + "\n";
@@ -200,9 +201,8 @@ std::string verdict_words(const RecordingJudgement& judged) {
 }
 
 std::string not_judged_words(const scenes::NotJudged& part) {
-    return count_text(part.count) +
-           (part.of > 0 ? " of " + count_text(part.of) : std::string()) + " " + part.what + ": " +
-           part.why;
+    return count_text(part.count) + (part.of > 0 ? " of " + count_text(part.of) : std::string()) +
+           " " + part.what + ": " + part.why;
 }
 
 std::string cost_finding_words(const scenes::CostFinding& cost) {
@@ -293,7 +293,8 @@ std::string tolerance_text(const RecordingJudgement& judged) {
     }
     if (!most) return {};
     const auto words = [&](const FrameJudgement& f) {
-        return format("%.3g", of(f)) + (judged.frames.size() > 1 ? " at frame " + std::to_string(f.frame) : "");
+        return format("%.3g", of(f)) +
+               (judged.frames.size() > 1 ? " at frame " + std::to_string(f.frame) : "");
     };
     std::string text = "Tolerance: " + words(*most);
     if (of(*most) > 2 * of(*least)) text = "Tolerance: " + words(*least) + ", " + words(*most);
@@ -331,7 +332,7 @@ std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
 }
 
 const char* verdict_name(scenes::Verdict verdict) {
-    return verdict == scenes::Verdict::sound ? "sound"
+    return verdict == scenes::Verdict::sound   ? "sound"
            : verdict == scenes::Verdict::wrong ? "wrong"
                                                : "partly judged";
 }
@@ -371,7 +372,8 @@ std::string recording_text(const RecordingJudgement& judged,
     text += poses_text(judged, top);
     text += trees_text(judged, top) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
-            tolerance_text(judged) + results_text(judged) + groups_text("Missed pairs, by cause", judged.missed, cases) +
+            tolerance_text(judged) + results_text(judged) +
+            groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
             frames_text(judged, top);
     for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
@@ -381,7 +383,9 @@ std::string recording_text(const RecordingJudgement& judged,
 }
 
 Json recording_json(const RecordingJudgement& judged, const std::string& file) {
-    Json json = {{"recording", file}, {"engine", judged.engine}, {"verdict", verdict_name(judged.verdict())},
+    Json json = {{"recording", file},
+                 {"engine", judged.engine},
+                 {"verdict", verdict_name(judged.verdict())},
                  {"wrong", judged.wrong()}};
     json["not_judged"] = Json::array();
     for (const scenes::NotJudged& part : judged.not_judged)
@@ -438,8 +442,10 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["missed"] = groups_json(judged.missed);
     json["false"] = groups_json(judged.false_pairs);
     json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
+    json["unjudged"] = judged.unjudged;
     json["not_looked_into"] = judged.not_looked_into;
     json["ended_early"] = judged.ended_early;
+    json["unjudged_results"] = judged.unknown_items;
     json["grazing"] = judged.grazing;
     json["frames"] = Json::array();
     for (const FrameJudgement& f : judged.frames)

@@ -231,6 +231,7 @@ int run(CollideCommandOptions& options, const Console& console) {
         text = with_columns(text, options.csv ? ",recorded,missed,false" : recorded_header);
     std::uint64_t grazing = 0;
     InsideReport inside(query);
+    Json json_inside = Json::array();
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
@@ -238,7 +239,9 @@ int run(CollideCommandOptions& options, const Console& console) {
         const Collision found = query.collide(frame);
         sums.add(found);
         const bool is_apart = found.pairs.empty() && query.options.stop_level < 0;
-        const Json inside_json = is_apart ? inside.add(frame) : Json::object();
+        if (is_apart)
+            for (Json& found_inside : inside.add(frame))
+                json_inside.push_back(std::move(found_inside));
         std::optional<RecordedCounts> there;
         if (recorded) {
             const bool complete = recorded->frame(frame).found.complete;
@@ -247,7 +250,6 @@ int run(CollideCommandOptions& options, const Console& console) {
         }
         if (options.json) {
             json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
-            json_frames.back().update(inside_json);
             if (there)
                 json_frames.back()["recorded"] = {
                     {"pairs", there->pairs},
@@ -257,23 +259,24 @@ int run(CollideCommandOptions& options, const Console& console) {
         } else {
             const std::string row =
                 options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
-            text += !there ? row
-                    : options.csv
-                        ? with_columns(row, format(",%llu,%s,%llu", wide(there->pairs),
-                                                   there->missed_text().c_str(),
-                                                   wide(there->wrong)))
-                        : with_columns(row, recorded_row(*there));
+            text +=
+                !there ? row
+                : options.csv
+                    ? with_columns(row, format(",%llu,%s,%llu", wide(there->pairs),
+                                               there->missed_text().c_str(), wide(there->wrong)))
+                    : with_columns(row, recorded_row(*there));
         }
         if (!options.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)
                 pairs += format("%d,%u,%u\n", frame, pair.a, pair.b);
         progress.step("frames");
     }
-    if (options.json)
-        text = json_of(options, query, sums, std::move(json_frames))
-                   .dump(2, ' ', false, Json::error_handler_t::replace) +
-               "\n";
-    else if (!options.csv && sums.frames > 1)
+    if (options.json) {
+        Json json = json_of(options, query, sums, std::move(json_frames));
+        json["inside"] = std::move(json_inside);
+        if (const auto names = inside.not_closed(); !names.empty()) json["not_closed"] = names;
+        text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    } else if (!options.csv && sums.frames > 1)
         text += mean_row(sums, stages);
     if (recorded && !options.json && !options.csv)
         text += "\nrecorded: pairs that " + recorded->header().engine->name +

@@ -17,20 +17,27 @@ const std::string& InsideReport::name(std::size_t side) const {
 
 nlohmann::ordered_json InsideReport::add(int frame) {
     last_ = bodies_.at(query_.b_to_a(frame));
-    nlohmann::ordered_json json = {{"inside", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (std::size_t side = 0; side < 2; ++side) {
         const PartsInside& found = last_[side];
         whole_[side] += found.inside > 0 && found.inside == found.parts;
         some_[side] += found.inside > 0 && found.inside < found.parts;
         not_judged_[side] += found.not_judged;
         if (found.inside > 0)
-            json["inside"].push_back({{"body", name(side)},
-                                      {"in", name(1 - side)},
-                                      {"parts", found.inside},
-                                      {"of", found.parts}});
-        if (found.not_judged) json["not_closed"].push_back(name(1 - side));
+            json.push_back({{"frame", frame},
+                            {"body", name(side)},
+                            {"in", name(1 - side)},
+                            {"parts", found.inside},
+                            {"of", found.parts}});
     }
     return json;
+}
+
+std::vector<std::string> InsideReport::not_closed() const {
+    std::vector<std::string> names;
+    for (std::size_t side = 0; side < 2; ++side)
+        if (not_judged_[1 - side] > 0) names.push_back(name(side));
+    return names;
 }
 
 std::string InsideReport::claims(std::size_t frames) const {

@@ -16,8 +16,10 @@ class InsideReport {
     /// Refers to the query.
     explicit InsideReport(const SceneQuery& query);
 
-    /// A frame at which no triangles intersect; what to add to its JSON.
+    /// A frame at which no triangles intersect; a list of what lies inside the other body there.
     nlohmann::ordered_json add(int frame);
+    /// Bodies that are not closed, of which it is therefore not known what lies inside them.
+    std::vector<std::string> not_closed() const;
 
     /// "inner lies inside outer in 3 of 5 frames"; empty where no part lies inside. `frames`: how
     /// many there are, with and without contact.

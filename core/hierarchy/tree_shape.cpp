@@ -39,8 +39,9 @@ std::vector<std::uint32_t> TreeShape::holders_of(std::uint32_t item) const {
     std::vector<std::uint32_t> nodes;
     if (holder_of(item) == no_index) return nodes;
     nodes.push_back(holder_of(item));
-    const auto from = std::lower_bound(more_holders.begin(), more_holders.end(), item,
-                                       [](const auto& more, std::uint32_t i) { return more.first < i; });
+    const auto from =
+        std::lower_bound(more_holders.begin(), more_holders.end(), item,
+                         [](const auto& more, std::uint32_t i) { return more.first < i; });
     for (auto more = from; more != more_holders.end() && more->first == item; ++more)
         nodes.push_back(more->second);
     return nodes;

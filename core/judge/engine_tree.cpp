@@ -81,8 +81,8 @@ class EngineTree final : public VolumeTree {
             } else if (scb::has_volume(volume)) {
                 const ConvexShape shape = convex_shape(volume);
                 for (int i = 0; i < 3; ++i) {
-                    all.lower[i] = std::min(
-                        all.lower[i], shape.center[i] - support(shape, Vec3(-Vec3::Unit(i))));
+                    all.lower[i] = std::min(all.lower[i],
+                                            shape.center[i] - support(shape, Vec3(-Vec3::Unit(i))));
                     all.upper[i] =
                         std::max(all.upper[i], shape.center[i] + support(shape, Vec3::Unit(i)));
                 }
@@ -114,12 +114,12 @@ class EngineTree final : public VolumeTree {
     }
 
     static VolumeFamily family_of(const NodeVolume& volume) {
-        return std::holds_alternative<Scb>(volume)    ? VolumeFamily::slab_cut
-               : std::holds_alternative<Scb2>(volume) ? VolumeFamily::two_slabs
-               : std::holds_alternative<Ball>(volume) ? VolumeFamily::ball
-               : std::holds_alternative<Obb>(volume)  ? VolumeFamily::box
+        return std::holds_alternative<Scb>(volume)       ? VolumeFamily::slab_cut
+               : std::holds_alternative<Scb2>(volume)    ? VolumeFamily::two_slabs
+               : std::holds_alternative<Ball>(volume)    ? VolumeFamily::ball
+               : std::holds_alternative<Obb>(volume)     ? VolumeFamily::box
                : std::holds_alternative<OpenBox>(volume) ? VolumeFamily::box
-                                                      : VolumeFamily::convex;
+                                                         : VolumeFamily::convex;
     }
 
     NodeTree tree_;

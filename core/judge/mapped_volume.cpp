@@ -45,13 +45,13 @@ NodeVolume mapped_box(const Obb& box, const Mat3& map) {
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 p = Vec3::Zero();
         for (int i = 0; i < 3; ++i)
-            p += (corner >> i & 1 ? box.half[i] : -box.half[i]) * sides[static_cast<std::size_t>(i)];
+            p +=
+                (corner >> i & 1 ? box.half[i] : -box.half[i]) * sides[static_cast<std::size_t>(i)];
         result->corners.push_back(p);
     }
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 normal = unit(cross(sides[(k + 1) % 3], sides[(k + 2) % 3]));
-        const double offset =
-            std::abs(dot(normal, sides[k])) * box.half[static_cast<int>(k)];
+        const double offset = std::abs(dot(normal, sides[k])) * box.half[static_cast<int>(k)];
         result->faces.push_back({normal, offset});
         result->faces.push_back({-normal, offset});
     }

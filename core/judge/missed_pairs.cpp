@@ -35,9 +35,8 @@ MissedPairs::MissedPairs(const EngineQuery& query, std::span<const JudgedTest> t
 std::optional<Vec3> MissedPairs::contact_of(IndexPair items) const {
     const auto& [a, b] = query_.sides;
     if (!a.mesh || !b.mesh) return std::nullopt;
-    const auto shared =
-        triangles_intersection(corners(*a.mesh, items.a),
-                               transform_corners(query_.b_to_a, corners(*b.mesh, items.b)));
+    const auto shared = triangles_intersection(
+        corners(*a.mesh, items.a), transform_corners(query_.b_to_a, corners(*b.mesh, items.b)));
     if (!shared) return std::nullopt;
     return shared->a + (shared->b - shared->a) / 2;
 }
@@ -222,8 +221,7 @@ PairProblem MissedPairs::rejected_at(PairProblem problem, std::uint32_t at) cons
 }
 
 /// The number of the child of `node` on the way; no_index of the leaf itself.
-std::uint32_t MissedPairs::next_number(std::size_t side, std::uint32_t node,
-                                       const Way& way) const {
+std::uint32_t MissedPairs::next_number(std::size_t side, std::uint32_t node, const Way& way) const {
     const auto at = std::find(way.nodes.begin(), way.nodes.end(), node);
     return at == way.nodes.end() || at + 1 == way.nodes.end() ? no_index : number(side, *(at + 1));
 }

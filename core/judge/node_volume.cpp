@@ -41,8 +41,8 @@ ConvexShape shape(const Obb& box) {
 }
 
 ConvexShape shape(const OpenBox& box) {
-    ConvexShape result = shape(
-        cut_box(box, Vec3::Constant(-max_coordinate), Vec3::Constant(max_coordinate)));
+    ConvexShape result =
+        shape(cut_box(box, Vec3::Constant(-max_coordinate), Vec3::Constant(max_coordinate)));
     std::erase_if(result.faces, [&](const FacePlane& face) {
         for (int i = 0; i < 3; ++i)
             if (face.normal[i] != 0)
@@ -286,13 +286,14 @@ double finite_reach(const OpenBox& box) {
 
 ContactCertificate open_verdict(const OpenBox& a, const OpenBox& b, const Pose& b_to_a,
                                 double tolerance) {
-    const double reach = 8 * (finite_reach(a) + finite_reach(b) +
-                              std::sqrt(squared_norm(b_to_a.translation)));
+    const double reach =
+        8 * (finite_reach(a) + finite_reach(b) + std::sqrt(squared_norm(b_to_a.translation)));
     const Vec3 far = Vec3::Constant(reach);
     const ContactCertificate found =
         verdict(cut_box(a, -far, far), cut_box(b, -far, far), b_to_a, tolerance);
     // Of boxes along the same axes each axis has its own intervals, so that the cut decides.
-    const bool along = (b_to_a.rotation.cwiseAbs().array().round() == b_to_a.rotation.cwiseAbs().array()).all();
+    const bool along =
+        (b_to_a.rotation.cwiseAbs().array().round() == b_to_a.rotation.cwiseAbs().array()).all();
     return found.contact == Contact::disjoint && !along ? ContactCertificate{} : found;
 }
 

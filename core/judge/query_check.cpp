@@ -250,8 +250,11 @@ class Judge {
                     ++result_.broken;
                     continue;
                 }
-                if (query_.self && (items.a == items.b || (self_ && self_->share_vertex(items.a, items.b)))) {
-                    if (items.a != items.b && self_->may_meet_elsewhere(items.a, items.b, query_.triangle_tolerance)) continue;
+                if (query_.self &&
+                    (items.a == items.b || (self_ && self_->share_vertex(items.a, items.b)))) {
+                    if (items.a != items.b &&
+                        self_->may_meet_elsewhere(items.a, items.b, query_.triangle_tolerance))
+                        continue;
                     problem.cause = PairCause::neighbours;
                     result_.pairs.push_back(problem);
                     continue;

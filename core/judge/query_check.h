@@ -103,8 +103,8 @@ struct QueryJudgement {
     /// Tests of items that are neither in the two leaves tested before nor in others that were,
     /// with the test before. Without those of wrong_item_tests.
     std::vector<WrongItemTest> stray_item_tests;
-    std::uint64_t reported = 0;      ///< pairs, each once
-    std::uint64_t exact = 0;         ///< pairs that intersect
+    std::uint64_t reported = 0;  ///< pairs, each once
+    std::uint64_t exact = 0;     ///< pairs that intersect
     /// Of a query whose results were not recorded: pairs that intersect.
     std::uint64_t without_results = 0;
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged

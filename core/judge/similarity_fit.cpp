@@ -29,9 +29,9 @@ constexpr std::size_t most_leaves = 4'000;
 Mat3 rotation_of(const Vec4& q) {
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     Mat3 m;
-    m << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-        2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-        2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
+    m << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+        1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+        1 - 2 * (x * x + y * y);
     return m;
 }
 
@@ -116,8 +116,8 @@ class Fit {
         from_.push_back(lower + (upper - lower) / 2);
         to_.push_back(shape.center);
         for (const FacePlane& face : shape.faces)
-            faces_.push_back({face.normal, face.offset + dot(face.normal, shape.center),
-                              &vertices_[place]});
+            faces_.push_back(
+                {face.normal, face.offset + dot(face.normal, shape.center), &vertices_[place]});
     }
 
     /// A step of Gauss and Newton; false where it changes nothing any more.

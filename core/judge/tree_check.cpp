@@ -76,8 +76,8 @@ struct Worst {
 };
 
 /// Of a triangle in several leaves.
-void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
-                 std::uint32_t item, double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
+void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh, std::uint32_t item,
+                 double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
     std::vector<LeafWay> ways;
     std::vector<std::vector<std::uint32_t>> nodes;
     for (const std::uint32_t holder : shape.holders_of(item)) {

@@ -20,7 +20,7 @@ enum class TreeFault {
     triangle_broken,   ///< `item` has the vertex `other`, which is not finite
     bad_volume,        ///< of `node`: see NodeTree::volume_fault
     no_volume,         ///< `node` has none, where others do
-    outside,  ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
+    outside,       ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
     part_outside,  ///< a part of `item` is in none of the leaves that have it; the nearest is below
                    ///< `node`, `amount` away
 };

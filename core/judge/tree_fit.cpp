@@ -91,10 +91,9 @@ class Search {
             if (box.lower[i] < lower[i] - tolerance_) add(" >= ", lower[i]);
             if (box.upper[i] > upper[i] + tolerance_) add(" <= ", upper[i]);
         }
-        return !sides.empty() &&
-               fits("coordinates cut off at " + sides, moved([&](const Vec3& p) {
-                        return Vec3(p.cwiseMax(lower).cwiseMin(upper));
-                    }));
+        return !sides.empty() && fits("coordinates cut off at " + sides, moved([&](const Vec3& p) {
+                                          return Vec3(p.cwiseMax(lower).cwiseMin(upper));
+                                      }));
     }
 
     bool try_order() {
@@ -141,8 +140,8 @@ class Search {
 
 }  // namespace
 
-std::optional<TreeFit> find_tree_fit(const NodeTree& tree, const TreeShape& shape,
-                                     const Mesh& mesh, double tolerance, std::uint64_t outside,
+std::optional<TreeFit> find_tree_fit(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
+                                     double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others) {
     return Search(tree, shape, mesh, tolerance, outside).found(others);
 }

@@ -13,9 +13,9 @@ namespace scb {
 
 /// One change of the triangles with which the nodes of a tree contain what is below them.
 struct TreeFit {
-    std::string what;        ///< "a rotation by 35 degrees about z"
-    std::uint64_t nodes = 0; ///< that contain with it what is below them
-    std::uint64_t of = 0;    ///< nodes with volumes
+    std::string what;         ///< "a rotation by 35 degrees about z"
+    std::uint64_t nodes = 0;  ///< that contain with it what is below them
+    std::uint64_t of = 0;     ///< nodes with volumes
 };
 
 /// Another mesh of as many triangles that the tree may be of, and what it is called.
@@ -29,8 +29,8 @@ struct OtherMesh {
 /// axes in another order, common bounds, triangles in another order, and a rotation, a scale and a
 /// shift. Nothing where no such change leaves less than a tenth of these nodes. `outside` is how
 /// many there are. The mesh must be finite.
-std::optional<TreeFit> find_tree_fit(const NodeTree& tree, const TreeShape& shape,
-                                     const Mesh& mesh, double tolerance, std::uint64_t outside,
+std::optional<TreeFit> find_tree_fit(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
+                                     double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others);
 
 }  // namespace scb

@@ -23,8 +23,8 @@ void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& prob
     const auto [known, added] = by_node_.try_emplace(problem.node, of_volumes_.size());
     present_.push_back(known->second);
     if (added) {
-        of_volumes_.push_back({problem, words_of(problem, tree.tree), frame, problem.amount, frame,
-                               stale, told_at});
+        of_volumes_.push_back(
+            {problem, words_of(problem, tree.tree), frame, problem.amount, frame, stale, told_at});
         return;
     }
     WatchedProblem& watched = of_volumes_[known->second];

@@ -186,8 +186,7 @@ class Cover {
                 in_some[i] = in_some[i] || in;
             }
             if (inside == piece.size()) return true;
-            if (of_middle == ways_.size() && outside(ways_[k], middle) <= tolerance_)
-                of_middle = k;
+            if (of_middle == ways_.size() && outside(ways_[k], middle) <= tolerance_) of_middle = k;
         }
         for (std::size_t i = 0; i < piece.size(); ++i)
             if (!in_some[i]) return leave_out(piece[i]);

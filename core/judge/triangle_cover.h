@@ -19,8 +19,8 @@ struct TriangleCover {
     };
     Kind kind = Kind::covered;
     Vec3 point = Vec3::Zero();
-    double amount = 0;       ///< how far the point is outside of the nearest way, at least
-    std::size_t nearest = 0; ///< which way that is
+    double amount = 0;        ///< how far the point is outside of the nearest way, at least
+    std::size_t nearest = 0;  ///< which way that is
 };
 
 /// Whether each point of a triangle that is in several leaves is in all volumes on the way to one

@@ -37,10 +37,10 @@ class Order {
         upper_.resize(count);
         for (std::uint32_t i = 0; i < count; ++i) {
             const Triangle& t = mesh.triangles[i];
-            lower_[i] = mesh.vertices[t[0]].cwiseMin(mesh.vertices[t[1]]).cwiseMin(
-                mesh.vertices[t[2]]);
-            upper_[i] = mesh.vertices[t[0]].cwiseMax(mesh.vertices[t[1]]).cwiseMax(
-                mesh.vertices[t[2]]);
+            lower_[i] =
+                mesh.vertices[t[0]].cwiseMin(mesh.vertices[t[1]]).cwiseMin(mesh.vertices[t[2]]);
+            upper_[i] =
+                mesh.vertices[t[0]].cwiseMax(mesh.vertices[t[1]]).cwiseMax(mesh.vertices[t[2]]);
         }
     }
 
@@ -86,9 +86,9 @@ class Order {
         std::size_t looked = 0;
         for (std::size_t k = 0; k < leaves_.size(); ++k) {
             const Leaf& leaf = leaves_[k];
-            auto at = std::lower_bound(
-                by_x.begin(), by_x.end(), leaf.lower[0] - tolerance_,
-                [this](std::uint32_t i, double x) { return lower_[i][0] < x; });
+            auto at =
+                std::lower_bound(by_x.begin(), by_x.end(), leaf.lower[0] - tolerance_,
+                                 [this](std::uint32_t i, double x) { return lower_[i][0] < x; });
             for (; at != by_x.end() && lower_[*at][0] <= leaf.upper[0] + tolerance_; ++at) {
                 if (++looked > 4 * most_candidates) return false;
                 if (((lower_[*at] - leaf.lower).array() >= -tolerance_).all() &&
@@ -156,8 +156,7 @@ class Order {
 
 std::optional<std::vector<std::uint32_t>> find_triangle_order(const NodeTree& tree,
                                                               const TreeShape& shape,
-                                                              const Mesh& mesh,
-                                                              double tolerance) {
+                                                              const Mesh& mesh, double tolerance) {
     return Order(tree, shape, mesh, tolerance).found();
 }
 

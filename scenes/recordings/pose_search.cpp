@@ -19,8 +19,7 @@ std::vector<std::pair<std::string, Pose>> other_poses(const EngineQuery& query, 
     const Pose& pose = query.b_to_a;
     others.emplace_back("the pose with its rotation transposed", transposed(pose));
     const Mat3 turned = pose.rotation.transpose();
-    others.emplace_back("the inverse of the pose",
-                        Pose{turned, -rotate(turned, pose.translation)});
+    others.emplace_back("the inverse of the pose", Pose{turned, -rotate(turned, pose.translation)});
     others.emplace_back("the poses with the rotation of B transposed",
                         relative_pose(a, transposed(b)));
     others.emplace_back("the poses with the rotation of A transposed",
@@ -67,9 +66,8 @@ std::vector<PoseProblem> PoseSearch::likely() const {
     std::map<std::string, std::size_t> counts;
     for (const PoseProblem& problem : found_) ++counts[problem.pose];
     std::vector<PoseProblem> kept = found_;
-    std::erase_if(kept, [&](const PoseProblem& problem) {
-        return 2 * counts[problem.pose] <= queries_;
-    });
+    std::erase_if(kept,
+                  [&](const PoseProblem& problem) { return 2 * counts[problem.pose] <= queries_; });
     return kept;
 }
 

@@ -179,8 +179,7 @@ struct RecordedUnknown {
 struct Record
     : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
                    RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
-                   RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject,
-                   RecordedUnknown> {
+                   RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedUnknown> {
     using variant::variant;
 
     /// What a newer version has put behind what this one knows of the record.

@@ -37,8 +37,7 @@ BodyAtFrame BodyCopies::copy(RecordedQueries& queries, const Recording& recordin
                          (body.name.empty() ? "a body" : "'" + body.name + "'") + " at frame " +
                          std::to_string(queries.frame()) + " " + body.pose_fault +
                          "; `scb inspect` judges the rest, and --frames names others.");
-    return {recording.scene.bodies[recording.bodies.at(number)].name,
-            mesh_of_body(queries, number),
+    return {recording.scene.bodies[recording.bodies.at(number)].name, mesh_of_body(queries, number),
             tree_of(queries.side_of_body(number), body.tree,
                     queries.trees().at(body.tree).volume_version, body.stretch),
             body.pose, body.tree};

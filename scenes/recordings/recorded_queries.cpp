@@ -86,8 +86,7 @@ void take_pose(BodyState& body, const Pose& told) {
             scales = scales.cwiseSign() * lengths[0];
         for (int i = 0; i < 3; ++i) rigid.rotation.col(i) /= scales[i];
         defect = rigidity_defect(rigid);
-        if (!(std::abs(determinant(told.rotation)) >
-              most_flat * std::pow(lengths.maxCoeff(), 3))) {
+        if (!(std::abs(determinant(told.rotation)) > most_flat * std::pow(lengths.maxCoeff(), 3))) {
             body.pose_fault = "makes the body flat";
             return;
         }
@@ -364,10 +363,10 @@ void RecordedQueries::take(const RecordedObject& object) {
     TreeState& state = known(trees_, object.tree, "tree");
     std::string fault;
     NodeVolume volume = node_volume(object.volume, state.directions, fault);
-    const std::string what =
-        "the extent of object " + std::to_string(object.object) + " of tree " +
-        std::to_string(object.tree);
-    if (state.mesh != record_none) return note_odd(what + ", whose items are triangles, was recorded");
+    const std::string what = "the extent of object " + std::to_string(object.object) + " of tree " +
+                             std::to_string(object.tree);
+    if (state.mesh != record_none)
+        return note_odd(what + ", whose items are triangles, was recorded");
     if (!fault.empty()) return note_odd(what + " is none: " + fault);
     ++state.volume_version;
     state.tree.set_object_volume(object.object, std::move(volume));
@@ -471,15 +470,19 @@ void RecordedQueries::set_volume(TreeState& tree, std::uint32_t index,
     if (index == tree.told_volumes.size()) {
         tree.told_volumes.push_back(told.value);
         // Of a tree that is built anew: the volume may be the one that it had.
-        const auto old = tree.before.find(node_key(tree.tree[index].number, tree.tree.items(index)));
-        if (old != tree.before.end() && old->second.hash == told.value) told_at = old->second.told_at;
+        const auto old =
+            tree.before.find(node_key(tree.tree[index].number, tree.tree.items(index)));
+        if (old != tree.before.end() && old->second.hash == told.value)
+            told_at = old->second.told_at;
     } else if (std::exchange(tree.told_volumes[index], told.value) == told.value) {
         return;  // an engine may tell all again, also those that it forgot to change
     }
     std::string fault;
     NodeVolume made = node_volume(volume, tree.directions, fault);
-    tree.has_long = tree.has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
-    tree.single = tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
+    tree.has_long =
+        tree.has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
+    tree.single =
+        tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
     for (const double value : volume.values)
         if (std::isfinite(value)) tree.reach = std::max(tree.reach, std::abs(value));
     tree.tree.set_volume(index, std::move(made), told_at, std::move(fault));
@@ -534,9 +537,10 @@ const StretchedBody& RecordedQueries::stretched(std::uint32_t number) {
     made.mesh = made.finite = nullptr;
     if (const auto mesh = meshes_.find(tree.mesh); mesh != meshes_.end()) {
         made.mesh = std::make_shared<const Mesh>(mapped(*mesh->second.mesh, body.stretch));
-        made.finite = mesh->second.mesh == mesh->second.finite
-                          ? made.mesh
-                          : std::make_shared<const Mesh>(mapped(*mesh->second.finite, body.stretch));
+        made.finite =
+            mesh->second.mesh == mesh->second.finite
+                ? made.mesh
+                : std::make_shared<const Mesh>(mapped(*mesh->second.finite, body.stretch));
     }
     return made;
 }

@@ -39,7 +39,7 @@ struct TreeState {
     NodeTree tree;
     TreeShape shape;
     std::vector<double> directions;
-    std::vector<std::uint64_t> told_volumes;  ///< per node a hash of what was told
+    std::vector<std::uint64_t> told_volumes;     ///< per node a hash of what was told
     std::map<std::uint64_t, ToldVolume> before;  ///< of the tree that this one replaces
     int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
     int volume_version = 0;  ///< counts what was told of it, or of its mesh

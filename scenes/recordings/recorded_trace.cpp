@@ -184,7 +184,8 @@ std::optional<int> RecordedTrace::frame_with_test(IndexPair nodes) const {
 Attribution RecordedTrace::attribution(const TraversalTree& tree) {
     const EngineQuery& query = queries_->query();
     if (!query.placed) return {};
-    return scb::attribution(query, judge_query(query, own_.contacts(query, queries_->finite_meshes())),
+    return scb::attribution(query,
+                            judge_query(query, own_.contacts(query, queries_->finite_meshes())),
                             header_, frame_, tree);
 }
 

@@ -146,10 +146,10 @@ class RecordingContents {
     }
 
     Recording& recording_;
-    std::optional<Place> askew_, changed_;  ///< a body; a mesh, or a body that gets another one
-    std::string fault_;                     ///< of the pose of `askew_`
+    std::optional<Place> askew_, changed_;     ///< a body; a mesh, or a body that gets another one
+    std::string fault_;                        ///< of the pose of `askew_`
     std::map<std::uint32_t, Mat3> stretches_;  ///< by body: the first
-    int taken_ = -1;                        ///< frame
+    int taken_ = -1;                           ///< frame
     std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
     std::map<std::uint32_t, std::uint32_t> mesh_of_body_{};        ///< numbers: the first
     std::map<std::array<std::uint32_t, 2>, std::size_t> pairs_{};  ///< by their bodies
@@ -197,8 +197,8 @@ Scene scene_at(const Recording& recording, int frame) {
         if (queries.frame() == frame) break;
     for (const auto& [number, body] : queries.bodies()) {
         Body& of_scene = scene.bodies[recording.bodies.at(number)];
-        const NamedMesh named = {scene.meshes[of_scene.mesh].name,
-                                 *mesh_of_body(queries, number), recording.path};
+        const NamedMesh named = {scene.meshes[of_scene.mesh].name, *mesh_of_body(queries, number),
+                                 recording.path};
         // Bodies may have shared one that is no longer theirs.
         of_scene.mesh = scene.meshes.size();
         scene.meshes.push_back(named);

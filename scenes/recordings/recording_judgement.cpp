@@ -2,67 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "core/base/enum_names.h"
 #include "core/base/text_format.h"
-#include "core/judge/tight_tests.h"
+#include "scenes/recordings/judgement_words.h"
 #include "scenes/recordings/own_contacts.h"
+#include "scenes/recordings/query_costs.h"
+#include "scenes/recordings/tolerance_check.h"
 
 namespace scb::scenes {
 namespace {
 
-constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
-    "the tree has no nodes",
-    "a triangle is in no leaf",
-    "rejected at a node that does not contain the triangle",
-    "rejected at a node whose volume is none",
-    "rejected although the volumes overlap",
-    "what is below two overlapping nodes was never tested",
-    "below a node that does not contain the triangle",
-    "below a node whose volume is none",
-    "no tests of volumes were recorded, so that the cause is not known",
-    "no test of nodes above the triangles was made",
-    "the triangles of two overlapping leaves were never tested",
-    "the test of the two triangles said that they are apart",
-    "found, but not reported",
-    "reported although their test said that they are apart",
-    "the test of the two triangles said that they meet",
-    "reported without a test of the two triangles",
-    "the two triangles share a vertex and meet nowhere else",
-    "one of the two does not exist",
-    "reported twice",
-};
-
-/// Of items that are objects.
-std::string for_objects(std::string words) {
-    constexpr std::string_view triangle = "triangle", object = "object";
-    for (std::size_t at = words.find(triangle); at != std::string::npos;
-         at = words.find(triangle, at + object.size()))
-        words.replace(at, triangle.size(), object);
-    return words;
-}
-
-std::string pair_words(const char* what, std::uint32_t a, std::uint32_t b) {
-    return std::string(what) + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
-}
-
-std::string query_words(const QueryName& query) {
-    return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
-}
-
 /// Adds query after query.
 class RecordingJudge {
   public:
-    RecordingJudge(std::string_view bytes, std::string_view name) {
-        result_.summary = summary_of(bytes, name);
-        recording_.emplace(bytes, name, result_.summary);
-    }
+    RecordingJudge(std::string_view bytes, std::string_view name)
+        : result_(with_summary(bytes, name)),
+          recording_(std::make_unique<RecordedQueries>(bytes, name, result_.summary)),
+          trees_(*recording_) {}
 
     RecordingJudgement judged(const std::function<bool(int)>& wanted,
                               const std::function<bool(bool)>& done) && {
@@ -76,7 +36,8 @@ class RecordingJudge {
                 continue;
             }
             if (!want) continue;
-            for (const auto& [number, tree] : recording_->trees()) look(number);
+            for (const auto& [number, tree] : recording_->trees())
+                trees_.look(number, result_.summary.body_names);
             frame();
             if (!done(true)) break;
         }
@@ -85,78 +46,22 @@ class RecordingJudge {
     }
 
   private:
+    static RecordingJudgement with_summary(std::string_view bytes, std::string_view name) {
+        RecordingJudgement judgement;
+        judgement.summary = summary_of(bytes, name);
+        return judgement;
+    }
+
     FrameJudgement& frame() {
         if (result_.frames.empty() || result_.frames.back().frame != recording_->frame())
             result_.frames.emplace_back().frame = recording_->frame();
         return result_.frames.back();
     }
 
-    void look(std::uint32_t number) {
-        TreeWatch& watch = watches_[number];
-        if (recording_->unfinished_tree() == number) return;
-        const EngineSide side = recording_->side_of(number);
-        const TreeState& tree = recording_->trees().at(number);
-        watch.look(recording_->frame(),
-                   {*side.tree, *side.shape, side.mesh, recording_->tolerance_of(tree),
-                    tree.version, tree.volume_version});
-        const auto mesh = recording_->meshes().find(tree.mesh);
-        if (mesh == recording_->meshes().end()) return;
-        keep_mesh(tree.mesh, mesh->second);
-        find_fit(number, side, mesh->second, recording_->tolerance_of(tree));
-    }
-
-    /// Meshes of earlier frames, of which a tree may be that was not refitted.
-    void keep_mesh(std::uint32_t number, const MeshState& mesh) {
-        constexpr std::size_t most = 8;
-        std::deque<EarlierMesh>& kept = earlier_[number];
-        if (!kept.empty() && kept.back().version == mesh.version) return;
-        kept.push_back({mesh.version, mesh.told_at, mesh.finite});
-        if (kept.size() > most) kept.pop_front();
-    }
-
-    /// One change that explains why nodes do not contain what is below them: at the frame with the
-    /// most of them, but not in each of many frames.
-    void find_fit(std::uint32_t number, const EngineSide& side, const MeshState& mesh,
-                  double tolerance) {
-        const TreeWatch& watch = watches_[number];
-        TreeFitting& fitting = fits_[number];
-        constexpr int most_tries = 3;
-        if (watch.most_outside() == 0 || watch.most_outside_at() != recording_->frame() ||
-            fitting.fit || fitting.tries >= most_tries ||
-            watch.most_outside() < 2 * fitting.outside)
-            return;
-        ++fitting.tries;
-        fitting.outside = watch.most_outside();
-        fitting.frame = recording_->frame();
-        std::vector<OtherMesh> others;
-        const std::deque<EarlierMesh>& kept = earlier_[recording_->trees().at(number).mesh];
-        for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier)
-            if (earlier->mesh != mesh.finite)
-                others.push_back(
-                    {"the mesh of frame " + std::to_string(earlier->frame), *earlier->mesh});
-        for (const auto& [body_number, body] : recording_->bodies()) {
-            if (body.tree != number || !body.placed || !body.pose_fault.empty()) continue;
-            const auto in_world = [&, stretch = body.stretch](const Pose& pose) {
-                Mesh placed = *mesh.finite;
-                for (Vec3& vertex : placed.vertices)
-                    vertex = transform_point(pose, rotate(stretch, vertex));
-                return placed;
-            };
-            const std::string of = " of " + name_of(body_number);
-            others.push_back({"the pose" + of + ", as of volumes in the world",
-                              in_world(body.pose)});
-            if (body.last)
-                others.push_back({"the pose" + of + " in the frame before, as of volumes in the "
-                                                    "world",
-                                  in_world(*body.last)});
-        }
-        fitting.fit = find_tree_fit(*side.tree, *side.shape, *mesh.finite, tolerance,
-                                    watch.most_outside(), others);
-    }
-
     void take_query(const EngineQuery& query) {
         const auto bodies = recording_->query_bodies();
-        for (const std::uint32_t body : bodies) look(recording_->bodies().at(body).tree);
+        for (const std::uint32_t body : bodies)
+            trees_.look(recording_->bodies().at(body).tree, result_.summary.body_names);
         const QueryName name{query.frame, name_of(bodies[0]), name_of(bodies[1])};
         FrameJudgement& row = frame();
         ++row.queries;
@@ -173,10 +78,10 @@ class RecordingJudge {
         note_moves(query, name);
         const QueryJudgement judged =
             judge_query(query, own_.contacts(query, recording_->finite_meshes()));
-        take_tolerance(query, row);
+        tolerances_.take(*recording_, query, result_.summary.body_names, row.tolerance);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
-        take_looseness(query, judged);
+        costs_.take(*recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
         const bool errs =
             std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
@@ -186,9 +91,7 @@ class RecordingJudge {
                         recording_->bodies().at(bodies[1]));
     }
 
-    std::string name_of(std::uint32_t body) const {
-        return result_.summary.body_names.at(body);
-    }
+    std::string name_of(std::uint32_t body) const { return result_.summary.body_names.at(body); }
 
     void take_faulty_pose(const QueryName& name) {
         for (const std::uint32_t number : recording_->query_bodies()) {
@@ -210,109 +113,8 @@ class RecordingJudge {
             if (!body.is_stretched() || !stretched_.insert(number).second) continue;
             result_.stretches.push_back(name_of(number) + " is " + stretch_words(body.stretch) +
                                         " by its pose at frame " +
-                                        std::to_string(recording_->frame()) +
-                                        ", and judged so");
+                                        std::to_string(recording_->frame()) + ", and judged so");
         }
-    }
-
-    /// The tolerance of the frame, and whether it is larger than what is to be judged.
-    void take_tolerance(const EngineQuery& query, FrameJudgement& row) {
-        FrameTolerance& tolerance = row.tolerance;
-        tolerance.volumes = std::max(tolerance.volumes, query.tolerance);
-        tolerance.triangles = std::max(tolerance.triangles, query.triangle_tolerance);
-        tolerance.away = std::max(tolerance.away, query.away);
-        tolerance.single |= query.single;
-        const auto bodies = recording_->query_bodies();
-        for (std::size_t side = 0; side < 2; ++side) {
-            const double size = size_of_items(bodies[side], query.sides[side]);
-            const bool has_mesh = query.sides[side].mesh;
-            const double within = has_mesh ? query.triangle_tolerance : query.tolerance;
-            if (!(size > 0) || within < size) continue;
-            ++hidden_;
-            if (tolerance.hides.empty())
-                tolerance.hides =
-                    (has_mesh ? "half of the triangles of " : "half of the leaf volumes of ") +
-                    name_of(bodies[side]) + " are smaller than " + format("%.3g", size);
-            if (hidden_why_.empty())
-                hidden_why_ = "at frame " + std::to_string(query.frame) + " the tolerance is " +
-                              format("%.3g", within) + ", and " + tolerance.hides +
-                              cause_of_tolerance(query);
-            return;
-        }
-    }
-
-    static std::string cause_of_tolerance(const EngineQuery& query) {
-        if (!(query.away > 0)) return "";
-        const double step = query.away * (query.single ? 0x1p-23 : 0x1p-52);
-        return "; bodies stand " + format("%.3g", query.away) + " from the origin, where " +
-               (query.single ? "32" : "64") + "-bit numbers are up to " + format("%.2g", step) +
-               " apart";
-    }
-
-    /// Half of the triangles, or of the volumes of leaves, of a body are smaller.
-    double size_of_items(std::uint32_t body, const EngineSide& side) {
-        const int version =
-            recording_->trees().at(recording_->bodies().at(body).tree).volume_version;
-        SizeOfItems& known = sizes_[body];
-        if (known.tree == side.tree && known.version == version) return known.size;
-        known.tree = side.tree;
-        known.version = version;
-        std::vector<double> sizes;
-        if (side.mesh) {
-            for (std::uint32_t i = 0; i < side.mesh->triangles.size(); ++i) {
-                if (!has_finite_corners(*side.mesh, i)) continue;
-                const TriangleCorners t = corners(*side.mesh, i);
-                sizes.push_back(std::sqrt(std::max({squared_norm(Vec3(t[1] - t[0])),
-                                                    squared_norm(Vec3(t[2] - t[1])),
-                                                    squared_norm(Vec3(t[0] - t[2]))})));
-            }
-        } else {
-            for (const std::uint32_t node : side.shape->order)
-                if (side.shape->is_leaf(node) && has_volume((*side.tree)[node].volume))
-                    sizes.push_back(diameter(convex_shape((*side.tree)[node].volume)));
-        }
-        if (sizes.empty()) return known.size = 0;
-        const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-        std::nth_element(sizes.begin(), middle, sizes.end());
-        return known.size = *middle;
-    }
-
-    /// What boxes that fit would save, where many do not.
-    void take_looseness(const EngineQuery& query, const QueryJudgement& judged) {
-        if (judged.tests.empty()) return;
-        const auto bodies = recording_->query_bodies();
-        bool any = false;
-        for (std::size_t side = 0; side < 2; ++side) {
-            const std::uint32_t number = recording_->bodies().at(bodies[side]).tree;
-            const TightBoxes& tight = tight_of(bodies[side], query.sides[side]);
-            if (tight.boxes < 8 || 4 * tight.loose < tight.boxes) continue;
-            any = true;
-            const auto [known, added] = loose_.try_emplace(number);
-            if (added)
-                known->second.where = tree_words(number) + " since frame " +
-                                      std::to_string(recording_->frame());
-            if (tight.loose > known->second.count)
-                known->second = {CostFinding::Kind::loose, tight.loose, tight.boxes,
-                                 known->second.where, 0, 0};
-        }
-        loose_tests_ += judged.tests.size();
-        loose_tests_if_tight_ += any ? tests_with(query, judged.tests, tight_[bodies[0]].boxes,
-                                                  tight_[bodies[1]].boxes)
-                                     : judged.tests.size();
-    }
-
-    const TightBoxes& tight_of(std::uint32_t body, const EngineSide& side) {
-        const int version =
-            recording_->trees().at(recording_->bodies().at(body).tree).volume_version;
-        TightOfBody& known = tight_[body];
-        if (known.tree != side.tree || known.version != version)
-            known = {side.tree, version, tight_boxes(side)};
-        return known.boxes;
-    }
-
-    std::string tree_words(std::uint32_t number) const {
-        const std::string& name = recording_->trees().at(number).name;
-        return "tree " + std::to_string(number) + (name.empty() ? "" : " \"" + name + "\"");
     }
 
     void take_tests(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
@@ -323,7 +125,7 @@ class RecordingJudge {
             StageJudgement& stage = stages_[event.stage];
             ++stage.tests;
             ++row.volume_tests;
-            unjudged_tests_ += test.verdict == TestVerdict::unjudged;
+            result_.unjudged += test.verdict == TestVerdict::unjudged;
             tests_of_all_ += 1;
             const auto note = [&](const std::string& what, const std::string& more = {}) {
                 add(tests_, what,
@@ -336,8 +138,8 @@ class RecordingJudge {
             if (test.nodes.a == no_index || test.nodes.b == no_index)
                 note("a test of a node that its tree does not have");
             if (test.repeated && repeated_++ == 0)
-                first_repeated_ = query_words(name) + ": " +
-                                  pair_words("nodes", event.a, event.b) + test_words(number);
+                first_repeated_ = query_words(name) + ": " + pair_words("nodes", event.a, event.b) +
+                                  test_words(number);
             if (test.verdict == TestVerdict::false_positive) {
                 ++stage.false_positives;
                 if (test.margin > stage.most_apart) {
@@ -360,7 +162,7 @@ class RecordingJudge {
             stage.most_depth = std::max(stage.most_depth, test.margin);
             ++stage.wrong;
             note("a test that rejected volumes which overlap, at stage \"" +
-                     stage_name(event.stage) + "\"",
+                     stage_words(recording_->stages(), event.stage) + "\"",
                  ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
@@ -440,55 +242,9 @@ class RecordingJudge {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
             add(missed ? missed_ : false_, words_of(query, problem.cause),
-                {name, words_of(query, judged, problem), problem.nodes, problem.items,
-                 test_number(judged, problem)});
+                {name, words_of(query, problem, test_number(judged, problem), recording_->stages()),
+                 problem.nodes, problem.items, test_number(judged, problem)});
         }
-    }
-
-    static std::string words_of(const EngineQuery& query, PairCause cause) {
-        const std::string words(cause_names[cause]);
-        return query.sides[0].mesh ? words : for_objects(words);
-    }
-
-    std::string words_of(const EngineQuery& query, const QueryJudgement& judged,
-                         const PairProblem& problem) const {
-        const std::string what = query.sides[0].mesh ? "triangle" : "object";
-        std::string words = pair_words((what + "s").c_str(), problem.items.a, problem.items.b);
-        const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
-                            node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;
-        const std::string side = problem.side == 0 ? "A" : "B";
-        const std::string of_node = "node " + std::to_string(node) + " of " + side;
-        if (problem.cause == PairCause::in_no_leaf)
-            words += "; no leaf of " + side + " has " + what + " " + std::to_string(item);
-        if (problem.cause == PairCause::no_tree)
-            words += "; the tree of " + side + " was recorded without nodes";
-        if (problem.nodes.a != no_index && problem.nodes.b != no_index)
-            words += "; at " + pair_words("nodes", problem.nodes.a, problem.nodes.b);
-        if (problem.cause == PairCause::not_contained)
-            words += ", of which " + of_node + " does not contain " + what + " " +
-                     std::to_string(item) + ", by " + amount_words(problem.amount);
-        if (problem.cause == PairCause::below_outside)
-            words += "; " + of_node + " does not contain " + what + " " + std::to_string(item) +
-                     ", by " + amount_words(problem.amount);
-        if (problem.cause == PairCause::bad_volume)
-            words += ", of which " + of_node + " has a volume that is none";
-        if (problem.cause == PairCause::below_bad_volume)
-            words += "; " + of_node + " has a volume that is none";
-        if (problem.cause == PairCause::never_visited) {
-            std::string next;
-            if (problem.next.a != no_index)
-                next = "node " + std::to_string(problem.next.a) + " of A";
-            if (problem.next.b != no_index)
-                next += (next.empty() ? "node " : ", to node ") + std::to_string(problem.next.b) +
-                        " of B" + (next.empty() ? "" : ", or to both");
-            words += ", from which the way leads to " + next;
-        }
-        words += test_words(test_number(judged, problem));
-        if (problem.event != no_index && problem.event < query.events.size() &&
-            query.events[problem.event].kind == EngineEvent::Kind::volumes &&
-            query.events[problem.event].stage != 0)
-            words += ", stage \"" + stage_name(query.events[problem.event].stage) + "\"";
-        return words;
     }
 
     /// The test of volumes that the problem is at or, of a pair that was reported without one, the
@@ -501,10 +257,6 @@ class RecordingJudge {
         return after == judged.tests.begin()
                    ? no_index
                    : static_cast<std::uint32_t>(after - judged.tests.begin() - 1);
-    }
-
-    static std::string test_words(std::uint32_t number) {
-        return number == no_index ? "" : ", test " + std::to_string(number);
     }
 
     /// Of several queries of the same bodies in a frame, commands other than this one show the
@@ -523,13 +275,6 @@ class RecordingJudge {
                                     "the first; begin a frame for each, with scb_record_frame");
     }
 
-    std::string stage_name(std::uint8_t stage) const {
-        if (stage == 0) return "overlap";
-        const auto found = recording_->stages().find(stage);
-        return found == recording_->stages().end() ? "stage " + std::to_string(stage)
-                                                   : found->second;
-    }
-
     using Groups = std::vector<ProblemGroup>;
     static void add(Groups& groups, const std::string& what, ProblemCase one) {
         auto group = std::find_if(groups.begin(), groups.end(),
@@ -545,22 +290,26 @@ class RecordingJudge {
     }
 
     void list_not_judged() {
-        not_judged(hidden_, queries_, "queries", hidden_why_);
+        not_judged(tolerances_.hidden(), queries_, "queries", tolerances_.why());
         not_judged(unplaced_, queries_, "queries", unplaced_why_);
         not_judged(result_.unknown_items, queries_, "queries, of which the pairs",
                    "objects share leaves, have numbers above 999,999, or were queried with "
                    "triangles");
         not_judged(without_result_, queries_, "queries", "they ended early without a pair");
-        for (const auto& [number, watch] : watches_) {
+        for (const auto& [number, watch] : trees_.watches()) {
             const UnjudgedVolumes& of = watch.unjudged();
-            not_judged(of.leaves, of.of_leaves, "leaf volumes of " + tree_words(number),
+            not_judged(of.leaves, of.of_leaves,
+                       "leaf volumes of " + tree_words(*recording_, number),
                        "the extents of their objects were not recorded (scb_record_object)");
-            not_judged(of.splits, of.of_splits, "triangles in several leaves of " + tree_words(number),
+            not_judged(of.splits, of.of_splits,
+                       "triangles in several leaves of " + tree_words(*recording_, number),
                        "the surfaces of these leaves run along each other");
             const TreeState& tree = recording_->trees().at(number);
-            if (tree.tree.size() == 0) not_judged(1, watches_.size(), "trees", tree_words(number) + " was recorded without nodes");
+            if (tree.tree.size() == 0)
+                not_judged(1, trees_.watches().size(), "trees",
+                           tree_words(*recording_, number) + " was recorded without nodes");
         }
-        not_judged(unjudged_tests_, tests_of_all_, "tests of volumes",
+        not_judged(result_.unjudged, tests_of_all_, "tests of volumes",
                    "a node has no volume, or one that is none");
         not_judged(lacks_, divided_, "divisions of nodes",
                    "a child that overlaps the other node was not tested; the first: " + lacking_ +
@@ -579,33 +328,11 @@ class RecordingJudge {
         not_judged(without_results_, without_results_, "pairs that intersect",
                    "the results of their queries were not recorded");
         if (recording_->unfinished_tree())
-            not_judged(1, watches_.size(), "trees", "the file breaks off in " + tree_words(*recording_->unfinished_tree()));
+            not_judged(1, trees_.watches().size(), "trees",
+                       "the file breaks off in " +
+                           tree_words(*recording_, *recording_->unfinished_tree()));
         not_judged(recording_->unknown_records(), 0, "records",
                    "this version does not know their kind");
-    }
-
-    void list_costs() {
-        if (repeated_ > 0)
-            result_.costs.push_back({CostFinding::Kind::repeated, repeated_, tests_of_all_,
-                                     first_repeated_, 0, 0});
-        for (const TreeJudgement& tree : result_.trees) {
-            const EngineSide side = recording_->side_of(tree.number);
-            std::uint64_t leaves = 0;
-            for (const std::uint32_t node : side.shape->order) leaves += side.shape->is_leaf(node);
-            std::uint64_t enough = 0;
-            while ((std::uint64_t{1} << enough) < leaves) ++enough;
-            if (leaves >= 16 && tree.depth > 4 * enough)
-                result_.costs.push_back({CostFinding::Kind::deep, tree.depth, enough,
-                                         tree_words(tree.number), 0, 0});
-        }
-        for (auto& [number, finding] : loose_) {
-            finding.tests = loose_tests_;
-            finding.tests_if_tight = loose_tests_if_tight_;
-            // Of a tree that does not contain its triangles, its size is the lesser problem.
-            const bool is_wrong = watches_.at(number).most_outside() > 0;
-            if (!is_wrong && 50 * finding.tests_if_tight < 49 * finding.tests)
-                result_.costs.push_back(finding);
-        }
     }
 
     void finish() {
@@ -616,28 +343,10 @@ class RecordingJudge {
                 "the engine has, with scb_record_pose");
         for (const RecordedSetting& setting : recording_->settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
-        for (const auto& [number, watch] : watches_) {
-            const TreeState& tree = recording_->trees().at(number);
-            TreeJudgement judged{number,
-                                 tree.name,
-                                 tree.tree.size(),
-                                 0,
-                                 0,
-                                 0,
-                                 recording_->unfinished_tree() == number,
-                                 watch.problems(),
-                                 fits_[number].fit,
-                                 fits_[number].frame};
-            const TreeShape& shape = *recording_->side_of(number).shape;
-            for (const std::uint32_t i : shape.order)
-                judged.depth = std::max(judged.depth, shape.depths[i]);
-            judged.roots = shape.roots.size();
-            judged.in_several_leaves = watch.unjudged().of_splits;
-            result_.trees.push_back(std::move(judged));
-        }
+        result_.trees = trees_.judged();
         for (const auto& [stage, name] : recording_->stages()) stages_[stage].name = name;
         for (auto& [stage, judged] : stages_) {
-            judged.name = stage_name(stage);
+            judged.name = stage_words(recording_->stages(), stage);
             result_.stages.push_back(judged);
         }
         const auto sorted = [](Groups groups) {
@@ -653,51 +362,31 @@ class RecordingJudge {
         result_.more_odd = recording_->more_oddities();
         result_.damage = recording_->damage();
         list_not_judged();
-        list_costs();
+        if (repeated_ > 0)
+            result_.costs.push_back(
+                {CostFinding::Kind::repeated, repeated_, tests_of_all_, first_repeated_, 0, 0});
+        for (CostFinding& cost : costs_.found(*recording_, trees_, result_.trees))
+            result_.costs.push_back(std::move(cost));
     }
 
-    struct EarlierMesh {
-        int version = 0, frame = 0;
-        std::shared_ptr<const Mesh> mesh;
-    };
-    struct TreeFitting {
-        std::optional<TreeFit> fit;
-        std::size_t outside = 0;
-        int tries = 0, frame = 0;
-    };
-    /// Known as long as the tree, which may be a stretched one, has this version.
-    struct TightOfBody {
-        const NodeTree* tree = nullptr;
-        int version = -1;
-        TightBoxes boxes;
-    };
-    struct SizeOfItems {
-        const NodeTree* tree = nullptr;
-        int version = -1;
-        double size = 0;
-    };
-
     RecordingJudgement result_;
-    std::optional<RecordedQueries> recording_;
+    std::unique_ptr<RecordedQueries> recording_;
     OwnContacts own_;
-    std::map<std::uint32_t, TreeWatch> watches_;
-    std::map<std::uint32_t, std::deque<EarlierMesh>> earlier_;  ///< by mesh
-    std::map<std::uint32_t, TreeFitting> fits_;                 ///< by tree
+    TreeJudge trees_;
+    ToleranceCheck tolerances_;
+    QueryCosts costs_;
     std::map<std::uint8_t, StageJudgement> stages_;
     Groups missed_, false_, tests_;
     PoseSearch poses_;
     bool moves_noted_ = false;
     // What was not judged, and why.
-    std::uint64_t queries_ = 0, hidden_ = 0, unplaced_ = 0, without_result_ = 0,
-                  without_results_ = 0, broken_pairs_ = 0, unjudged_tests_ = 0, tests_of_all_ = 0;
-    std::string hidden_why_, unplaced_why_;
-    std::map<std::uint32_t, SizeOfItems> sizes_;  ///< by body
-    std::set<std::uint32_t> stretched_;           ///< bodies of which that was noted
+    std::uint64_t queries_ = 0, unplaced_ = 0, without_result_ = 0, without_results_ = 0,
+                  broken_pairs_ = 0, tests_of_all_ = 0;
+    std::string unplaced_why_;
+    std::set<std::uint32_t> stretched_;  ///< bodies of which that was noted
     // What costs.
-    std::uint64_t repeated_ = 0, loose_tests_ = 0, loose_tests_if_tight_ = 0;
+    std::uint64_t repeated_ = 0;
     std::string first_repeated_;
-    std::map<std::uint32_t, CostFinding> loose_;  ///< by tree
-    std::map<std::uint32_t, TightOfBody> tight_;  ///< by body
     std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
     DivisionCounts::Lack first_lack_;
     std::string lacking_;  ///< which that is

@@ -113,7 +113,7 @@ struct RecordingJudgement {
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
     std::vector<std::string> stretches;  ///< bodies whose poses scale or mirror them: clauses
-    std::vector<std::string> odd;    ///< sentences without a full stop
+    std::vector<std::string> odd;        ///< sentences without a full stop
     std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
     std::size_t more_odd = 0;
     std::string damage;
@@ -121,6 +121,7 @@ struct RecordingJudgement {
     std::vector<CostFinding> costs;
     std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, exact_pairs = 0;
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
+    std::uint64_t unjudged = 0;         ///< tests of volumes of nodes without one that is known
     std::uint64_t ended_early = 0;      ///< queries, of which nothing is said to be missed
     /// Queries of whose items too little is known, see has_known_items.
     std::uint64_t unknown_items = 0;
@@ -130,8 +131,9 @@ struct RecordingJudgement {
     bool wrong() const { return verdict() == Verdict::wrong; }
 };
 
-/// Judges all frames, or those that `wanted` says. `done` is called after each query and each frame,
-/// with whether a frame is done, and ends the work where it returns false. Throws InputError as RecordedQueries does.
+/// Judges all frames, or those that `wanted` says. `done` is called after each query and each
+/// frame, with whether a frame is done, and ends the work where it returns false. Throws InputError
+/// as RecordedQueries does.
 RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
                                    const std::function<bool(int frame)>& wanted,
                                    const std::function<bool(bool frame)>& done);

@@ -58,9 +58,8 @@ struct Broadphase {
             return number;
         }
         const std::size_t axis = box[3] - box[0] >= box[4] - box[1] ? 0 : 1;
-        std::stable_sort(objects.begin(), objects.end(), [&](Index a, Index b) {
-            return boxes[a][axis] < boxes[b][axis];
-        });
+        std::stable_sort(objects.begin(), objects.end(),
+                         [&](Index a, Index b) { return boxes[a][axis] < boxes[b][axis]; });
         const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(objects.size() / 2);
         const Index left = build({objects.begin(), middle});
         const Index right = build({middle, objects.end()});
@@ -113,8 +112,7 @@ void record_broadphase(BroadphaseBug bug, bool extents, const std::string& path)
     for (int frame = 0; frame < 4; ++frame) {
         Broadphase world{{}, {}, bug, recorder};
         for (Index object = 0; object < object_count; ++object) {
-            const bool stale =
-                bug == BroadphaseBug::leaf_not_updated && object == 5 && frame >= 2;
+            const bool stale = bug == BroadphaseBug::leaf_not_updated && object == 5 && frame >= 2;
             world.boxes.push_back(box_of(object, stale ? 1 : frame));
         }
         std::vector<Index> objects(object_count);

@@ -60,7 +60,8 @@ const std::vector<Case>& cases() {
          {"\nSound.\nCost: ", "boxes of tree 0 \"A\" since frame 1 are much larger"}},
         {"11-refit-to-scene-bounds/11b.scbrec",
          0,
-         {"\nSound.\nCost: 396 of 399 boxes of tree 0 \"A\" since frame 1 are much larger than what "
+         {"\nSound.\nCost: 396 of 399 boxes of tree 0 \"A\" since frame 1 are much larger than "
+          "what "
           "is below them; with boxes that fit, 4,377 of 93,249 tests"}},
         {"12-leaf-index-mapping/12.scbrec",
          1,
@@ -117,7 +118,8 @@ class SharedCase : public testing::TestWithParam<std::size_t> {
 
 TEST_P(SharedCase, HasItsVerdictItsCauseAndItsNumbers) {
     const Case& of = cases()[GetParam()];
-    const ProgramRun run = run_scb("--quiet --no-config inspect " + shared_folder() + "/cases/" + of.file);
+    const ProgramRun run =
+        run_scb("--quiet --no-config inspect " + shared_folder() + "/cases/" + of.file);
     EXPECT_EQ(run.status, of.status) << run.err;
     for (const std::string& text : of.texts)
         EXPECT_NE(run.out.find(text), std::string::npos) << text << "\n" << run.out;
@@ -133,14 +135,15 @@ class SharedCases : public testing::Test {
 };
 
 TEST_F(SharedCases, AreAllTested) {
-    for (const auto& file : std::filesystem::recursive_directory_iterator(shared_folder() + "/cases")) {
+    for (const auto& file :
+         std::filesystem::recursive_directory_iterator(shared_folder() + "/cases")) {
         const std::string ending = file.path().extension().string();
         if (ending != ".scbrec" && ending != ".jsonl") continue;
         const std::string path =
             std::filesystem::relative(file.path(), shared_folder() + "/cases").string();
-        EXPECT_TRUE(std::any_of(cases().begin(), cases().end(),
-                                [&path](const Case& of) { return path == of.file; }))
-            << path;
+        EXPECT_TRUE(std::any_of(cases().begin(), cases().end(), [&path](const Case& of) {
+            return path == of.file;
+        })) << path;
     }
 }
 
@@ -177,8 +180,7 @@ TEST_F(SharedCases, OneBodyInsideTheOtherIsSaid) {
 
 TEST_F(SharedCases, ChildrenInAnotherOrderAreTheSamePairs) {
     const std::string folder = shared_folder() + "/cases/20-order-after-update/";
-    const ProgramRun run =
-        run_scb("--quiet diff " + folder + "20.scbrec " + folder + "20b.scbrec");
+    const ProgramRun run = run_scb("--quiet diff " + folder + "20.scbrec " + folder + "20b.scbrec");
     EXPECT_NE(run.out.find("Both found the same pairs."), std::string::npos) << run.out;
 }
 

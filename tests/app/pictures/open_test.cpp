@@ -20,7 +20,7 @@ struct Open : testing::Test {
     std::string opened_by(const std::string& arguments) {
         std::filesystem::remove(noted);
         const ProgramRun run =
-            run_scb(arguments + " --size 320x240 --open -o " + out, desktop("exit 0"));
+            run_scb("--quiet " + arguments + " --size 320x240 --open -o " + out, desktop("exit 0"));
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_EQ(run.err, "") << arguments;
         return std::filesystem::exists(noted) ? file_text(noted) : "";

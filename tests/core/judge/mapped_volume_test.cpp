@@ -16,9 +16,9 @@ std::vector<NodeVolume> one_of_each() {
             Rss{Vec3(0, 1, 0), {x, 0.5 * y}, 0.25},
             Scb{Vec3(1, 0, 0), 1, x, 0.5, -0.25},
             Scb2{Vec3(1, 0, 0), 1, {Slab{x, 0.5, -0.25}, Slab{y, 0.25, -0.5}}},
-            std::make_shared<const Polytope>(slabs_polytope(
-                std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0},
-                std::vector<double>{-1, 1, -1, 1, -1, 1, -1, 1})),
+            std::make_shared<const Polytope>(
+                slabs_polytope(std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0},
+                               std::vector<double>{-1, 1, -1, 1, -1, 1, -1, 1})),
             std::make_shared<const Polytope>(hull)};
 }
 
@@ -41,9 +41,8 @@ void expect_maps(const NodeVolume& volume, const Mat3& map) {
 
 TEST(MappedVolume, AScaleAndAMirrorKeepEachKind) {
     for (const NodeVolume& volume : one_of_each())
-        for (const Mat3& map :
-             {Mat3(2 * Mat3::Identity()), Mat3(Vec3(-3, 3, 3).asDiagonal()),
-              Mat3(Vec3(0.5, 0.5, 0.5).asDiagonal())}) {
+        for (const Mat3& map : {Mat3(2 * Mat3::Identity()), Mat3(Vec3(-3, 3, 3).asDiagonal()),
+                                Mat3(Vec3(0.5, 0.5, 0.5).asDiagonal())}) {
             SCOPED_TRACE(volume.index());
             expect_maps(volume, map);
             EXPECT_EQ(mapped(volume, map).index(), volume.index());
@@ -64,8 +63,8 @@ TEST(MappedVolume, AShearKeepsBoxesAndPolytopes) {
             EXPECT_FALSE(has_volume(mapped(volume, shear)));
     }
     // A box along the axes that are scaled is a box.
-    EXPECT_TRUE(std::holds_alternative<Obb>(
-        mapped(one_of_each()[0], Mat3(Vec3(1, 2, 3).asDiagonal()))));
+    EXPECT_TRUE(
+        std::holds_alternative<Obb>(mapped(one_of_each()[0], Mat3(Vec3(1, 2, 3).asDiagonal()))));
 }
 
 TEST(MappedVolume, AnOpenBoxStaysOpen) {

@@ -52,7 +52,6 @@ TEST(TreeCheck, NamesWhatIsWrongWithTheShape) {
               (Words{"node 6 says that its parent is node 2, which does not list it: no query "
                      "comes there",
                      "triangle 3 is in no leaf"}));
-
 }
 
 TEST(TreeCheck, AnEngineNeedNotKnowParents) {
@@ -202,7 +201,8 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
     ASSERT_EQ(problems.size(), 3u);
     EXPECT_EQ(problems[0].words, "node 2 does not contain triangle 3, by 1");
     EXPECT_EQ(problems[1].words, "node 0 does not contain triangle 3, by 1");
-    EXPECT_EQ(problems[2].words, "node 1 does not contain triangle 1, by 0.25") << "the worst first";
+    EXPECT_EQ(problems[2].words, "node 1 does not contain triangle 1, by 0.25")
+        << "the worst first";
     EXPECT_FALSE(problems[2].stale);
     EXPECT_EQ(problems[2].frames, 4u);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -256,9 +256,8 @@ TEST(TreeWatch, AVolumeIsStaleWhereItBecameTwiceAsWrong) {
     ++row.volume_version;
     row.look(1);
     const auto problems = row.watch.problems();
-    const auto node = std::find_if(problems.begin(), problems.end(), [](const WatchedProblem& p) {
-        return p.problem.node == 1;
-    });
+    const auto node = std::find_if(problems.begin(), problems.end(),
+                                   [](const WatchedProblem& p) { return p.problem.node == 1; });
     ASSERT_NE(node, problems.end());
     EXPECT_EQ(node->since, 0);
     EXPECT_NEAR(node->since_amount, 0.01, 1e-12);

@@ -76,7 +76,8 @@ TEST(TriangleCover, KnowsEachKindOfVolume) {
         };
         for (const auto& [of_a, of_b] : pairs) {
             SCOPED_TRACE(of_a.index());
-            EXPECT_EQ(cover({of_a, of_b}, 1e-6).kind, share == 1 ? CoverKind::covered : CoverKind::open);
+            EXPECT_EQ(cover({of_a, of_b}, 1e-6).kind,
+                      share == 1 ? CoverKind::covered : CoverKind::open);
         }
     }
 }

@@ -217,7 +217,8 @@ TEST(RecordedQueries, TheToleranceOfAQueryIsThatOfAllItsLengths) {
         skew.rows[1] = 1e-5;
         append(records, {skew, RecordedQuery{first, 1 - first}, RecordedQueryEnd{}});
         // B's numbers are of 32 bits, and A's pose is a little off.
-        EXPECT_NEAR(ReadSteps(records).query(0).tolerance, (4 + 2 + 3 / 8.0) * 1e-6 + (4 + 2 + 3) * 1e-5, 1e-12);
+        EXPECT_NEAR(ReadSteps(records).query(0).tolerance,
+                    (4 + 2 + 3 / 8.0) * 1e-6 + (4 + 2 + 3) * 1e-5, 1e-12);
     }
 }
 

@@ -671,15 +671,15 @@ TEST(RecordingJudgement, NamesTheBodyWhoseNodeDoesNotContainItsTriangle) {
     }
 }
 
-/// A tree of three objects, one unit apart along x, and a probe at the middle one; the extents of the
-/// objects are recorded where `extents` says so.
+/// A tree of three objects, one unit apart along x, and a probe at the middle one; the extents of
+/// the objects are recorded where `extents` says so.
 std::vector<Record> broadphase(bool extents) {
     const auto box = [](double x, double size) {
         return RecordedVolume{RecordedKind::aabb, {x, 0, 0, x + size, 0.5, 0.5}};
     };
-    std::vector<Record> records = {RecordedSetting{"results", "pairs"},
-                                   RecordedTree{0, record_none, "manager", {}},
-                                   RecordedNode{0, 0, record_none, 0, "", {1, 2, 3}, {}, box(0, 2.5)}};
+    std::vector<Record> records = {
+        RecordedSetting{"results", "pairs"}, RecordedTree{0, record_none, "manager", {}},
+        RecordedNode{0, 0, record_none, 0, "", {1, 2, 3}, {}, box(0, 2.5)}};
     for (std::uint32_t i = 0; i < 3; ++i) {
         records.emplace_back(RecordedNode{0, i + 1, 0, 0, "", {}, {i}, box(i, 0.5)});
         if (extents) records.emplace_back(RecordedObject{0, i, box(i, 0.5)});

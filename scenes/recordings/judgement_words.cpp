@@ -1,0 +1,112 @@
+#include "scenes/recordings/judgement_words.h"
+
+#include "core/base/enum_names.h"
+#include "core/base/text_format.h"
+#include "core/judge/tree_check.h"
+
+namespace scb::scenes {
+namespace {
+
+constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
+    "the tree has no nodes",
+    "a triangle is in no leaf",
+    "rejected at a node that does not contain the triangle",
+    "rejected at a node whose volume is none",
+    "rejected although the volumes overlap",
+    "what is below two overlapping nodes was never tested",
+    "below a node that does not contain the triangle",
+    "below a node whose volume is none",
+    "no tests of volumes were recorded, so that the cause is not known",
+    "no test of nodes above the triangles was made",
+    "the triangles of two overlapping leaves were never tested",
+    "the test of the two triangles said that they are apart",
+    "found, but not reported",
+    "reported although their test said that they are apart",
+    "the test of the two triangles said that they meet",
+    "reported without a test of the two triangles",
+    "the two triangles share a vertex and meet nowhere else",
+    "one of the two does not exist",
+    "reported twice",
+};
+
+/// Of items that are objects.
+std::string for_objects(std::string words) {
+    constexpr std::string_view triangle = "triangle", object = "object";
+    for (std::size_t at = words.find(triangle); at != std::string::npos;
+         at = words.find(triangle, at + object.size()))
+        words.replace(at, triangle.size(), object);
+    return words;
+}
+
+}  // namespace
+
+std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b) {
+    return what + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
+}
+
+std::string query_words(const QueryName& query) {
+    return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
+}
+
+std::string test_words(std::uint32_t number) {
+    return number == no_index ? "" : ", test " + std::to_string(number);
+}
+
+std::string stage_words(const StageNames& stages, std::uint8_t stage) {
+    if (stage == 0) return "overlap";
+    const auto found = stages.find(stage);
+    return found == stages.end() ? "stage " + std::to_string(stage) : found->second;
+}
+
+std::string tree_words(const RecordedQueries& recording, std::uint32_t tree) {
+    const std::string& name = recording.trees().at(tree).name;
+    return "tree " + std::to_string(tree) + (name.empty() ? "" : " \"" + name + "\"");
+}
+
+std::string words_of(const EngineQuery& query, PairCause cause) {
+    const std::string words(cause_names[cause]);
+    return query.sides[0].mesh ? words : for_objects(words);
+}
+
+std::string words_of(const EngineQuery& query, const PairProblem& problem, std::uint32_t test,
+                     const StageNames& stages) {
+    const std::string what = query.sides[0].mesh ? "triangle" : "object";
+    std::string words = pair_words((what + "s").c_str(), problem.items.a, problem.items.b);
+    const std::uint32_t item = problem.side == 0 ? problem.items.a : problem.items.b,
+                        node = problem.side == 0 ? problem.nodes.a : problem.nodes.b;
+    const std::string side = problem.side == 0 ? "A" : "B";
+    const std::string of_node = "node " + std::to_string(node) + " of " + side;
+    if (problem.cause == PairCause::in_no_leaf)
+        words += "; no leaf of " + side + " has " + what + " " + std::to_string(item);
+    if (problem.cause == PairCause::no_tree)
+        words += "; the tree of " + side + " was recorded without nodes";
+    if (problem.nodes.a != no_index && problem.nodes.b != no_index)
+        words += "; at " + pair_words("nodes", problem.nodes.a, problem.nodes.b);
+    if (problem.cause == PairCause::not_contained)
+        words += ", of which " + of_node + " does not contain " + what + " " +
+                 std::to_string(item) + ", by " + amount_words(problem.amount);
+    if (problem.cause == PairCause::below_outside)
+        words += "; " + of_node + " does not contain " + what + " " + std::to_string(item) +
+                 ", by " + amount_words(problem.amount);
+    if (problem.cause == PairCause::bad_volume)
+        words += ", of which " + of_node + " has a volume that is none";
+    if (problem.cause == PairCause::below_bad_volume)
+        words += "; " + of_node + " has a volume that is none";
+    if (problem.cause == PairCause::never_visited) {
+        std::string next;
+        if (problem.next.a != no_index)
+            next = "node " + std::to_string(problem.next.a) + " of A";
+        if (problem.next.b != no_index)
+            next += (next.empty() ? "node " : ", to node ") + std::to_string(problem.next.b) +
+                    " of B" + (next.empty() ? "" : ", or to both");
+        words += ", from which the way leads to " + next;
+    }
+    words += test_words(test);
+    if (problem.event != no_index && problem.event < query.events.size() &&
+        query.events[problem.event].kind == EngineEvent::Kind::volumes &&
+        query.events[problem.event].stage != 0)
+        words += ", stage \"" + stage_words(stages, query.events[problem.event].stage) + "\"";
+    return words;
+}
+
+}  // namespace scb::scenes

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+
+#include "core/judge/tight_tests.h"
+#include "scenes/recordings/tree_judge.h"
+
+namespace scb::scenes {
+
+/// Finds why the queries of a recording take more tests than they need.
+class QueryCosts {
+  public:
+    /// Takes a query, at which the recording is.
+    void take(const RecordedQueries& recording, const EngineQuery& query,
+              const QueryJudgement& judged);
+    /// Of the trees of the recording.
+    std::vector<CostFinding> found(RecordedQueries& recording, const TreeJudge& trees,
+                                   const std::vector<TreeJudgement>& judged) const;
+
+  private:
+    /// Known as long as the tree, which may be a stretched one, has this version.
+    struct TightOfBody {
+        const NodeTree* tree = nullptr;
+        int version = -1;
+        TightBoxes boxes;
+    };
+    const TightBoxes& tight_of(const RecordedQueries& recording, std::uint32_t body,
+                               const EngineSide& side);
+
+    std::map<std::uint32_t, CostFinding> loose_;  ///< by tree
+    std::map<std::uint32_t, TightOfBody> tight_;  ///< by body
+    std::uint64_t tests_ = 0, tests_if_tight_ = 0;
+};
+
+}  // namespace scb::scenes

@@ -1,0 +1,96 @@
+#include "scenes/recordings/tree_judge.h"
+
+#include <algorithm>
+
+namespace scb::scenes {
+
+void TreeJudge::look(std::uint32_t number,
+                     const std::map<std::uint32_t, std::string>& body_names) {
+    TreeWatch& watch = watches_[number];
+    if (recording_.unfinished_tree() == number) return;
+    const EngineSide side = recording_.side_of(number);
+    const TreeState& tree = recording_.trees().at(number);
+    watch.look(recording_.frame(),
+               {*side.tree, *side.shape, side.mesh, recording_.tolerance_of(tree),
+                tree.version, tree.volume_version});
+    const auto mesh = recording_.meshes().find(tree.mesh);
+    if (mesh == recording_.meshes().end()) return;
+    keep_mesh(tree.mesh, mesh->second);
+    find_fit(number, side, mesh->second, recording_.tolerance_of(tree), body_names);
+}
+
+/// Meshes of earlier frames, of which a tree may be that was not refitted.
+void TreeJudge::keep_mesh(std::uint32_t number, const MeshState& mesh) {
+    constexpr std::size_t most = 8;
+    std::deque<EarlierMesh>& kept = earlier_[number];
+    if (!kept.empty() && kept.back().version == mesh.version) return;
+    kept.push_back({mesh.version, mesh.told_at, mesh.finite});
+    if (kept.size() > most) kept.pop_front();
+}
+
+/// One change that explains why nodes do not contain what is below them: at the frame with the
+/// most of them, but not in each of many frames.
+void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const MeshState& mesh,
+                         double tolerance,
+                         const std::map<std::uint32_t, std::string>& body_names) {
+    const TreeWatch& watch = watches_[number];
+    TreeFitting& fitting = fits_[number];
+    constexpr int most_tries = 3;
+    if (watch.most_outside() == 0 || watch.most_outside_at() != recording_.frame() ||
+        fitting.fit || fitting.tries >= most_tries ||
+        watch.most_outside() < 2 * fitting.outside)
+        return;
+    ++fitting.tries;
+    fitting.outside = watch.most_outside();
+    fitting.frame = recording_.frame();
+    std::vector<OtherMesh> others;
+    const std::deque<EarlierMesh>& kept = earlier_[recording_.trees().at(number).mesh];
+    for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier)
+        if (earlier->mesh != mesh.finite)
+            others.push_back(
+                {"the mesh of frame " + std::to_string(earlier->frame), *earlier->mesh});
+    for (const auto& [body_number, body] : recording_.bodies()) {
+        if (body.tree != number || !body.placed || !body.pose_fault.empty()) continue;
+        const auto in_world = [&, stretch = body.stretch](const Pose& pose) {
+            Mesh placed = *mesh.finite;
+            for (Vec3& vertex : placed.vertices)
+                vertex = transform_point(pose, rotate(stretch, vertex));
+            return placed;
+        };
+        const std::string of = " of " + body_names.at(body_number);
+        others.push_back({"the pose" + of + ", as of volumes in the world",
+                          in_world(body.pose)});
+        if (body.last)
+            others.push_back({"the pose" + of + " in the frame before, as of volumes in the "
+                                                "world",
+                              in_world(*body.last)});
+    }
+    fitting.fit = find_tree_fit(*side.tree, *side.shape, *mesh.finite, tolerance,
+                                watch.most_outside(), others);
+}
+
+std::vector<TreeJudgement> TreeJudge::judged() {
+    std::vector<TreeJudgement> result;
+    for (const auto& [number, watch] : watches_) {
+        const TreeState& tree = recording_.trees().at(number);
+        TreeJudgement judged{number,
+                             tree.name,
+                             tree.tree.size(),
+                             0,
+                             0,
+                             0,
+                             recording_.unfinished_tree() == number,
+                             watch.problems(),
+                             fits_[number].fit,
+                             fits_[number].frame};
+        const TreeShape& shape = *recording_.side_of(number).shape;
+        for (const std::uint32_t i : shape.order)
+            judged.depth = std::max(judged.depth, shape.depths[i]);
+        judged.roots = shape.roots.size();
+        judged.in_several_leaves = watch.unjudged().of_splits;
+        result.push_back(std::move(judged));
+    }
+    return result;
+}
+
+}  // namespace scb::scenes
