@@ -50,6 +50,9 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
         for (const WatchedProblem& watched : tree.problems) {
             const TreeProblem& p = watched.problem;
             const bool shows = p.node != no_index || p.item != no_index;
+            // The other number of a triangle that is not finite is that of its vertex.
+            const std::uint32_t other =
+                p.fault == TreeFault::triangle_broken ? no_index : p.other;
             if (!shows || !seen.insert(p.fault).second) continue;
             const auto count = static_cast<std::uint64_t>(std::count_if(
                 tree.problems.begin(), tree.problems.end(),
@@ -61,7 +64,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
                                 count,
                                 watched.worst_at,
                                 {},
-                                {p.node, p.other},
+                                {p.node, other},
                                 {p.item},
                                 tree.number});
         }

@@ -19,7 +19,7 @@ struct Leaf {
 class Order {
   public:
     Order(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh, double tolerance)
-        : mesh_(mesh), tolerance_(tolerance) {
+        : tolerance_(tolerance) {
         for (const std::uint32_t node : shape.order) {
             if (tree.items(node).empty()) continue;
             if (!has_volume(tree[node].volume)) return;
@@ -143,7 +143,6 @@ class Order {
         return 2 * tight > leaves_.size();
     }
 
-    const Mesh& mesh_;
     double tolerance_;
     std::vector<Leaf> leaves_;
     std::vector<Vec3> lower_, upper_;                     ///< per triangle

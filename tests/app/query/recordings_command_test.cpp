@@ -177,7 +177,8 @@ TEST_F(RecordingCommands, OfOneThatBreaksOffWhatStandsBeforeIsJudged) {
             bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
         const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
         EXPECT_EQ(cut.out.find("Wrong"), std::string::npos) << cut.out;
-        EXPECT_EQ(cut.status, 4);
+        // Of what breaks off before its first tree there is nothing to judge.
+        EXPECT_EQ(cut.status, part < 0.5 ? 2 : 4);
     }
     folder.write("empty.scbrec", bytes.substr(0, 12));
     EXPECT_EQ(run_scb("inspect " + folder / "empty.scbrec").status, 2);
