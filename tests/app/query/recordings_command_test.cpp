@@ -178,7 +178,7 @@ TEST_F(RecordingCommands, OfOneThatBreaksOffWhatStandsBeforeIsJudged) {
         const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
         EXPECT_EQ(cut.out.find("Wrong"), std::string::npos) << cut.out;
         // Of what breaks off before its first tree there is nothing to judge.
-        EXPECT_EQ(cut.status, part < 0.5 ? 2 : 4);
+        EXPECT_EQ(cut.status, part < 0.8 ? 2 : 4);
     }
     folder.write("empty.scbrec", bytes.substr(0, 12));
     EXPECT_EQ(run_scb("inspect " + folder / "empty.scbrec").status, 2);
