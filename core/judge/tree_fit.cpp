@@ -8,6 +8,7 @@
 #include "core/judge/similarity_fit.h"
 #include "core/judge/tree_check.h"
 #include "core/judge/triangle_order.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 namespace {
@@ -32,7 +33,7 @@ class Search {
 
   private:
     bool fits(const std::string& what, const Mesh& mesh, double more = 0) {
-        if (mesh.triangles.size() != mesh_.triangles.size()) return false;
+        if (mesh.triangles.size() != mesh_.triangles.size() || !may_fit(mesh, more)) return false;
         std::uint64_t left = 0;
         for (const TreeProblem& problem :
              check_volumes(tree_, shape_, &mesh, std::max(tolerance_, more)))
@@ -40,6 +41,25 @@ class Search {
         if (10 * left > outside_) return false;
         result_ = TreeFit{what, volumes_ - left, volumes_};
         return true;
+    }
+
+    /// Some leaves tell soon that a mesh does not fit, where a check of all nodes takes seconds.
+    bool may_fit(const Mesh& mesh, double more) const {
+        constexpr std::size_t most_looked = 400;
+        const std::size_t every = shape_.order.size() / most_looked + 1;
+        std::size_t looked = 0, outside = 0;
+        for (std::size_t i = 0; i < shape_.order.size(); i += every) {
+            const std::uint32_t node = shape_.order[i];
+            for (const std::uint32_t item : tree_.items(node)) {
+                if (item >= mesh.triangles.size() || !has_volume(tree_[node].volume)) continue;
+                double most = 0;
+                for (const Vec3& corner : corners(mesh, item))
+                    most = std::max(most, excess(tree_[node].volume, corner));
+                ++looked;
+                outside += most > std::max(tolerance_, more);
+            }
+        }
+        return 4 * outside <= looked;
     }
 
     template <class Map>
