@@ -7,6 +7,7 @@
 #include "app/cli/command_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/explain/explain_report.h"
 #include "app/inspect/recording_pictures.h"
 #include "app/inspect/recording_report.h"
 #include "app/inspect/recording_settings.h"

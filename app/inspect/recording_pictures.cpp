@@ -56,7 +56,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
             if (!shows || !seen.insert(p.fault).second) continue;
             const auto count = static_cast<std::uint64_t>(std::count_if(
                 tree.problems.begin(), tree.problems.end(),
-                [&p](const WatchedProblem& other) { return other.problem.fault == p.fault; }));
+                [&p](const WatchedProblem& each) { return each.problem.fault == p.fault; }));
             problems.push_back({"a fault of the tree",
                                 "tree-" + std::to_string(tree.number),
                                 "",

@@ -123,7 +123,9 @@ TEST(GltfPlain, ReadsSparsePositions) {
 TEST(GltfPlain, RefusesAnAccessorBeyondItsView) {
     for (const auto& [field, value] : {std::pair("count", 4), std::pair("byteOffset", 4)})
         for (const std::size_t type : {5126u, 5125u, 5122u}) {
-            const auto change = [&](json& document) { document["accessors"][0][field] = value; };
+            const auto change = [name = field, number = value](json& document) {
+                document["accessors"][0][name] = number;
+            };
             const std::string positions =
                 type == 5122 ? raws<std::int16_t>({0, 0, 0, 1, 0, 0, 0, 1, 0}) : three_floats;
             expect_in(type == 5125 ? "are not float (KHR_mesh_quantization)"
