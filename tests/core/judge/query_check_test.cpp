@@ -405,7 +405,9 @@ TEST(QueryCheck, AMissedPairWithoutTestsNamesTheNodeThatDoesNotContainIt) {
 }
 
 TEST(QueryCheck, OfATreeWithoutNodesNothingIsKnown) {
-    Rows rows(std::vector<ToldNode>{});
+    Rows rows;
+    rows.trees[0] = NodeTree{};
+    rows.shapes[0] = tree_shape(rows.trees[0], rows.mesh.triangles.size());
     rows.query.events = {{Kind::pair, 0, 0, 0}, {Kind::pair, 0, 1, 1}, {Kind::pair, 0, 2, 2}};
     EXPECT_EQ(rows.problem().cause, PairCause::no_tree);
 }
