@@ -104,12 +104,17 @@ void take_pose(BodyState& body, const Pose& told) {
 Mesh made_finite(Mesh mesh) {
     const auto some = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), is_usable);
     const Vec3 place = some == mesh.vertices.end() ? Vec3(Vec3::Zero()) : *some;
-    for (Triangle& triangle : mesh.triangles)
-        for (const std::uint32_t v : triangle)
-            if (v < mesh.vertices.size() && !is_usable(mesh.vertices[v])) {
-                triangle = {v, v, v};
-                break;
-            }
+    for (Triangle& triangle : mesh.triangles) {
+        // A vertex that there is not is an error, which check_mesh reports.
+        const auto is_known = [&mesh](std::uint32_t v) { return v < mesh.vertices.size(); };
+        if (!std::all_of(triangle.begin(), triangle.end(), is_known)) continue;
+        const auto broken =
+            std::find_if(triangle.begin(), triangle.end(),
+                         [&mesh](std::uint32_t v) { return !is_usable(mesh.vertices[v]); });
+        if (broken == triangle.end()) continue;
+        const std::uint32_t v = *broken;
+        triangle = {v, v, v};
+    }
     for (Vec3& vertex : mesh.vertices)
         if (!is_usable(vertex)) vertex = place;
     return mesh;

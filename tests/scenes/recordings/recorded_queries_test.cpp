@@ -116,6 +116,13 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     EXPECT_EQ(pose_told(nearly).pose_fault, "is not finite");
 }
 
+// A vertex that is not finite must not hide one that there is not.
+TEST(RecordedQueries, RefusesAnIndexBeyondTheVerticesOfATriangleThatIsNotFinite) {
+    ReadSteps read(
+        std::vector<Record>{RecordedMesh{0, "", 8, {NAN, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 99}}});
+    EXPECT_THROW(read.read_all(), InputError);
+}
+
 /// The body of a pose with these columns.
 BodyState body_with(const std::array<double, 9>& columns) {
     std::vector<Record> records = two_balls();
