@@ -13,8 +13,9 @@
 namespace scb::app {
 namespace {
 
-/// The text with "./" in front of each line that GitHub Actions would take for a command. It
-/// passes over blanks, those of Unicode too, and ends lines at carriage returns too.
+/// The text with "./" in front of each line that GitHub Actions would take for a command. GitHub
+/// Actions ignores blanks before a command, also those of Unicode, and a carriage return ends a
+/// line.
 std::string without_commands(std::string_view text) {
     std::string plain;
     while (!text.empty()) {

@@ -26,8 +26,8 @@ struct Console {
 };
 
 /// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed
-/// pipe, a full disk). A line that would begin with "::", as a name from outside may, gets "./" in
-/// front, which leaves the path of a file what it is: GitHub Actions obeys such lines.
+/// pipe, a full disk). A name from outside may begin with "::", which GitHub Actions takes for a
+/// command. Such a line gets "./" in front; a path keeps its meaning.
 void print_result(std::string_view text);
 /// The same for lines that GitHub Actions is to obey.
 void print_github_commands(std::string_view lines);

@@ -50,8 +50,8 @@ struct RecordedPair {
     }
 };
 
-/// Where the list names no frame: that of the query with the most pairs or, where this does not
-/// test the nodes, the first that does.
+/// At the frame that the options name. Without one, at the frame with the most pairs; if the query
+/// there does not test the nodes, at the first frame that does.
 std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
     const std::string& path = options.scene.names[0];
     const auto open = [&](const std::string& frames) {
@@ -308,7 +308,8 @@ ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& optio
     }
     if ((*picture.triangles)[0].triangles.empty() || (*picture.triangles)[1].triangles.empty())
         picture.triangles.reset();
-    picture.name = picture_name(header.scene, volume_file_part(header) + "_explain", named, which);
+    picture.name = picture_name(options.scene.file_stem(header.scene),
+                                volume_file_part(header) + "_explain", named, which);
     const PairNames names = pair_names(header.scene, found.pair);
     picture.title = (names.scene.empty() ? "" : names.scene + " · ") +
                     render::volume_title(header) + " · explain · " + names.nodes;

@@ -51,8 +51,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
             const TreeProblem& p = watched.problem;
             const bool shows = p.node != no_index || p.item != no_index;
             // The other number of a triangle that is not finite is that of its vertex.
-            const std::uint32_t other =
-                p.fault == TreeFault::triangle_broken ? no_index : p.other;
+            const std::uint32_t other = p.fault == TreeFault::triangle_broken ? no_index : p.other;
             if (!shows || !seen.insert(p.fault).second) continue;
             const auto count = static_cast<std::uint64_t>(std::count_if(
                 tree.problems.begin(), tree.problems.end(),

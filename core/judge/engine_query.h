@@ -34,6 +34,7 @@ struct EngineSide {
     const Mesh* mesh = nullptr;
     /// Items are objects, each alone in a leaf, whose volume is all that is known of them.
     bool objects_by_volume = false;
+    int version = 0;  ///< another one whenever anything of this tree, or of its mesh, has changed
 };
 
 /// A query of two trees, as its engine tells of it.

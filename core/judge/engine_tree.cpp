@@ -79,13 +79,7 @@ class EngineTree final : public VolumeTree {
                             all.upper[i] = std::max(all.upper[i], corner[i]);
                         }
             } else if (scb::has_volume(volume)) {
-                const ConvexShape shape = convex_shape(volume);
-                for (int i = 0; i < 3; ++i) {
-                    all.lower[i] = std::min(all.lower[i],
-                                            shape.center[i] - support(shape, Vec3(-Vec3::Unit(i))));
-                    all.upper[i] =
-                        std::max(all.upper[i], shape.center[i] + support(shape, Vec3::Unit(i)));
-                }
+                all.add(box_about(convex_shape(volume)));
             }
         }
         if (!any) return;

@@ -120,7 +120,7 @@ double determinant(const Mat3& map) {
 }
 
 std::optional<double> uniform_scale(const Mat3& map) {
-    const double scale = std::cbrt(std::abs(determinant(map)));
+    const double scale = std::sqrt(squared_norm(Vec3(map.col(0))));
     if (!(scale > 0)) return std::nullopt;
     const Mat3 turn = map / scale, off = turn.transpose() * turn - Mat3::Identity();
     if (!(off.cwiseAbs().maxCoeff() <= right_angle)) return std::nullopt;

@@ -6,11 +6,6 @@
 #include "core/judge/tree_check.h"
 
 namespace scb {
-namespace {
-
-using Kind = EngineEvent::Kind;
-
-}  // namespace
 
 std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
     if (query.self && a > b) std::swap(a, b);
@@ -42,7 +37,7 @@ std::optional<Vec3> MissedPairs::contact_of(IndexPair items) const {
 }
 
 MissedPairs::Way MissedPairs::way_to(std::size_t side, std::uint32_t item,
-                                     const Vec3* contact) const {
+                                     const std::optional<Vec3>& contact) const {
     const EngineSide& of = query_.sides[side];
     Way way;
     double least = HUGE_VAL;
@@ -64,41 +59,42 @@ MissedPairs::Way MissedPairs::way_to(std::size_t side, std::uint32_t item,
     return way;
 }
 
-void MissedPairs::search(const Way& of_a, const Way& of_b, std::uint32_t& rejected,
-                         std::uint32_t& deepest) const {
-    const std::array<const Way*, 2> ways{&of_a, &of_b};
+MissedPairs::Found MissedPairs::search(const Ways& ways) const {
     ++searches_;
     std::array<std::size_t, 2> work{};
     for (std::size_t side = 0; side < 2; ++side)
-        for (const std::uint32_t node : ways[side]->nodes) {
+        for (const std::uint32_t node : ways[side].nodes) {
             mark_[side][node] = searches_;
             work[side] += tests_of_[side][node].size();
         }
     // By the side with fewer tests.
     const std::size_t by = work[0] <= work[1] ? 0 : 1;
-    std::uint32_t most = 0;
-    for (const std::uint32_t node : ways[by]->nodes)
+    Found found;
+    for (const std::uint32_t node : ways[by].nodes)
         for (const std::uint32_t i : tests_of_[by][node]) {
             const JudgedTest& test = tests_[i];
             const std::uint32_t other = by == 0 ? test.nodes.b : test.nodes.a;
             if (mark_[1 - by][other] != searches_) continue;
             if (query_.events[test.event].stage != 0) {
-                rejected = std::min(rejected, i);
+                found.rejected = std::min(found.rejected, i);
                 continue;
             }
             const std::uint32_t depth = query_.sides[0].shape->depths[test.nodes.a] +
                                         query_.sides[1].shape->depths[test.nodes.b];
-            if (deepest != no_index && depth < most) continue;
+            if (found.deepest != no_index && depth < found.depth) continue;
             // Of equally deep ones the first.
-            if (deepest == no_index || depth > most || i < deepest) deepest = i;
-            most = depth;
+            if (found.deepest == no_index || depth > found.depth || i < found.deepest)
+                found.deepest = i;
+            found.depth = depth;
         }
+    return found;
 }
 
 double MissedPairs::outside(std::size_t side, std::uint32_t node, std::uint32_t item) const {
     const EngineSide& of = query_.sides[side];
     const NodeVolume& volume = (*of.tree)[node].volume;
-    if (!has_volume(volume)) return 0;
+    // Of a triangle that is split between leaves, a node need contain a part alone.
+    if (!has_volume(volume) || of.shape->holders_of(item).size() > 1) return 0;
     if (!of.mesh) {
         const NodeVolume* object = of.tree->object_volume(item);
         if (!object) return 0;
@@ -113,7 +109,14 @@ double MissedPairs::outside(std::size_t side, std::uint32_t node, std::uint32_t 
     return most;
 }
 
-PairProblem MissedPairs::cause_of(IndexPair items) {
+MissedPairs::Ways MissedPairs::ways_to(IndexPair items) const {
+    const std::optional<Vec3> of_a = contact_of(items);
+    std::optional<Vec3> of_b;
+    if (of_a) of_b = transform_point(relative_pose(query_.b_to_a, Pose{}), *of_a);
+    return {way_to(0, items.a, of_a), way_to(1, items.b, of_b)};
+}
+
+PairProblem MissedPairs::cause_of(IndexPair items) const {
     PairProblem problem{items};
     const std::array<std::uint32_t, 2> item{items.a, items.b};
     for (std::uint32_t side = 0; side < 2; ++side) {
@@ -128,40 +131,34 @@ PairProblem MissedPairs::cause_of(IndexPair items) {
         }
     }
     problem.side = 0;
-    const std::optional<Vec3> contact = contact_of(items);
-    std::optional<Vec3> of_b = contact;
-    if (contact) {
-        const Pose to_b = relative_pose(query_.b_to_a, Pose{});
-        of_b = transform_point(to_b, *contact);
-    }
-    const std::array<Way, 2> ways{way_to(0, items.a, contact ? &*contact : nullptr),
-                                  way_to(1, items.b, of_b ? &*of_b : nullptr)};
+    Ways ways = ways_to(items);
     if (const auto tested = item_tests_.find(pair_key(query_, items.a, items.b));
         tested != item_tests_.end()) {
         problem.event = tested->second.event;
         problem.test = tested->second.test;
-        const bool meet = query_.events[problem.event].kind == Kind::items_meet;
+        const bool meet = query_.events[problem.event].kind == EngineEvent::Kind::items_meet;
         problem.cause = meet ? PairCause::not_reported : PairCause::items_apart;
         problem.nodes = {number(0, ways[0].leaf), number(1, ways[1].leaf)};
         return problem;
     }
-    std::uint32_t rejected = no_index, deepest = no_index;
-    search(ways[0], ways[1], rejected, deepest);
+    Found found = search(ways);
     // A body against itself may be entered the other way round.
-    std::uint32_t rejected_turned = no_index, deepest_turned = no_index;
-    if (query_.self) search(ways[1], ways[0], rejected_turned, deepest_turned);
-    if (rejected == no_index && deepest == no_index) {
-        rejected = rejected_turned;
-        deepest = deepest_turned;
+    if (query_.self) {
+        const Ways turned = ways_to({items.b, items.a});
+        const Found other = search(turned);
+        if (other.tells_more_than(found)) {
+            found = other;
+            ways = turned;
+            problem.items = {items.b, items.a};
+        }
     }
-    if (rejected != no_index) return rejected_at(problem, rejected);
-    if (deepest == no_index) return untested(problem, ways);
-    const JudgedTest& test = tests_[deepest];
+    if (found.rejected != no_index) return rejected_at(problem, found.rejected);
+    if (found.deepest == no_index) return untested(problem, ways);
+    const JudgedTest& test = tests_[found.deepest];
     problem.event = test.event;
-    problem.test = deepest;
+    problem.test = found.deepest;
     problem.nodes = {number(0, test.nodes.a), number(1, test.nodes.b)};
-    const bool leaf_pair = (test.nodes.a == ways[0].leaf && test.nodes.b == ways[1].leaf) ||
-                           (test.nodes.a == ways[1].leaf && test.nodes.b == ways[0].leaf);
+    const bool leaf_pair = test.nodes.a == ways[0].leaf && test.nodes.b == ways[1].leaf;
     problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
     problem.next = {next_number(0, test.nodes.a, ways[0]), next_number(1, test.nodes.b, ways[1])};
     // Of a test that rejected a node nothing need be recorded.
@@ -169,14 +166,14 @@ PairProblem MissedPairs::cause_of(IndexPair items) {
 }
 
 /// No test of the nodes above the pair was recorded.
-PairProblem MissedPairs::untested(PairProblem problem, const std::array<Way, 2>& ways) const {
+PairProblem MissedPairs::untested(PairProblem problem, const Ways& ways) const {
     problem.cause = tests_.empty() ? PairCause::no_tests : PairCause::never_tested;
     return below_faulty(problem, ways);
 }
 
 /// A node on the way that does not contain its item is enough of a cause, where no test is known:
 /// the problem with that node, or as it is.
-PairProblem MissedPairs::below_faulty(PairProblem problem, const std::array<Way, 2>& ways) const {
+PairProblem MissedPairs::below_faulty(PairProblem problem, const Ways& ways) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::uint32_t item = side == 0 ? problem.items.a : problem.items.b;
         // From the leaf up: the node nearest to the triangle.
@@ -209,8 +206,6 @@ PairProblem MissedPairs::rejected_at(PairProblem problem, std::uint32_t at) cons
             problem.side = side;
             return problem;
         }
-        // Of a triangle that is split between leaves, a node contains a part.
-        if (query_.sides[side].shape->holders_of(item).size() > 1) continue;
         const double amount = outside(side, node, item);
         if (!(amount > problem.amount)) continue;
         problem.cause = PairCause::not_contained;

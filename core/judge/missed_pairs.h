@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -24,23 +26,36 @@ class MissedPairs {
     MissedPairs(const EngineQuery& query, std::span<const JudgedTest> tests,
                 const std::unordered_map<std::uint64_t, ItemTest>& item_tests);
 
-    /// O(depth), and of the tests of the nodes that lead to the pair.
-    PairProblem cause_of(IndexPair items);
+    /// O(depth), and of the tests of the nodes that lead to the pair. Of a body against itself the
+    /// items of the problem may stand the other way round, as the query tested them.
+    PairProblem cause_of(IndexPair items) const;
 
   private:
-    /// The nodes of one side from its root to the leaf that has the item where the pair meets, by
-    /// a mark, and the tests of them.
+    /// The nodes of one side from its root to the leaf that has the item where the pair meets.
     struct Way {
         std::uint32_t leaf = no_index;
         std::vector<std::uint32_t> nodes;
     };
-    Way way_to(std::size_t side, std::uint32_t item, const Vec3* contact) const;
+    using Ways = std::array<Way, 2>;
+    /// Of the tests of a node of both ways, the first that rejected and the deepest that passed.
+    struct Found {
+        std::uint32_t rejected = no_index, deepest = no_index;
+        std::uint32_t depth = 0;  ///< of the latter
+
+        /// A rejection is a cause, and the deeper of two that passed is nearer to one.
+        bool tells_more_than(const Found& other) const {
+            if (rejected != other.rejected) return rejected < other.rejected;
+            if (deepest == no_index || other.deepest == no_index) return deepest < other.deepest;
+            return depth > other.depth;
+        }
+    };
+
     std::optional<Vec3> contact_of(IndexPair items) const;
-    /// The tests of a node of both ways: the first that rejected, and the deepest that passed.
-    void search(const Way& of_a, const Way& of_b, std::uint32_t& rejected,
-                std::uint32_t& deepest) const;
-    PairProblem untested(PairProblem problem, const std::array<Way, 2>& ways) const;
-    PairProblem below_faulty(PairProblem problem, const std::array<Way, 2>& ways) const;
+    Way way_to(std::size_t side, std::uint32_t item, const std::optional<Vec3>& contact) const;
+    Ways ways_to(IndexPair items) const;
+    Found search(const Ways& ways) const;
+    PairProblem untested(PairProblem problem, const Ways& ways) const;
+    PairProblem below_faulty(PairProblem problem, const Ways& ways) const;
     PairProblem rejected_at(PairProblem problem, std::uint32_t at) const;
     std::uint32_t next_number(std::size_t side, std::uint32_t node, const Way& way) const;
     /// How far the item is outside of the node, where that is more than the tolerance; else 0.

@@ -255,6 +255,15 @@ ConvexShape convex_shape(const NodeVolume& volume) {
     return std::visit([](const auto& v) { return shape(v); }, volume);
 }
 
+Box box_about(const ConvexShape& shape) {
+    Box box;
+    for (int i = 0; i < 3; ++i) {
+        box.lower[i] = shape.center[i] - support(shape, Vec3(-Vec3::Unit(i)));
+        box.upper[i] = shape.center[i] + support(shape, Vec3::Unit(i));
+    }
+    return box;
+}
+
 namespace {
 
 bool has_slab_beside_center(const NodeVolume& volume) {
@@ -267,13 +276,10 @@ bool has_slab_beside_center(const NodeVolume& volume) {
 /// end: beyond that volume's extents, `to_box` being that volume's pose in the box's frame.
 Obb cut_about(const OpenBox& box, const ConvexShape& other, const Pose& to_box) {
     const ConvexShape seen = placed(other, to_box);
-    Vec3 lower, upper;
-    for (int i = 0; i < 3; ++i) {
-        lower[i] = seen.center[i] - support(seen, Vec3(-Vec3::Unit(i)));
-        upper[i] = seen.center[i] + support(seen, Vec3::Unit(i));
-    }
-    const double beyond = (upper - lower).maxCoeff() + std::sqrt(squared_norm(seen.center)) + 1;
-    return cut_box(box, lower.array() - beyond, upper.array() + beyond);
+    const Box about = box_about(seen);
+    const double beyond =
+        (about.upper - about.lower).maxCoeff() + std::sqrt(squared_norm(seen.center)) + 1;
+    return cut_box(box, about.lower.array() - beyond, about.upper.array() + beyond);
 }
 
 double finite_reach(const OpenBox& box) {

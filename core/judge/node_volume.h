@@ -10,6 +10,7 @@
 #include "core/explain/contact_certificate.h"
 #include "core/volumes/convex_shape.h"
 #include "scb/capsule.h"
+#include "scb/mesh.h"
 #include "scb/rss.h"
 
 namespace scb {
@@ -53,6 +54,9 @@ double excess(const NodeVolume& volume, const Vec3& point);
 /// The same volume by its farthest points; an open box ends at max_coordinate, and has the faces
 /// of its finite sides.
 ConvexShape convex_shape(const NodeVolume& volume);
+
+/// The box along the axes about it.
+Box box_about(const ConvexShape& shape);
 
 /// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
 /// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,

@@ -18,13 +18,9 @@ std::vector<Extent> extents(const EngineSide& side, const Pose& to_a, double tol
     for (std::uint32_t object = 0; object < side.shape->holder.size(); ++object) {
         const NodeVolume* volume = volume_of_object(side, object);
         if (!volume || !has_volume(*volume)) continue;
-        const ConvexShape shape = placed(convex_shape(*volume), to_a);
-        Extent extent{object, volume, Vec3::Zero(), Vec3::Zero()};
-        for (int k = 0; k < 3; ++k) {
-            extent.lower[k] = shape.center[k] - support(shape, Vec3(-Vec3::Unit(k))) - tolerance;
-            extent.upper[k] = shape.center[k] + support(shape, Vec3::Unit(k)) + tolerance;
-        }
-        result.push_back(extent);
+        const Box box = box_about(placed(convex_shape(*volume), to_a));
+        result.push_back(
+            {object, volume, box.lower.array() - tolerance, box.upper.array() + tolerance});
     }
     std::sort(result.begin(), result.end(), [](const Extent& x, const Extent& y) {
         return std::pair(x.lower[0], x.object) < std::pair(y.lower[0], y.object);

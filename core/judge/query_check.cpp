@@ -170,7 +170,6 @@ class Judge {
             const ContactCertificate found = certificate_of(query_, query_.b_to_a, test.nodes);
             test.verdict = verdict_of(found, event.stage);
             test.margin = found.margin;
-            result_.touching += found.contact == Contact::touching;
         }
         const TestLinks::Link link = links_.take_volumes(test.nodes, event.stage == 0);
         test.parent = link.led_by;

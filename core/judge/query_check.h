@@ -109,7 +109,6 @@ struct QueryJudgement {
     std::uint64_t without_results = 0;
     std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
     std::uint64_t broken = 0;        ///< reported, of triangles that are not finite: not judged
-    std::uint64_t touching = 0;      ///< tests of volumes that are within the tolerance
     DivisionCounts divisions;        ///< of a complete query
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
     /// Pairs that were not reported, beyond the first 100,000: whether they only touch, and why

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/text_format.h"
+#include "core/base/trigonometry.h"
 
 namespace scb {
 namespace {
@@ -35,11 +36,9 @@ Mat3 rotation_of(const Vec4& q) {
     return m;
 }
 
-/// The rotation by |v| about v.
-Mat3 rotation_by(const Vec3& v) {
-    const double half = std::sqrt(squared_norm(v)) / 2;
-    const double share = half > 1e-12 ? std::sin(half) / (2 * half) : 0.5;
-    Vec4 q(std::cos(half), share * v[0], share * v[1], share * v[2]);
+/// A rotation about v, for small v by |v|.
+Mat3 rotation_near(const Vec3& v) {
+    const Vec4 q(1, v[0] / 2, v[1] / 2, v[2] / 2);
     return rotation_of(q / q.norm());
 }
 
@@ -143,7 +142,7 @@ class Fit {
         for (int i = 0; i < 7; ++i) normal(i, i) *= 1 + 1e-12;
         const Vec7 step = normal.ldlt().solve(right);
         if (!step.allFinite()) return false;
-        map.rotation = rotation_by(step.head<3>()) * map.rotation;
+        map.rotation = rotation_near(step.head<3>()) * map.rotation;
         map.scale *= 1 + std::clamp(step[3], -0.5, 0.5);
         map.shift += step.tail<3>();
         return step.head<4>().cwiseAbs().maxCoeff() > 1e-15;
@@ -173,7 +172,9 @@ std::string words_of(const Similarity& map, double reach, double tolerance) {
     const Mat3& m = map.rotation;
     Vec3 axis(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
     const double sine = std::sqrt(squared_norm(axis)) / 2,
-                 cosine = (m(0, 0) + m(1, 1) + m(2, 2) - 1) / 2, angle = std::atan2(sine, cosine);
+                 cosine = (m(0, 0) + m(1, 1) + m(2, 2) - 1) / 2,
+                 acute = arc_tangent(sine, std::abs(cosine)),
+                 angle = cosine < 0 ? std::numbers::pi - acute : acute;
     if (angle * reach > tolerance) {
         if (sine > 1e-9) axis /= 2 * sine;
         // By half a turn: the column of R + I with the longest side.

@@ -25,7 +25,7 @@ class Search {
 
     std::optional<TreeFit> found(std::span<const OtherMesh> others) {
         for (const OtherMesh& other : others)
-            if (fits(other.what, other.mesh)) return result_;
+            if (fits(other.what, other.mesh())) return result_;
         if (outside_ < 8 || 4 * outside_ < volumes_) return std::nullopt;
         if (try_axes() || try_bounds() || try_order() || try_similarity()) return result_;
         return std::nullopt;
@@ -91,16 +91,11 @@ class Search {
 
     /// All volumes end where one box ends, and vertices are beyond it.
     bool try_bounds() {
-        Vec3 lower = Vec3::Constant(HUGE_VAL), upper = -lower;
-        for (const std::uint32_t node : shape_.order) {
-            if (!has_volume(tree_[node].volume)) continue;
-            const ConvexShape volume = convex_shape(tree_[node].volume);
-            for (int i = 0; i < 3; ++i) {
-                lower[i] =
-                    std::min(lower[i], volume.center[i] - support(volume, Vec3(-Vec3::Unit(i))));
-                upper[i] = std::max(upper[i], volume.center[i] + support(volume, Vec3::Unit(i)));
-            }
-        }
+        Box all;
+        for (const std::uint32_t node : shape_.order)
+            if (has_volume(tree_[node].volume))
+                all.add(box_about(convex_shape(tree_[node].volume)));
+        const Vec3 &lower = all.lower, &upper = all.upper;
         const Box box = bounding_box(mesh_);
         std::string sides;
         for (int i = 0; i < 3; ++i) {

@@ -21,7 +21,7 @@ struct TreeFit {
 /// Another mesh of as many triangles that the tree may be of, and what it is called.
 struct OtherMesh {
     std::string what;
-    Mesh mesh;
+    std::function<Mesh()> mesh;  ///< made where the ones before it do not fit
 };
 
 /// Looks for one change of the mesh that explains why nodes do not contain what is below them:

@@ -23,13 +23,9 @@ class Order {
         for (const std::uint32_t node : shape.order) {
             if (tree.items(node).empty()) continue;
             if (!has_volume(tree[node].volume)) return;
-            const ConvexShape volume = convex_shape(tree[node].volume);
-            Leaf leaf{Vec3::Zero(), Vec3::Zero(), tree.items(node).size(), {}, {}};
+            const Box box = box_about(convex_shape(tree[node].volume));
+            Leaf leaf{box.lower, box.upper, tree.items(node).size(), {}, {}};
             leaf.items.assign(tree.items(node).begin(), tree.items(node).end());
-            for (int i = 0; i < 3; ++i) {
-                leaf.lower[i] = volume.center[i] - support(volume, Vec3(-Vec3::Unit(i)));
-                leaf.upper[i] = volume.center[i] + support(volume, Vec3::Unit(i));
-            }
             leaves_.push_back(std::move(leaf));
         }
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());

@@ -94,8 +94,7 @@ std::string words_of(const EngineQuery& query, const PairProblem& problem, std::
         words += "; " + of_node + " has a volume that is none";
     if (problem.cause == PairCause::never_visited) {
         std::string next;
-        if (problem.next.a != no_index)
-            next = "node " + std::to_string(problem.next.a) + " of A";
+        if (problem.next.a != no_index) next = "node " + std::to_string(problem.next.a) + " of A";
         if (problem.next.b != no_index)
             next += (next.empty() ? "node " : ", to node ") + std::to_string(problem.next.b) +
                     " of B" + (next.empty() ? "" : ", or to both");

@@ -18,14 +18,13 @@ class QueryCosts {
                                    const std::vector<TreeJudgement>& judged) const;
 
   private:
-    /// Known as long as the tree, which may be a stretched one, has this version.
+    /// Known as long as the side is of this tree and version.
     struct TightOfBody {
         const NodeTree* tree = nullptr;
         int version = -1;
         TightBoxes boxes;
     };
-    const TightBoxes& tight_of(const RecordedQueries& recording, std::uint32_t body,
-                               const EngineSide& side);
+    const TightBoxes& tight_of(std::uint32_t body, const EngineSide& side);
 
     std::map<std::uint32_t, CostFinding> loose_;  ///< by tree
     std::map<std::uint32_t, TightOfBody> tight_;  ///< by body

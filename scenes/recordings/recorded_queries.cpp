@@ -28,13 +28,6 @@ constexpr std::size_t most_oddities = 20;
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
 /// Where a body stands, each coordinate is rounded once: of this share of the lengths above.
 constexpr double placing_share = 0.125;
-/// A pose that is nearer to rigid is one, of 64 bits.
-constexpr double double_defect = 1e-12;
-/// A pose that is farther from rigid stretches its body: see rigidity_defect.
-constexpr double most_defect = 1e-4;
-/// A pose that makes a length so much shorter than another one is none.
-constexpr double most_flat = 1e-9;
-
 /// A number that says that its engine computes in 32 bits: one that takes most of these. Whole
 /// numbers and short fractions do not.
 bool is_long(double value) {
@@ -46,58 +39,6 @@ bool is_long(double value) {
 
 bool is_of_32_bits(double value) {
     return static_cast<double>(static_cast<float>(value)) == value || !std::isfinite(value);
-}
-
-/// The rotation nearly at hand, rigid to the last bits: columns made unit vectors at right angles,
-/// the first kept.
-Pose made_rigid(Pose pose) {
-    Vec3 x = pose.rotation.col(0), y = pose.rotation.col(1);
-    x /= std::sqrt(squared_norm(x));
-    y -= dot(x, y) * x;
-    y /= std::sqrt(squared_norm(y));
-    pose.rotation.col(0) = x;
-    pose.rotation.col(1) = y;
-    pose.rotation.col(2) = cross(x, y);
-    return pose;
-}
-
-/// The pose as a rigid one after a stretch of the body: along the body's axes where its columns are
-/// at right angles, else of the body as it stands in the world.
-void take_pose(BodyState& body, const Pose& told) {
-    body.stretch = Mat3::Identity();
-    body.defect = 0;
-    body.pose_fault.clear();
-    body.pose = {Mat3::Identity(), told.translation};
-    body.is_finite = told.rotation.allFinite() && is_usable(told.translation);
-    if (!body.is_finite) {
-        body.pose = Pose{};
-        body.pose_fault = "is not finite";
-        return;
-    }
-    Vec3 lengths;
-    for (int i = 0; i < 3; ++i) lengths[i] = std::sqrt(squared_norm(Vec3(told.rotation.col(i))));
-    Pose rigid = told;
-    double defect = rigidity_defect(told);
-    if (!(defect <= most_defect)) {
-        Vec3 scales = lengths;
-        if (determinant(told.rotation) < 0) scales[0] = -scales[0];
-        // Equal up to the engine's rounding: one scale.
-        if ((scales.cwiseAbs().array() - lengths[0]).abs().maxCoeff() <= most_defect * lengths[0])
-            scales = scales.cwiseSign() * lengths[0];
-        for (int i = 0; i < 3; ++i) rigid.rotation.col(i) /= scales[i];
-        defect = rigidity_defect(rigid);
-        if (!(std::abs(determinant(told.rotation)) > most_flat * std::pow(lengths.maxCoeff(), 3))) {
-            body.pose_fault = "makes the body flat";
-            return;
-        }
-        if (!(defect <= most_defect)) {
-            body.stretch = told.rotation;
-            return;
-        }
-        body.stretch = Mat3(scales.asDiagonal());
-    }
-    body.defect = defect;
-    body.pose = defect > double_defect ? made_rigid(rigid) : rigid;
 }
 
 /// See MeshState::finite.
@@ -171,20 +112,6 @@ std::optional<std::uint32_t> tree_told_by(const Record& record) {
 }
 
 }  // namespace
-
-std::string stretch_words(const Mat3& stretch) {
-    if (!stretch.isDiagonal()) return "sheared";
-    const Vec3 scales = stretch.diagonal().cwiseAbs();
-    std::string words;
-    if (scales[0] == scales[1] && scales[0] == scales[2]) {
-        if (scales[0] != 1) words = "scaled by " + format("%.6g", scales[0]);
-    } else {
-        words = format("scaled by %.6g, ", scales[0]) + format("%.6g and ", scales[1]) +
-                format("%.6g", scales[2]);
-    }
-    if (determinant(stretch) < 0) words += words.empty() ? "mirrored" : " and mirrored";
-    return words;
-}
 
 RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     RecordingSummary summary;
@@ -405,7 +332,7 @@ void RecordedQueries::take(const RecordedFrame& frame) {
 
 void RecordedQueries::take(const RecordedPose& pose) {
     BodyState& body = known(bodies_, pose.body, "body");
-    take_pose(body, pose_of(pose.rows));
+    static_cast<BodyPose&>(body) = body_pose(pose_of(pose.rows));
     body.has_single_pose = std::all_of(pose.rows.begin(), pose.rows.end(), is_of_32_bits) &&
                            std::any_of(pose.rows.begin(), pose.rows.end(), is_long);
     body.placed = true;
@@ -528,7 +455,8 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
         state.single_objects = has_single_objects(state.tree, state.shape);
         state.whole = true;
     }
-    return {&state.tree, &state.shape, of, state.mesh == record_none && state.single_objects};
+    return {&state.tree, &state.shape, of, state.mesh == record_none && state.single_objects,
+            state.volume_version};
 }
 
 const StretchedBody& RecordedQueries::stretched(std::uint32_t number) {
@@ -538,6 +466,7 @@ const StretchedBody& RecordedQueries::stretched(std::uint32_t number) {
     if (made.volume_version == tree.volume_version && made.stretch == body.stretch) return made;
     made.stretch = body.stretch;
     made.volume_version = tree.volume_version;
+    ++made.version;
     made.tree = mapped(tree.tree, body.stretch);
     made.mesh = made.finite = nullptr;
     if (const auto mesh = meshes_.find(tree.mesh); mesh != meshes_.end()) {
@@ -557,6 +486,7 @@ EngineSide RecordedQueries::side_of_body(std::uint32_t number) {
     const StretchedBody& made = stretched(number);
     side.tree = &made.tree;
     side.mesh = made.mesh.get();
+    side.version = made.version;
     return side;
 }
 

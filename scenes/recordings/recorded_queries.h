@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/judge/engine_query.h"
+#include "scenes/recordings/body_pose.h"
 #include "scenes/recordings/recording_file.h"
 
 namespace scb::scenes {
@@ -50,28 +51,19 @@ struct TreeState {
     double reach = 0;             ///< the largest of these
 };
 
-struct BodyState {
+struct BodyState : BodyPose {
     std::string name;
     std::uint32_t tree = 0;
-    /// From the body to the world, after `stretch`: rigid.
-    Pose pose;
-    Mat3 stretch = Mat3::Identity();  ///< scales, mirrors or shears the body in its own frame
-    double defect = 0;                ///< how far the pose that was told is from these two
-    std::string pose_fault;           ///< why there is none: "is not finite"; empty: there is one
-    bool is_finite = true;            ///< the pose
-    std::optional<Pose> last;         ///< that of the frame before, where there is one
-    bool placed = false;              ///< a pose was told
-    bool has_single_pose = false;     ///< its numbers are such of 32 bits
-
-    bool is_stretched() const { return stretch != Mat3::Identity(); }
+    std::optional<Pose> last;      ///< the pose of the frame before, where there is one
+    bool placed = false;           ///< a pose was told
+    bool has_single_pose = false;  ///< its numbers are such of 32 bits
 };
-/// "scaled by 2", "mirrored", "scaled by 1, 2 and 3", "sheared": the stretch of a body.
-std::string stretch_words(const Mat3& stretch);
 
 /// The tree and the mesh of a body whose pose stretches it.
 struct StretchedBody {
     Mat3 stretch = Mat3::Identity();
     int volume_version = -1;  ///< of the tree that it was made of
+    int version = 0;          ///< counts how often it was made
     NodeTree tree;
     std::shared_ptr<const Mesh> mesh, finite;  ///< nullptr: items are no triangles
 };

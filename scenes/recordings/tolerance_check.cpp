@@ -28,7 +28,7 @@ void ToleranceCheck::take(const RecordedQueries& recording, const EngineQuery& q
     tolerance.single |= query.single;
     const auto bodies = recording.query_bodies();
     for (std::size_t side = 0; side < 2; ++side) {
-        const double size = size_of_items(recording, bodies[side], query.sides[side]);
+        const double size = size_of_items(bodies[side], query.sides[side]);
         const bool has_mesh = query.sides[side].mesh;
         const double within = has_mesh ? query.triangle_tolerance : query.tolerance;
         if (!(size > 0) || within < size) continue;
@@ -46,22 +46,19 @@ void ToleranceCheck::take(const RecordedQueries& recording, const EngineQuery& q
 }
 
 /// Half of the triangles, or of the volumes of leaves, of a body are smaller.
-double ToleranceCheck::size_of_items(const RecordedQueries& recording, std::uint32_t body,
-                                     const EngineSide& side) {
-    const int version =
-        recording.trees().at(recording.bodies().at(body).tree).volume_version;
+double ToleranceCheck::size_of_items(std::uint32_t body, const EngineSide& side) {
     SizeOfItems& known = sizes_[body];
-    if (known.tree == side.tree && known.version == version) return known.size;
+    if (known.tree == side.tree && known.version == side.version) return known.size;
     known.tree = side.tree;
-    known.version = version;
+    known.version = side.version;
     std::vector<double> sizes;
     if (side.mesh) {
         for (std::uint32_t i = 0; i < side.mesh->triangles.size(); ++i) {
             if (!has_finite_corners(*side.mesh, i)) continue;
             const TriangleCorners t = corners(*side.mesh, i);
-            sizes.push_back(std::sqrt(std::max({squared_norm(Vec3(t[1] - t[0])),
-                                                squared_norm(Vec3(t[2] - t[1])),
-                                                squared_norm(Vec3(t[0] - t[2]))})));
+            sizes.push_back(std::sqrt(
+                std::max({squared_norm(Vec3(t[1] - t[0])), squared_norm(Vec3(t[2] - t[1])),
+                          squared_norm(Vec3(t[0] - t[2]))})));
         }
     } else {
         for (const std::uint32_t node : side.shape->order)

@@ -23,8 +23,7 @@ class ToleranceCheck {
         int version = -1;
         double size = 0;
     };
-    double size_of_items(const RecordedQueries& recording, std::uint32_t body,
-                         const EngineSide& side);
+    double size_of_items(std::uint32_t body, const EngineSide& side);
 
     std::uint64_t hidden_ = 0;
     std::string hidden_why_;

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 
+#include "core/judge/mapped_volume.h"
+
 namespace scb::scenes {
 
-void TreeJudge::look(std::uint32_t number,
-                     const std::map<std::uint32_t, std::string>& body_names) {
+void TreeJudge::look(std::uint32_t number, const std::map<std::uint32_t, std::string>& body_names) {
     TreeWatch& watch = watches_[number];
     if (recording_.unfinished_tree() == number) return;
     const EngineSide side = recording_.side_of(number);
     const TreeState& tree = recording_.trees().at(number);
     watch.look(recording_.frame(),
-               {*side.tree, *side.shape, side.mesh, recording_.tolerance_of(tree),
-                tree.version, tree.volume_version});
+               {*side.tree, *side.shape, side.mesh, recording_.tolerance_of(tree), tree.version,
+                tree.volume_version});
     const auto mesh = recording_.meshes().find(tree.mesh);
     if (mesh == recording_.meshes().end()) return;
     keep_mesh(tree.mesh, mesh->second);
@@ -31,14 +32,12 @@ void TreeJudge::keep_mesh(std::uint32_t number, const MeshState& mesh) {
 /// One change that explains why nodes do not contain what is below them: at the frame with the
 /// most of them, but not in each of many frames.
 void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const MeshState& mesh,
-                         double tolerance,
-                         const std::map<std::uint32_t, std::string>& body_names) {
+                         double tolerance, const std::map<std::uint32_t, std::string>& body_names) {
     const TreeWatch& watch = watches_[number];
     TreeFitting& fitting = fits_[number];
     constexpr int most_tries = 3;
-    if (watch.most_outside() == 0 || watch.most_outside_at() != recording_.frame() ||
-        fitting.fit || fitting.tries >= most_tries ||
-        watch.most_outside() < 2 * fitting.outside)
+    if (watch.most_outside() == 0 || watch.most_outside_at() != recording_.frame() || fitting.fit ||
+        fitting.tries >= most_tries || watch.most_outside() < 2 * fitting.outside)
         return;
     ++fitting.tries;
     fitting.outside = watch.most_outside();
@@ -47,23 +46,25 @@ void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const Mes
     const std::deque<EarlierMesh>& kept = earlier_[recording_.trees().at(number).mesh];
     for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier)
         if (earlier->mesh != mesh.finite)
-            others.push_back(
-                {"the mesh of frame " + std::to_string(earlier->frame), *earlier->mesh});
+            others.push_back({"the mesh of frame " + std::to_string(earlier->frame),
+                              [of = earlier->mesh] { return *of; }});
+    // Of many bodies of one tree, some are enough.
+    constexpr std::size_t most_bodies = 4;
+    std::size_t tried = 0;
     for (const auto& [body_number, body] : recording_.bodies()) {
         if (body.tree != number || !body.placed || !body.pose_fault.empty()) continue;
-        const auto in_world = [&, stretch = body.stretch](const Pose& pose) {
-            Mesh placed = *mesh.finite;
-            for (Vec3& vertex : placed.vertices)
-                vertex = transform_point(pose, rotate(stretch, vertex));
+        if (tried++ == most_bodies) break;
+        const auto in_world = [&mesh, stretch = body.stretch](const Pose& pose) {
+            Mesh placed = mapped(*mesh.finite, stretch);
+            for (Vec3& vertex : placed.vertices) vertex = transform_point(pose, vertex);
             return placed;
         };
-        const std::string of = " of " + body_names.at(body_number);
-        others.push_back({"the pose" + of + ", as of volumes in the world",
-                          in_world(body.pose)});
+        const std::string of = "the pose of " + body_names.at(body_number),
+                          world = ", as of volumes in the world";
+        others.push_back({of + world, [in_world, pose = body.pose] { return in_world(pose); }});
         if (body.last)
-            others.push_back({"the pose" + of + " in the frame before, as of volumes in the "
-                                                "world",
-                              in_world(*body.last)});
+            others.push_back({of + " in the frame before" + world,
+                              [in_world, pose = *body.last] { return in_world(pose); }});
     }
     fitting.fit = find_tree_fit(*side.tree, *side.shape, *mesh.finite, tolerance,
                                 watch.most_outside(), others);

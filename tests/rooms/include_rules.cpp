@@ -31,7 +31,7 @@ const std::map<std::string, Floors> rooms = {
       {"shards"},
       {"query", "reference"},
       {"pictures", "config"},
-      {"timing", "explain"},
+      {"timing", "explain", "merge"},
       {"view"},
       {"golden"},
       {"inspect"}}},

@@ -404,6 +404,35 @@ TEST(QueryCheck, AMissedPairWithoutTestsNamesTheNodeThatDoesNotContainIt) {
     EXPECT_NEAR(problem.amount, 0.25, 1e-12);
 }
 
+// Node 4 has the part of triangle 0 that node 3 does not have; neither contains all of it.
+TEST(QueryCheck, APartOfASplitTriangleIsNoCauseOfAMissedPair) {
+    auto nodes = nodes_of_row();
+    nodes[3].volume = box_between(Vec3(0, 0, 0), Vec3(0.25, 0.5, 0));
+    nodes[4].volume = box_between(Vec3(0.25, 0, 0), Vec3(1.5, 0.5, 0));
+    nodes[4].items = {1, 0};
+    Rows rows(nodes);
+    rows.query.events.clear();
+    for (const std::uint32_t i : {1u, 2u, 3u}) rows.query.events.push_back({Kind::pair, 0, i, i});
+    EXPECT_EQ(rows.problem().cause, PairCause::no_tests);
+}
+
+// A body against itself: the first of two nodes may have the second triangle.
+TEST(QueryCheck, ARejectionTheOtherWayRoundIsFound) {
+    Rows rows;
+    rows.query.self = true;
+    rows.query.sides[1] = rows.query.sides[0];
+    rows.query.b_to_a = Pose{};
+    // Triangle 2 stands in triangle 0.
+    for (std::uint32_t i = 6; i < 9; ++i)
+        rows.mesh.vertices[i] = Vec3(0.1 + 0.1 * (i % 3), 0.1, i == 7 ? 1 : -1);
+    rows.query.events = {{Kind::volumes, 0, 0, 0}, {Kind::volumes, 5, 2, 1}};
+    const std::vector<IndexPair> contacts = {{0, 2}};
+    const QueryJudgement judged = judge_query(rows.query, contacts);
+    ASSERT_EQ(judged.pairs.size(), 1u);
+    EXPECT_EQ(judged.pairs[0].test, 1u);
+    EXPECT_EQ(judged.pairs[0].nodes, (IndexPair{2, 1}));
+}
+
 TEST(QueryCheck, OfATreeWithoutNodesNothingIsKnown) {
     Rows rows;
     rows.trees[0] = NodeTree{};

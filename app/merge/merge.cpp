@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/merge/shard_words.h"
 #include "app/pictures/video_options.h"
 #include "app/shards/shard_file.h"
-#include "app/shards/shard_words.h"
 #include "scb/error.h"
 
 namespace scb::app {

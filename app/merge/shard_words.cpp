@@ -1,4 +1,4 @@
-#include "app/shards/shard_words.h"
+#include "app/merge/shard_words.h"
 
 #include <algorithm>
 
