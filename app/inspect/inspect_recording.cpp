@@ -1,6 +1,7 @@
 #include "app/inspect/inspect_recording.h"
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -13,7 +14,6 @@
 #include "app/inspect/recording_settings.h"
 #include "core/base/exit_status.h"
 #include "scb/error.h"
-#include "scenes/recordings/recording_input.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
@@ -22,15 +22,13 @@ namespace scb::app {
 int inspect_recording(InspectOptions& options, const Console& console) {
     const std::string& path = options.scene.names[0];
     options.check();
-    std::string bytes = scenes::recording_bytes(path);
-    const std::vector<int> all = scenes::summary_of(bytes, path).frames;
-    const std::vector<int> frames =
-        scenes::frames_among(all, options.query.frames, path, "a recording may have");
+    const auto file = std::make_shared<const scenes::RecordingFile>(path);
+    const std::vector<int> frames = scenes::frames_among(file->summary.frames, options.query.frames,
+                                                         path, "a recording may have");
     const InterruptWatch watch;
     Progress progress(console, frames.size());
     const scenes::RecordingJudgement judged = scenes::judge_recording(
-        bytes, path,
-        [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
+        *file, [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
         [&](bool frame) {
             if (frame) progress.step("frames");
             return watch.signal() == 0;
@@ -39,13 +37,19 @@ int inspect_recording(InspectOptions& options, const Console& console) {
         throw InputError(path + ": it has no trees and no queries, so there is nothing to judge." +
                          (judged.damage.empty() ? "" : " " + judged.damage));
     if (options.time) console.note("scb: --time has no effect on the recording of another engine.");
+    std::shared_ptr<const scenes::Recording> recording;
+    const auto contents = [&] {
+        if (!recording)
+            recording = std::make_shared<const scenes::Recording>(scenes::read_recording(file));
+        return recording;
+    };
     // What is wrong comes first: queries that miss contacts are no measure of others.
     std::optional<RecordingSettings> settings;
     std::string no_settings;
     if (watch.signal() == 0 && !judged.wrong()) {
         try {
-            settings = recording_settings(path, options.query.bodies, options.query.frames, console,
-                                          watch);
+            settings = recording_settings(contents(), options.query.bodies, options.query.frames,
+                                          console, watch);
         } catch (const InputError& error) {
             no_settings = error.what();
         }
@@ -54,9 +58,9 @@ int inspect_recording(InspectOptions& options, const Console& console) {
     std::optional<PictureRun> pictures;
     if (options.draws() && watch.signal() == 0) {
         pictures.emplace(options.picture, scenes::file_name_of(judged.engine));
-        drawn = draw_problems(*pictures, options.picture, std::move(bytes), path, judged);
+        drawn = draw_problems(*pictures, options.picture, *contents(), judged);
         for (ProblemPicture& picture :
-             draw_waste(*pictures, options.picture, path, options.query.bodies, judged))
+             draw_waste(*pictures, options.picture, contents(), options.query.bodies, judged))
             drawn.push_back(std::move(picture));
     }
     std::string text;

@@ -132,13 +132,12 @@ render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFr
 }  // namespace
 
 std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
-                                          std::string bytes, const std::string& path,
+                                          const scenes::Recording& recording,
                                           const scenes::RecordingJudgement& judged) {
     const std::vector<Problem> problems = problems_of(judged);
     if (problems.empty()) return {};
-    const scenes::Recording recording = scenes::read_recording(std::move(bytes), path);
     SceneOptions of_file;
-    of_file.names = {path};
+    of_file.names = {recording.file->path};
     const std::string stem = of_file.file_stem(recording.scene.name);
     std::vector<ProblemPicture> drawn;
     std::optional<scenes::RecordedBodies> at_frame;
@@ -202,7 +201,8 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
 }
 
 std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOptions& options,
-                                       const std::string& path, const std::string& bodies,
+                                       std::shared_ptr<const scenes::Recording> recording,
+                                       const std::string& bodies,
                                        const scenes::RecordingJudgement& judged) {
     const auto worst =
         std::max_element(judged.frames.begin(), judged.frames.end(),
@@ -210,12 +210,12 @@ std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOption
     if (worst == judged.frames.end() || worst->wasted == 0) return {};
     QueryViewOptions of_view;
     of_view.picture = options;
-    of_view.scene.names = {path};
+    of_view.scene.names = {recording->file->path};
     of_view.query.bodies = bodies;
     of_view.query.frames = std::to_string(worst->frame);
     QuerySources sources;
     try {
-        sources.emplace_back(of_view.scene, of_view.hierarchy, of_view.query, of_view.limits, true);
+        sources.emplace_back(std::move(recording), of_view.query);
     } catch (const InputError&) {
         return {};  // there is a choice
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,16 +16,16 @@ struct ProblemPicture {
 };
 
 /// Draws the first of each kind of problem: of trees, of tests, missed pairs and false pairs.
-/// `bytes` are the recording's.
 /// Throws InputError, OutputError.
 std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOptions& options,
-                                          std::string bytes, const std::string& path,
+                                          const scenes::Recording& recording,
                                           const scenes::RecordingJudgement& judged);
 
 /// Draws where the tests were wasted in the frame with the most waste. Nothing where the recording
 /// has queries of several pairs of bodies of which `bodies` names none, objects, or no tests.
 std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOptions& options,
-                                       const std::string& path, const std::string& bodies,
+                                       std::shared_ptr<const scenes::Recording> recording,
+                                       const std::string& bodies,
                                        const scenes::RecordingJudgement& judged);
 
 }  // namespace scb::app

@@ -40,18 +40,17 @@ std::string counts_text(const Work& counts, const Work& of) {
 
 }  // namespace
 
-std::optional<RecordingSettings> recording_settings(const std::string& path,
-                                                    const std::string& bodies,
-                                                    const std::string& frames,
-                                                    const Console& console,
-                                                    const InterruptWatch& watch) {
-    scenes::RecordedTrace recorded(path, bodies, frames);
+std::optional<RecordingSettings> recording_settings(
+    std::shared_ptr<const scenes::Recording> of_file, const std::string& bodies,
+    const std::string& frames, const Console& console, const InterruptWatch& watch) {
+    const scenes::Recording& recording = *of_file;
+    const std::string& path = recording.file->path;
+    scenes::RecordedTrace recorded(std::move(of_file), bodies, frames);
     const TraceHeader& header = recorded.header();
     if (header.engine->objects)
         throw InputError(path + ": its items are objects without triangles.");
     if (recorded.sides()[0] == recorded.sides()[1])
         throw InputError(path + ": its queries are of a body against itself.");
-    const scenes::Recording& recording = recorded.recording();
     if (!recording.refusal.empty() && !recording.changes_meshes)
         throw InputError(recording.refusal);
     Work all;

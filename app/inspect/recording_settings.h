@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
 #include "app/timing/tune_run.h"
+#include "scenes/recordings/recording.h"
 
 namespace scb::app {
 
@@ -22,11 +24,9 @@ struct RecordingSettings {
 /// many as take seconds. Nothing where it was ended. Throws InputError where there is nothing to be
 /// compared: objects without meshes, meshes that change, a body against itself, several pairs of
 /// bodies of which `bodies` names none, or no tests of volumes.
-std::optional<RecordingSettings> recording_settings(const std::string& path,
-                                                    const std::string& bodies,
-                                                    const std::string& frames,
-                                                    const Console& console,
-                                                    const InterruptWatch& watch);
+std::optional<RecordingSettings> recording_settings(
+    std::shared_ptr<const scenes::Recording> recording, const std::string& bodies,
+    const std::string& frames, const Console& console, const InterruptWatch& watch);
 
 /// As a table: the recorded counts, and the best setting of each volume.
 std::string recording_settings_text(const RecordingSettings& settings);

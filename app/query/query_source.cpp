@@ -92,6 +92,11 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
     header_ = trace_header(scene, query_);
 }
 
+QuerySource::QuerySource(std::shared_ptr<const scenes::Recording> recording,
+                         const QueryOptions& query)
+    : recorded_(std::make_unique<scenes::RecordedTrace>(std::move(recording), query.bodies,
+                                                        query.frames)) {}
+
 std::vector<int> QuerySource::all_frames() const {
     return recorded_ ? recorded_->all_frames()
            : trace_  ? scenes::frames_in_trace(trace_path_, "all")

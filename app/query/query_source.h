@@ -18,6 +18,8 @@ class QuerySource {
     /// its meshes and poses. Throws InputError.
     QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                 const QueryOptions& query, const QueryLimits& limits, bool recorded);
+    /// Of the bodies and frames of a recording that the options name. Throws InputError.
+    QuerySource(std::shared_ptr<const scenes::Recording> recording, const QueryOptions& query);
 
     /// What this project builds and asks itself: not of a recording.
     const SceneQuery& query() const { return query_; }

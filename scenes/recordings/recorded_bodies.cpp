@@ -33,7 +33,7 @@ BodyAtFrame BodyCopies::copy(RecordedQueries& queries, const Recording& recordin
                              std::uint32_t number) {
     const BodyState& body = queries.bodies().at(number);
     if (!body.pose_fault.empty())
-        throw InputError(recording.path + ": the pose of " +
+        throw InputError(recording.file->path + ": the pose of " +
                          (body.name.empty() ? "a body" : "'" + body.name + "'") + " at frame " +
                          std::to_string(queries.frame()) + " " + body.pose_fault +
                          "; `scb inspect` judges the rest, and --frames names others.");
@@ -50,7 +50,7 @@ std::string BodyCopies::volumes() const {
 }
 
 RecordedBodies bodies_at(const Recording& recording, int frame) {
-    RecordedQueries queries(recording.bytes, recording.path, recording.summary);
+    RecordedQueries queries(*recording.file);
     using Step = RecordedQueries::Step;
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         if (step == Step::frame && queries.frame() == frame) break;
@@ -63,17 +63,17 @@ RecordedBodies bodies_at(const Recording& recording, int frame) {
         for (const auto& [number, tree] : queries.trees())
             result.bodies.push_back(copies.copy_tree(queries, name_of(tree, number), number));
     if (result.bodies.empty())
-        throw InputError(recording.path + ": at frame " + std::to_string(frame) +
+        throw InputError(recording.file->path + ": at frame " + std::to_string(frame) +
                          " it has no tree yet; name a later one with --frames.");
     result.volumes = copies.volumes();
     return result;
 }
 
 RecordedBodies bodies_at(const Recording& recording, const std::string& frames) {
-    const std::vector<int>& all = recording.summary.frames;
+    const std::vector<int>& all = recording.file->summary.frames;
     if (frames.empty()) return bodies_at(recording, all.front());
     const std::vector<int> wanted =
-        frames_among(all, frames, recording.path, "a recording may have");
+        frames_among(all, frames, recording.file->path, "a recording may have");
     if (wanted.size() != 1)
         throw InputError("--frames " + frames + ": this command takes one frame; give one.");
     return bodies_at(recording, wanted[0]);

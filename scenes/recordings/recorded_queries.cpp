@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -16,7 +15,6 @@
 #include "scb/error.h"
 #include "scenes/recordings/recorded_volume.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::scenes {
 namespace {
@@ -78,23 +76,6 @@ bool has_single_objects(const NodeTree& tree, const TreeShape& shape) {
     return !shape.holder.empty();
 }
 
-/// A name as it is told to people: what is very long is cut.
-std::string shown(std::string text) {
-    constexpr std::size_t most = 500;
-    const bool cut = text.size() > most;
-    if (cut) text.resize(most);
-    return printable(std::move(text)) + (cut ? "..." : "");
-}
-
-void tell_apart(std::map<std::uint32_t, std::string>& names) {
-    std::set<std::string> taken;
-    for (auto& [number, name] : names) {
-        if (name.empty()) name = "body " + std::to_string(number);
-        std::replace(name.begin(), name.end(), ',', ';');
-        while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
-    }
-}
-
 /// What a node is known by in a tree that is built anew: a leaf by its items, others by number.
 std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> items) {
     WordHash hash;
@@ -113,41 +94,10 @@ std::optional<std::uint32_t> tree_told_by(const Record& record) {
 
 }  // namespace
 
-RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
-    RecordingSummary summary;
-    std::array<bool, 128> is_stage{};
-    RecordingReader reader(bytes, name);
-    while (const Record* record = reader.next()) {
-        if (const auto* event = std::get_if<RecordedEvent>(record)) {
-            const auto tag = static_cast<RecordTag>(event->tag);
-            summary.volume_tests += tag < RecordTag::items_apart;
-            summary.item_tests += tag == RecordTag::items_apart || tag == RecordTag::items_meet;
-            summary.pairs += tag == RecordTag::pair;
-            if (tag > RecordTag::volumes_overlap && tag < RecordTag::items_apart) {
-                if (!is_stage[event->tag]) summary.stages.insert(event->tag);
-                is_stage[event->tag] = true;
-            }
-        } else if (const auto* frame = std::get_if<RecordedFrame>(record)) {
-            summary.frames.push_back(static_cast<int>(frame->frame));
-        } else if (const auto* body = std::get_if<RecordedBody>(record)) {
-            summary.body_names[body->body] = shown(body->name);
-        }
-        if (const auto* setting = std::get_if<RecordedSetting>(record))
-            summary.tells_pairs |= setting->key == "results" && setting->value == "pairs";
-        summary.queries += std::holds_alternative<RecordedQuery>(*record);
-    }
-    if (summary.frames.empty()) summary.frames.push_back(0);
-    tell_apart(summary.body_names);
-    // Those of a file whose frames do not ascend, too, which cannot be read on.
-    std::sort(summary.frames.begin(), summary.frames.end());
-    return summary;
-}
-
-RecordedQueries::RecordedQueries(std::string_view bytes, std::string_view name,
-                                 const RecordingSummary& summary)
-    : name_(name), reader_(bytes, name) {
-    query_.tells_items = summary.item_tests > 0;
-    query_.tells_pairs = summary.tells_pairs || summary.pairs > 0;
+RecordedQueries::RecordedQueries(const RecordingFile& file)
+    : name_(file.path), reader_(file.bytes, file.path) {
+    query_.tells_items = file.summary.item_tests > 0;
+    query_.tells_pairs = file.summary.tells_pairs || file.summary.pairs > 0;
 }
 
 RecordedQueries::Step RecordedQueries::next() {

@@ -11,6 +11,7 @@
 #include "core/judge/engine_query.h"
 #include "scenes/recordings/body_pose.h"
 #include "scenes/recordings/recording_file.h"
+#include "scenes/recordings/recording_summary.h"
 
 namespace scb::scenes {
 
@@ -68,20 +69,6 @@ struct StretchedBody {
     std::shared_ptr<const Mesh> mesh, finite;  ///< nullptr: items are no triangles
 };
 
-/// What of tests and results a recording has anywhere.
-struct RecordingSummary {
-    std::vector<int> frames;        ///< those that were told, ascending; 0 where none was
-    std::set<std::uint8_t> stages;  ///< at which tests were rejected
-    std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
-    /// Whether the setting `results` says that pairs are told, though there may be none.
-    bool tells_pairs = false;
-    /// By number: each told from the others, and without the comma that stands between two of them.
-    std::map<std::uint32_t, std::string> body_names;
-};
-
-/// Reads all of it once. Throws InputError as RecordingReader does.
-RecordingSummary summary_of(std::string_view bytes, std::string_view name);
-
 /// Reads a recording step by step, and knows what there is after each.
 ///
 /// Nothing of trees is taken for true, and what contradicts itself is for the judgement. What one
@@ -95,8 +82,8 @@ class RecordedQueries {
         end,
     };
 
-    /// `bytes` must outlive this; `summary` is that of summary_of.
-    RecordedQueries(std::string_view bytes, std::string_view name, const RecordingSummary& summary);
+    /// `file` must outlive this.
+    explicit RecordedQueries(const RecordingFile& file);
 
     Step next();
 

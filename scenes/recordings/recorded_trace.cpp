@@ -28,24 +28,23 @@ bool tests_nodes(const EngineQuery& query, IndexPair nodes) {
 
 }  // namespace
 
-RecordedTrace::RecordedTrace(Recording recording, const std::string& bodies,
+RecordedTrace::RecordedTrace(std::shared_ptr<const Recording> recording, const std::string& bodies,
                              const std::string& frames)
     : recording_(std::move(recording)) {
     choose(bodies, frames);
     read_bodies();
-    queries_ =
-        std::make_unique<RecordedQueries>(recording_.bytes, recording_.path, recording_.summary);
+    queries_ = std::make_unique<RecordedQueries>(*recording_->file);
 }
 
 void RecordedTrace::choose(const std::string& bodies, const std::string& frames) {
-    const std::vector<QueriedPair>& pairs = recording_.pairs;
-    const std::string& path = recording_.path;
+    const std::vector<QueriedPair>& pairs = recording_->pairs;
+    const std::string& path = recording_->file->path;
     if (pairs.empty())
         throw InputError(path +
                          ": it has no query; record one with scb_record_query, or see its "
                          "trees with `scb render levels`.");
     const auto name = [this](std::uint32_t number) {
-        return scene().bodies[recording_.bodies.at(number)].name;
+        return scene().bodies[recording_->bodies.at(number)].name;
     };
     const auto words = [&name](const QueriedPair& pair) {
         return name(pair.bodies[0]) + "," + name(pair.bodies[1]);
@@ -70,7 +69,7 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
     }
     numbers_ = chosen->bodies;
     for (std::size_t side = 0; side < 2; ++side)
-        sides_[side] = recording_.bodies.at(numbers_[side]);
+        sides_[side] = recording_->bodies.at(numbers_[side]);
     all_frames_ = chosen->frames;
     frames_ = frames == auto_frames
                   ? std::vector{chosen->fullest}
@@ -83,7 +82,7 @@ bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {
 }
 
 void RecordedTrace::read_bodies() {
-    RecordedQueries queries(recording_.bytes, recording_.path, recording_.summary);
+    RecordedQueries queries(*recording_->file);
     BodyCopies copies;
     for (Step step = queries.next(); step != Step::end; step = queries.next()) {
         if (step != Step::query || !is_wanted(queries) || bodies_.contains(queries.frame()))
@@ -94,12 +93,12 @@ void RecordedTrace::read_bodies() {
             [](const EngineEvent& event) { return event.kind == EngineEvent::Kind::volumes; }));
         std::array<BodyAtFrame, 2>& at = bodies_[queries.frame()];
         for (std::size_t side = 0; side < 2; ++side)
-            at[side] = copies.copy(queries, recording_, numbers_[side]);
+            at[side] = copies.copy(queries, *recording_, numbers_[side]);
     }
-    header_.source = {recording_.path};
+    header_.source = {recording_->file->path};
     header_.scene = scene().name;
     TraceEngine& engine = header_.engine.emplace();
-    engine.name = recording_.engine;
+    engine.name = recording_->engine;
     engine.volumes = copies.volumes();
     take_engine(queries);
     take_stages(queries);
@@ -119,7 +118,7 @@ void RecordedTrace::take_engine(const RecordedQueries& queries) {
             engine.trees[frame][side] = hash->second;
         }
         if (are_objects(at) != engine.objects)
-            throw InputError(recording_.path +
+            throw InputError(recording_->file->path +
                              ": a body has triangles at some of these frames, and objects " +
                              "at others such as frame " + std::to_string(frame) +
                              "; name frames of one kind with --frames.");
@@ -130,7 +129,7 @@ void RecordedTrace::take_engine(const RecordedQueries& queries) {
 }
 
 void RecordedTrace::take_stages(const RecordedQueries& queries) {
-    const std::set<std::uint8_t>& used = recording_.summary.stages;
+    const std::set<std::uint8_t>& used = recording_->file->summary.stages;
     std::vector<std::uint8_t> order = queries.stage_order();
     for (const std::uint8_t number : used)
         if (!queries.stages().contains(number)) order.push_back(number);
@@ -160,8 +159,8 @@ const TraceFrame& RecordedTrace::frame(int number) {
     while (true) {
         const Step step = queries_->next();
         if (step == Step::end)
-            throw InputError(recording_.path + ": it has no frame " + std::to_string(number) +
-                             " any more.");
+            throw InputError(recording_->file->path + ": it has no frame " +
+                             std::to_string(number) + " any more.");
         if (step == Step::query && queries_->frame() == number && is_wanted(*queries_)) break;
     }
     frame_ = trace_frame(queries_->query(), stages_);
@@ -170,7 +169,7 @@ const TraceFrame& RecordedTrace::frame(int number) {
 }
 
 std::optional<int> RecordedTrace::frame_with_test(IndexPair nodes) const {
-    RecordedQueries queries(recording_.bytes, recording_.path, recording_.summary);
+    RecordedQueries queries(*recording_->file);
     std::optional<int> seen;  // of several queries in a frame, the first counts
     for (Step step = queries.next(); step != Step::end; step = queries.next()) {
         if (step != Step::query || queries.query_bodies() != numbers_ || seen == queries.frame())

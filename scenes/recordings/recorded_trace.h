@@ -26,14 +26,15 @@ class RecordedTrace {
     /// `bodies` names two, "A,B", or is empty where the recording has queries of two only; `frames`
     /// is a list, see frames_among, or auto_frames: the first with the most pairs. Throws
     /// InputError.
-    RecordedTrace(Recording recording, const std::string& bodies, const std::string& frames);
+    RecordedTrace(std::shared_ptr<const Recording> recording, const std::string& bodies,
+                  const std::string& frames);
     RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
-        : RecordedTrace(read_recording(path), bodies, frames) {}
+        : RecordedTrace(std::make_shared<const Recording>(read_recording(path)), bodies, frames) {}
     RecordedTrace(const RecordedTrace&) = delete;
 
-    const Recording& recording() const { return recording_; }
+    const Recording& recording() const { return *recording_; }
     const TraceHeader& header() const { return header_; }
-    const Scene& scene() const { return recording_.scene; }
+    const Scene& scene() const { return recording_->scene; }
     /// Indices of Scene::bodies.
     const std::array<std::size_t, 2>& sides() const { return sides_; }
     /// Ascending.
@@ -44,7 +45,7 @@ class RecordedTrace {
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether it tells of pairs, or of tests of items, anywhere.
     bool tells_results() const {
-        const RecordingSummary& summary = recording_.summary;
+        const RecordingSummary& summary = recording_->file->summary;
         return summary.tells_pairs || summary.pairs + summary.item_tests > 0;
     }
     /// How many tests of volumes there are in it.
@@ -76,7 +77,7 @@ class RecordedTrace {
     void take_engine(const RecordedQueries& queries);
     void take_stages(const RecordedQueries& queries);
 
-    Recording recording_;
+    std::shared_ptr<const Recording> recording_;
     std::array<std::size_t, 2> sides_{};
     std::array<std::uint32_t, 2> numbers_{};  ///< of the bodies in the recording
     std::vector<int> frames_, all_frames_;

@@ -42,20 +42,20 @@ class RecordingContents {
     /// After the last step.
     void finish(RecordedQueries& queries) {
         Scene& scene = recording_.scene;
-        const std::string& path = recording_.path;
+        const std::string& path = recording_.file->path;
         // Trees alone stand where they are.
         if (scene.bodies.empty())
             for (const auto& [number, tree] : queries.trees())
                 body_of(queries, number, number).name = name_of(tree, number);
         if (scene.bodies.empty())
             throw InputError(path + ": it has no tree; record one with scb_record_tree.");
-        for (const auto& [number, name] : recording_.summary.body_names)
+        for (const auto& [number, name] : recording_.file->summary.body_names)
             if (const auto body = recording_.bodies.find(number); body != recording_.bodies.end())
                 scene.bodies[body->second].name = name;
         scene.name = file_name_of(setting_of(queries, "scene", path));
         scene.file = path;
-        scene.listed = recording_.summary.frames;
-        scene.default_frame = recording_.summary.frames.front();
+        scene.listed = recording_.file->summary.frames;
+        scene.default_frame = recording_.file->summary.frames.front();
         recording_.engine = setting_of(queries, "engine", path);
         if (askew_)
             recording_.refusal = path + ": the pose of '" + printable(askew_->name) +
@@ -140,7 +140,7 @@ class RecordingContents {
             scene.meshes.push_back(
                 {has_mesh ? told->second.name : "objects",
                  is_stretched ? *mesh_of_body(queries, number) : *mesh_of(queries, tree),
-                 recording_.path});
+                 recording_.file->path});
         scene.bodies.push_back({"", mesh, {}});
         return scene.bodies.back();
     }
@@ -157,21 +157,19 @@ class RecordingContents {
 
 }  // namespace
 
-Recording read_recording(const std::string& path) {
-    return read_recording(recording_bytes(path), path);
-}
-
-Recording read_recording(std::string bytes, const std::string& path) {
+Recording read_recording(std::shared_ptr<const RecordingFile> file) {
     Recording recording;
-    recording.path = path;
-    recording.bytes = std::move(bytes);
-    recording.summary = summary_of(recording.bytes, path);
-    RecordedQueries queries(recording.bytes, path, recording.summary);
+    recording.file = std::move(file);
+    RecordedQueries queries(*recording.file);
     RecordingContents contents(recording);
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         contents.take(queries, step);
     contents.finish(queries);
     return recording;
+}
+
+Recording read_recording(const std::string& path) {
+    return read_recording(std::make_shared<const RecordingFile>(path));
 }
 
 Scene scene_of_recording(const std::string& path, const std::string& frames) {
@@ -181,7 +179,8 @@ Scene scene_of_recording(const std::string& path, const std::string& frames) {
         if (frames == auto_frames && !recording.pairs.empty())
             wanted = {recording.pairs.front().fullest};
         else if (!frames.empty() && frames != auto_frames)
-            wanted = frames_among(recording.summary.frames, frames, path, "a recording may have");
+            wanted =
+                frames_among(recording.file->summary.frames, frames, path, "a recording may have");
         if (wanted.size() == 1) return scene_at(recording, wanted[0]);
     }
     if (!recording.refusal.empty()) throw InputError(recording.refusal);
@@ -191,14 +190,14 @@ Scene scene_of_recording(const std::string& path, const std::string& frames) {
 Scene scene_at(const Recording& recording, int frame) {
     Scene scene = recording.scene;
     scene.default_frame = frame;
-    RecordedQueries queries(recording.bytes, recording.path, recording.summary);
+    RecordedQueries queries(*recording.file);
     // As of the poses: at the first query of the frame or, where that has none, at its end.
     for (Step step = queries.next(); step != Step::end; step = queries.next())
         if (queries.frame() == frame) break;
     for (const auto& [number, body] : queries.bodies()) {
         Body& of_scene = scene.bodies[recording.bodies.at(number)];
         const NamedMesh named = {scene.meshes[of_scene.mesh].name, *mesh_of_body(queries, number),
-                                 recording.path};
+                                 recording.file->path};
         // Bodies may have shared one that is no longer theirs.
         of_scene.mesh = scene.meshes.size();
         scene.meshes.push_back(named);

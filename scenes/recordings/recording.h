@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +24,7 @@ struct QueriedPair {
 
 /// A recording that was read through once: what there is in it.
 struct Recording {
-    std::string path, bytes;
-    RecordingSummary summary;
+    std::shared_ptr<const RecordingFile> file;
     std::string engine;  ///< what made it; where that is not told, what its file is called
     /// Its meshes, bodies and poses: of meshes that change, the first. Bodies of trees without a
     /// mesh have one without triangles; where there are no bodies, the trees are. Its file is the
@@ -38,9 +38,8 @@ struct Recording {
 };
 
 /// Throws InputError as RecordedQueries does, and where it has no tree.
+Recording read_recording(std::shared_ptr<const RecordingFile> file);
 Recording read_recording(const std::string& path);
-/// The same of bytes that are the file's.
-Recording read_recording(std::string bytes, const std::string& path);
 
 /// The scene, for hierarchies of this project, which are of one mesh and need poses: of
 /// meshes that change as they are at the one frame that `frames` names: the first where it is

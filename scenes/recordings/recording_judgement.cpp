@@ -19,24 +19,23 @@ namespace {
 /// Adds query after query.
 class RecordingJudge {
   public:
-    RecordingJudge(std::string_view bytes, std::string_view name)
-        : result_(with_summary(bytes, name)),
-          recording_(std::make_unique<RecordedQueries>(bytes, name, result_.summary)),
-          trees_(*recording_) {}
+    explicit RecordingJudge(const RecordingFile& file) : recording_(file), trees_(recording_) {
+        result_.summary = file.summary;
+    }
 
     RecordingJudgement judged(const std::function<bool(int)>& wanted,
                               const std::function<bool(bool)>& done) && {
         for (;;) {
-            const RecordedQueries::Step step = recording_->next();
+            const RecordedQueries::Step step = recording_.next();
             if (step == RecordedQueries::Step::end) break;
-            const bool want = wanted(recording_->frame());
+            const bool want = wanted(recording_.frame());
             if (step == RecordedQueries::Step::query) {
-                if (want) take_query(recording_->query());
+                if (want) take_query(recording_.query());
                 if (want && !done(false)) break;
                 continue;
             }
             if (!want) continue;
-            for (const auto& [number, tree] : recording_->trees())
+            for (const auto& [number, tree] : recording_.trees())
                 trees_.look(number, result_.summary.body_names);
             frame();
             if (!done(true)) break;
@@ -46,22 +45,16 @@ class RecordingJudge {
     }
 
   private:
-    static RecordingJudgement with_summary(std::string_view bytes, std::string_view name) {
-        RecordingJudgement judgement;
-        judgement.summary = summary_of(bytes, name);
-        return judgement;
-    }
-
     FrameJudgement& frame() {
-        if (result_.frames.empty() || result_.frames.back().frame != recording_->frame())
-            result_.frames.emplace_back().frame = recording_->frame();
+        if (result_.frames.empty() || result_.frames.back().frame != recording_.frame())
+            result_.frames.emplace_back().frame = recording_.frame();
         return result_.frames.back();
     }
 
     void take_query(const EngineQuery& query) {
-        const auto bodies = recording_->query_bodies();
+        const auto bodies = recording_.query_bodies();
         for (const std::uint32_t body : bodies)
-            trees_.look(recording_->bodies().at(body).tree, result_.summary.body_names);
+            trees_.look(recording_.bodies().at(body).tree, result_.summary.body_names);
         const QueryName name{query.frame, name_of(bodies[0]), name_of(bodies[1])};
         FrameJudgement& row = frame();
         ++row.queries;
@@ -77,25 +70,25 @@ class RecordingJudge {
         result_.unknown_items += !known;
         note_moves(query, name);
         const QueryJudgement judged =
-            judge_query(query, own_.contacts(query, recording_->finite_meshes()));
-        tolerances_.take(*recording_, query, result_.summary.body_names, row.tolerance);
+            judge_query(query, own_.contacts(query, recording_.finite_meshes()));
+        tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
-        costs_.take(*recording_, query, judged);
+        costs_.take(recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
         const bool errs =
             std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
                         [](const WrongItemTest& test) { return !test.unknown; });
         if (judged.count(TestVerdict::wrong) > 0 || errs)
-            poses_.take(query, name, recording_->bodies().at(bodies[0]),
-                        recording_->bodies().at(bodies[1]));
+            poses_.take(query, name, recording_.bodies().at(bodies[0]),
+                        recording_.bodies().at(bodies[1]));
     }
 
     std::string name_of(std::uint32_t body) const { return result_.summary.body_names.at(body); }
 
     void take_faulty_pose(const QueryName& name) {
-        for (const std::uint32_t number : recording_->query_bodies()) {
-            const BodyState& body = recording_->bodies().at(number);
+        for (const std::uint32_t number : recording_.query_bodies()) {
+            const BodyState& body = recording_.bodies().at(number);
             if (body.pose_fault.empty()) continue;
             if (!body.is_finite) {
                 add(tests_, "a query's pose is not finite", {name, "it is not judged"});
@@ -109,11 +102,11 @@ class RecordingJudge {
 
     void note_stretch(const std::array<std::uint32_t, 2>& bodies) {
         for (const std::uint32_t number : bodies) {
-            const BodyState& body = recording_->bodies().at(number);
+            const BodyState& body = recording_.bodies().at(number);
             if (!body.is_stretched() || !stretched_.insert(number).second) continue;
             result_.stretches.push_back(name_of(number) + " is " + stretch_words(body.stretch) +
                                         " by its pose at frame " +
-                                        std::to_string(recording_->frame()) + ", and judged so");
+                                        std::to_string(recording_.frame()) + ", and judged so");
         }
     }
 
@@ -149,7 +142,7 @@ class RecordingJudge {
                                      ", " + format("%.6g", test.margin) + " apart";
                 }
                 // Else a test may pass too many.
-                if (recording_->has_exact_tests()) {
+                if (recording_.has_exact_tests()) {
                     ++row.wrong;
                     note("a test of an engine whose tests are exact passed volumes that are apart",
                          ", " + format("%.6g", test.margin) + " apart");
@@ -162,7 +155,7 @@ class RecordingJudge {
             stage.most_depth = std::max(stage.most_depth, test.margin);
             ++stage.wrong;
             note("a test that rejected volumes which overlap, at stage \"" +
-                     stage_words(recording_->stages(), event.stage) + "\"",
+                     stage_words(recording_.stages(), event.stage) + "\"",
                  ", " + format("%.6g", test.margin) + " deep in each other");
         }
         row.item_tests += judged.item_tests;
@@ -242,7 +235,7 @@ class RecordingJudge {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
             add(missed ? missed_ : false_, words_of(query, problem.cause),
-                {name, words_of(query, problem, test_number(judged, problem), recording_->stages()),
+                {name, words_of(query, problem, test_number(judged, problem), recording_.stages()),
                  problem.nodes, problem.items, test_number(judged, problem)});
         }
     }
@@ -262,7 +255,7 @@ class RecordingJudge {
     /// Of several queries of the same bodies in a frame, commands other than this one show the
     /// first: where the bodies have moved in between, frames were meant.
     void note_moves(const EngineQuery& query, const QueryName& name) {
-        const auto bodies = recording_->query_bodies();
+        const auto bodies = recording_.query_bodies();
         const auto [last, added] = last_queries_.try_emplace(bodies, query.frame, query.b_to_a);
         const bool moved = !added && last->second.first == query.frame &&
                            (last->second.second.rotation != query.b_to_a.rotation ||
@@ -298,16 +291,15 @@ class RecordingJudge {
         not_judged(without_result_, queries_, "queries", "they ended early without a pair");
         for (const auto& [number, watch] : trees_.watches()) {
             const UnjudgedVolumes& of = watch.unjudged();
-            not_judged(of.leaves, of.of_leaves,
-                       "leaf volumes of " + tree_words(*recording_, number),
+            not_judged(of.leaves, of.of_leaves, "leaf volumes of " + tree_words(recording_, number),
                        "the extents of their objects were not recorded (scb_record_object)");
             not_judged(of.splits, of.of_splits,
-                       "triangles in several leaves of " + tree_words(*recording_, number),
+                       "triangles in several leaves of " + tree_words(recording_, number),
                        "the surfaces of these leaves run along each other");
-            const TreeState& tree = recording_->trees().at(number);
+            const TreeState& tree = recording_.trees().at(number);
             if (tree.tree.size() == 0)
                 not_judged(1, trees_.watches().size(), "trees",
-                           tree_words(*recording_, number) + " was recorded without nodes");
+                           tree_words(recording_, number) + " was recorded without nodes");
         }
         not_judged(result_.unjudged, tests_of_all_, "tests of volumes",
                    "a node has no volume, or one that is none");
@@ -327,11 +319,11 @@ class RecordingJudge {
         not_judged(broken_pairs_, reported, "pairs", "their triangles are not finite");
         not_judged(without_results_, without_results_, "pairs that intersect",
                    "the results of their queries were not recorded");
-        if (recording_->unfinished_tree())
-            not_judged(1, trees_.watches().size(), "trees",
-                       "the file breaks off in " +
-                           tree_words(*recording_, *recording_->unfinished_tree()));
-        not_judged(recording_->unknown_records(), 0, "records",
+        if (recording_.unfinished_tree())
+            not_judged(
+                1, trees_.watches().size(), "trees",
+                "the file breaks off in " + tree_words(recording_, *recording_.unfinished_tree()));
+        not_judged(recording_.unknown_records(), 0, "records",
                    "this version does not know their kind");
     }
 
@@ -341,12 +333,12 @@ class RecordingJudge {
             result_.notes.push_back(
                 "no pose was told of the bodies of a query whose tests are wrong; tell those that "
                 "the engine has, with scb_record_pose");
-        for (const RecordedSetting& setting : recording_->settings())
+        for (const RecordedSetting& setting : recording_.settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         result_.trees = trees_.judged();
-        for (const auto& [stage, name] : recording_->stages()) stages_[stage].name = name;
+        for (const auto& [stage, name] : recording_.stages()) stages_[stage].name = name;
         for (auto& [stage, judged] : stages_) {
-            judged.name = stage_words(recording_->stages(), stage);
+            judged.name = stage_words(recording_.stages(), stage);
             result_.stages.push_back(judged);
         }
         const auto sorted = [](Groups groups) {
@@ -358,19 +350,19 @@ class RecordingJudge {
         result_.missed = sorted(std::move(missed_));
         result_.false_pairs = sorted(std::move(false_));
         result_.test_problems = sorted(std::move(tests_));
-        result_.odd = recording_->oddities();
-        result_.more_odd = recording_->more_oddities();
-        result_.damage = recording_->damage();
+        result_.odd = recording_.oddities();
+        result_.more_odd = recording_.more_oddities();
+        result_.damage = recording_.damage();
         list_not_judged();
         if (repeated_ > 0)
             result_.costs.push_back(
                 {CostFinding::Kind::repeated, repeated_, tests_of_all_, first_repeated_, 0, 0});
-        for (CostFinding& cost : costs_.found(*recording_, trees_, result_.trees))
+        for (CostFinding& cost : costs_.found(recording_, trees_, result_.trees))
             result_.costs.push_back(std::move(cost));
     }
 
     RecordingJudgement result_;
-    std::unique_ptr<RecordedQueries> recording_;
+    RecordedQueries recording_;
     OwnContacts own_;
     TreeJudge trees_;
     ToleranceCheck tolerances_;
@@ -407,10 +399,10 @@ Verdict RecordingJudgement::verdict() const {
     return not_judged.empty() && damage.empty() ? Verdict::sound : Verdict::partly_judged;
 }
 
-RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
+RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int)>& wanted,
                                    const std::function<bool(bool)>& done) {
-    return RecordingJudge(bytes, name).judged(wanted, done);
+    return RecordingJudge(file).judged(wanted, done);
 }
 
 }  // namespace scb::scenes

@@ -134,7 +134,7 @@ struct RecordingJudgement {
 /// Judges all frames, or those that `wanted` says. `done` is called after each query and each
 /// frame, with whether a frame is done, and ends the work where it returns false. Throws InputError
 /// as RecordedQueries does.
-RecordingJudgement judge_recording(std::string_view bytes, std::string_view name,
+RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int frame)>& wanted,
                                    const std::function<bool(bool frame)>& done);
 

@@ -23,8 +23,9 @@ void use(const VolumeTree& tree) {
 }
 
 /// What pictures and tables make of a recording.
-void show(const std::string& bytes) {
-    scenes::RecordedTrace recorded(scenes::read_recording(bytes, "input"), "", "all");
+void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
+    scenes::RecordedTrace recorded(
+        std::make_shared<const scenes::Recording>(scenes::read_recording(file)), "", "all");
     const TraceHeader& header = recorded.header();
     for (const int number : recorded.frames()) {
         const TraceFrame& frame = recorded.frame(number);
@@ -49,16 +50,17 @@ void show(const std::string& bytes) {
 
 /// The input is the payload of a block.
 SCB_FUZZ(input) {
-    const std::string bytes = scenes::recording_with_block(
+    std::string bytes = scenes::recording_with_block(
         std::string(reinterpret_cast<const char*>(input.data()), input.size()));
     try {
+        const auto file = std::make_shared<const scenes::RecordingFile>(std::move(bytes), "input");
         const scenes::RecordingJudgement judged = scenes::judge_recording(
-            bytes, "input", [](int) { return true; }, [](bool) { return true; });
+            *file, [](int) { return true; }, [](bool) { return true; });
         std::uint64_t missed = 0, of_causes = 0;
         for (const scenes::FrameJudgement& frame : judged.frames) missed += frame.missed;
         for (const scenes::ProblemGroup& group : judged.missed) of_causes += group.count;
         fuzz::require(missed == of_causes, "each missed pair has a cause");
-        show(bytes);
+        show(file);
     } catch (const InputError& error) {
         fuzz::require_sentence(error, "input");
     }

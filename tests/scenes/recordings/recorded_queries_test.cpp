@@ -13,14 +13,11 @@ using Step = RecordedQueries::Step;
 
 /// A recording that is read step by step.
 struct ReadSteps {
-    std::string bytes;
-    RecordingSummary summary;
+    RecordingFile file;
     RecordedQueries queries;
 
     explicit ReadSteps(const std::vector<Record>& records)
-        : bytes(recording_of(records)),
-          summary(summary_of(bytes, "x.scbrec")),
-          queries(bytes, "x.scbrec", summary) {}
+        : file(recording_of(records), "x.scbrec"), queries(file) {}
     ReadSteps(const ReadSteps&) = delete;
 
     /// Up to the end of this query, from 0.

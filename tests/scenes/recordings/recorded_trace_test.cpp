@@ -359,7 +359,7 @@ TEST(RecordedTrace, RefusesPosesThatMakeABodyFlat) {
 
 /// Queries of two pairs of three bodies: in frame 4 both, twice of the second, in frame 9 the
 /// second, of the first tree refitted and the second one built anew.
-Recording queries_of_two_pairs() {
+std::shared_ptr<const Recording> queries_of_two_pairs() {
     std::vector<Record> records = two_balls();
     append(records, {RecordedBody{0, 0, "left"}, RecordedBody{1, 1, "right"},
                      RecordedBody{2, 1, "C"}, RecordedSetting{"engine", "e"},
@@ -375,7 +375,8 @@ Recording queries_of_two_pairs() {
                      RecordedNode{1, 0, record_none, 0, "", {1}, {}, ball_volume(1)},
                      RecordedNode{1, 1, 0, 0, "", {}, {0}, ball_volume(1)}});
     append(records, of_c);
-    return read_recording(recording_of(records), "x.scbrec");
+    return std::make_shared<const Recording>(
+        read_recording(std::make_shared<const RecordingFile>(recording_of(records), "x.scbrec")));
 }
 
 TEST(RecordedTrace, IsOfThePairThatIsNamed) {

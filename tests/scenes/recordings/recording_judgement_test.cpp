@@ -59,7 +59,7 @@ std::vector<RecordedPose*> poses_of_b(std::vector<Record>& records) {
 
 RecordingJudgement judge(const std::string& bytes) {
     return judge_recording(
-        bytes, "test.scbrec", [](int) { return true; }, [](bool) { return true; });
+        {bytes, "test.scbrec"}, [](int) { return true; }, [](bool) { return true; });
 }
 
 RecordingJudgement judge(const std::vector<Record>& records) {
@@ -402,14 +402,14 @@ TEST(RecordingJudgement, JudgesTheFramesThatAreWantedUntilItIsStopped) {
     for (const Record& record : records) writer.add(record);
     const std::string bytes = writer.finish();
     const RecordingJudgement odd = judge_recording(
-        bytes, "x", [](int frame) { return frame % 2 == 1; }, [](bool) { return true; });
+        {bytes, "x"}, [](int frame) { return frame % 2 == 1; }, [](bool) { return true; });
     ASSERT_EQ(odd.frames.size(), 2u);
     EXPECT_EQ(odd.frames[0].frame, 1);
     EXPECT_EQ(odd.frames[1].frame, 3);
     EXPECT_EQ(odd.frames[0].queries, 2u);
     EXPECT_EQ(odd.stages.at(0).tests, 4u);
     const RecordingJudgement stopped = judge_recording(
-        bytes, "x", [](int) { return true; }, [](bool) { return false; });
+        {bytes, "x"}, [](int) { return true; }, [](bool) { return false; });
     EXPECT_EQ(stopped.frames.size(), 1u);
 }
 

@@ -14,7 +14,8 @@ namespace scb::scenes {
 namespace {
 
 Recording read_records(const std::vector<Record>& records) {
-    return read_recording(recording_of(records), "folder/engine.scbrec");
+    return read_recording(
+        std::make_shared<const RecordingFile>(recording_of(records), "folder/engine.scbrec"));
 }
 
 /// The frames from which on the body is somewhere else, and where on x.
@@ -106,7 +107,7 @@ TEST(Recording, OfAMeshThatChangesIsOneOfEachFrame) {
             EXPECT_EQ(scene.meshes[body.mesh].mesh.vertices[0][2], frame);
     }
     const TemporaryFolder folder;
-    const std::string file = folder.write("x.scbrec", recording.bytes);
+    const std::string file = folder.write("x.scbrec", recording.file->bytes);
     EXPECT_EQ(scene_of_recording(file, "1").default_frame, 1);
     EXPECT_EQ(scene_of_recording(file, "").default_frame, 0);
     EXPECT_THROW(scene_of_recording(file, "0,1"), InputError);

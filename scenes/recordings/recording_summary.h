@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scb::scenes {
+
+/// Frames, stages, names of bodies and counts of a whole recording.
+struct RecordingSummary {
+    std::vector<int> frames;        ///< the recorded frames, ascending; 0 where there is none
+    std::set<std::uint8_t> stages;  ///< at which tests were rejected
+    std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
+    /// Whether the setting `results` says that pairs are recorded, though there may be none.
+    bool tells_pairs = false;
+    /// By number. Names differ from each other, and have no comma, which separates two names.
+    std::map<std::uint32_t, std::string> body_names;
+};
+
+/// Reads the whole recording once. Throws InputError as RecordingReader does.
+RecordingSummary summary_of(std::string_view bytes, std::string_view name);
+
+/// The bytes of a recording with its summary, shared by all that read the recording.
+struct RecordingFile {
+    std::string path;   ///< begins each error
+    std::string bytes;  ///< of a `.scbrec`
+    RecordingSummary summary;
+
+    /// Reads the file. Throws InputError as recording_bytes and summary_of do.
+    explicit RecordingFile(const std::string& name);
+    RecordingFile(std::string of_file, std::string name);
+};
+
+/// Text of a recording as reports show it: printable, and not longer than 500 characters.
+std::string shown(std::string text);
+
+}  // namespace scb::scenes
