@@ -15,15 +15,15 @@ namespace {
 std::string triangles(const PassCounts& counts) {
     const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted.triangle_tests;
     if (wasted == 0) return "";
-    return " Of " + counted(all, "triangle test", "triangle tests") + " " + share(wasted, all) +
-           " were.";
+    return " Of " + render::counted(all, "triangle test", "triangle tests") + " " +
+           share(wasted, all) + " were.";
 }
 
 std::string waste(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
     const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
                         by_tests = counts.wasted_by_tests.volume_tests;
-    const std::string tests = counted(all, "volume test", "volume tests");
+    const std::string tests = render::counted(all, "volume test", "volume tests");
     if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
     return "Of " + tests + ", " + share(wasted, all) +
            " were wasted: " + share(wasted - by_tests, all) + " since volumes are too loose, and " +
@@ -33,7 +33,7 @@ std::string waste(const InspectReport& report) {
 std::string worst_frame(const InspectReport& report) {
     const InspectedFrame& frame = report.frames.front();
     return "Frame " + std::to_string(frame.frame) + " wastes the most: " +
-           counted(frame.found.counts.wasted.volume_tests, "volume test.", "volume tests.");
+           render::counted(frame.found.counts.wasted.volume_tests, "volume test.", "volume tests.");
 }
 
 /// The least depth that, with those above it, has half of the waste.
@@ -87,7 +87,7 @@ std::vector<std::string> causes(const InspectReport& report) {
     for (std::size_t i = 0; i < (found.alike ? 1 : 2); ++i) {
         const BodyCauses& body = found.bodies[i];
         const MeshFacts& facts = body.facts;
-        const std::string of = counted(facts.triangles, "triangle", "triangles") + " of " +
+        const std::string of = render::counted(facts.triangles, "triangle", "triangles") + " of " +
                                name(i) + (found.alike ? ", and as many of " + name(1) + "," : "");
         if (body.slender)
             sentences.push_back(
@@ -107,7 +107,8 @@ std::vector<std::string> causes(const InspectReport& report) {
         if (body.deep)
             sentences.push_back(
                 format("The hierarchy of %s is %d levels deep, for ", name(i).c_str(), body.depth) +
-                counted(facts.triangles, "triangle", "triangles") + ": it is out of balance.");
+                render::counted(facts.triangles, "triangle", "triangles") +
+                ": it is out of balance.");
     }
     if (found.unequal)
         sentences.push_back(
@@ -133,13 +134,13 @@ std::string best_setting(const SceneTuning& tuning) {
 }  // namespace
 
 std::string missed_words(const WrongRejection& rejection) {
-    return counted(rejection.missed, "pair", "pairs") + " of triangles missed";
+    return render::counted(rejection.missed, "pair", "pairs") + " of triangles missed";
 }
 
 std::string wrong_rejections_sentence(const PassCounts& counts) {
-    return "the test rejected " + counted(counts.wrongly_rejected, "pair", "pairs") +
+    return "the test rejected " + render::counted(counts.wrongly_rejected, "pair", "pairs") +
            " of volumes that meet, and so missed " +
-           (counts.missed == 0 ? "no pairs" : counted(counts.missed, "pair", "pairs")) +
+           (counts.missed == 0 ? "no pairs" : render::counted(counts.missed, "pair", "pairs")) +
            " of triangles that intersect.";
 }
 

@@ -200,10 +200,6 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
 
 }  // namespace
 
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return render::count_text(count) + " " + (count == 1 ? one : many);
-}
-
 std::string share(std::uint64_t part, std::uint64_t whole) {
     return render::share_text(static_cast<double>(part), static_cast<double>(whole));
 }

@@ -48,9 +48,6 @@ std::string settings_words(const InspectReport& report, const std::string& over)
 /// "12 %": the share of a whole, as the tables and pages say it.
 std::string share(std::uint64_t part, std::uint64_t whole);
 
-/// "1 node", "2,000 nodes".
-std::string counted(std::uint64_t count, const char* one, const char* several);
-
 /// As tables for a reader.
 std::string inspect_text(const InspectReport& report);
 

@@ -6,6 +6,7 @@
 
 #include "app/inspect/inspect_report.h"
 #include "app/inspect/recording_settings.h"
+#include "app/query/recording_verdict.h"
 #include "core/base/enum_names.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -16,6 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using render::count_text;
+using render::counted;
 using scenes::FrameJudgement;
 using scenes::ProblemGroup;
 using scenes::RecordingJudgement;
@@ -160,49 +162,8 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
     return text.empty() ? text : text + "\n";
 }
 
-std::uint64_t sum(const RecordingJudgement& judged, std::uint64_t FrameJudgement::*field) {
-    std::uint64_t result = 0;
-    for (const FrameJudgement& frame : judged.frames) result += frame.*field;
-    return result;
-}
-
 bool has_results(const RecordingJudgement& judged) {
     return judged.summary.pairs + judged.summary.item_tests > 0 || judged.summary.tells_pairs;
-}
-
-/// What is wrong, in one line.
-std::string wrong_words(const RecordingJudgement& judged) {
-    std::string text;
-    const auto add = [&text](std::uint64_t count, const char* one, const char* several) {
-        if (count > 0) text += (text.empty() ? ": " : ", ") + counted(count, one, several);
-    };
-    std::uint64_t faults = 0, tests = 0;
-    for (const TreeJudgement& tree : judged.trees) faults += tree.problems.size();
-    for (const ProblemGroup& group : judged.test_problems) tests += group.count;
-    add(faults, "fault of trees", "faults of trees");
-    add(judged.poses.size(), "query that fits another pose", "queries that fit another pose");
-    add(tests, "test that went wrong", "tests that went wrong");
-    add(sum(judged, &FrameJudgement::missed), "pair missed", "pairs missed");
-    add(sum(judged, &FrameJudgement::false_pairs), "false pair", "false pairs");
-    add(judged.odd.size() + judged.more_odd, "oddity", "oddities");
-    return "Wrong" + text;
-}
-
-std::string verdict_words(const RecordingJudgement& judged) {
-    switch (judged.verdict()) {
-        case scenes::Verdict::sound:
-            return "Sound";
-        case scenes::Verdict::partly_judged:
-            return "Nothing wrong in what could be judged";
-        case scenes::Verdict::wrong:
-            break;
-    }
-    return wrong_words(judged);
-}
-
-std::string not_judged_words(const scenes::NotJudged& part) {
-    return count_text(part.count) + (part.of > 0 ? " of " + count_text(part.of) : std::string()) +
-           " " + part.what + ": " + part.why;
 }
 
 std::string cost_finding_words(const scenes::CostFinding& cost) {
@@ -236,10 +197,8 @@ std::string own_words(const std::optional<RecordingSettings>& settings) {
 /// The verdict, then what it does not cover, then what costs.
 std::string verdict_text(const RecordingJudgement& judged,
                          const std::optional<RecordingSettings>& settings) {
-    std::string text = judged.damage.empty() ? "" : "Not whole: " + judged.damage + "\n";
-    text += verdict_words(judged) + ".\n";
-    for (const scenes::NotJudged& part : judged.not_judged)
-        text += "Not judged: " + not_judged_words(part) + ".\n";
+    std::string text;
+    for (const std::string& line : verdict_lines(judged)) text += line + "\n";
     for (const scenes::CostFinding& cost : judged.costs)
         text += "Cost: " + cost_finding_words(cost) +
                 (cost.kind == scenes::CostFinding::Kind::repeated ? "" : own_words(settings)) +
@@ -251,12 +210,13 @@ std::string verdict_text(const RecordingJudgement& judged,
 std::string results_text(const RecordingJudgement& judged) {
     if (!has_results(judged)) return "Results: none were recorded.\n\n";
     const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
-    std::string text = "Results: " + counted(sum(judged, &FrameJudgement::pairs), "pair", "pairs") +
-                       (told ? " reported" : " met by the tests of triangles");
-    if (judged.unknown_items < sum(judged, &FrameJudgement::queries))
+    std::string text =
+        "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
+        (told ? " reported" : " met by the tests of triangles");
+    if (judged.unknown_items < judged.total(&FrameJudgement::queries))
         text += ", " + count_text(judged.exact_pairs) + " intersect; " +
-                count_text(sum(judged, &FrameJudgement::missed)) + " missed, " +
-                count_text(sum(judged, &FrameJudgement::false_pairs)) + " false";
+                count_text(judged.total(&FrameJudgement::missed)) + " missed, " +
+                count_text(judged.total(&FrameJudgement::false_pairs)) + " false";
     text += ".\n";
     if (judged.ended_early > 0)
         text += count_text(judged.ended_early) + (judged.ended_early == 1 ? " query" : " queries") +
@@ -266,7 +226,7 @@ std::string results_text(const RecordingJudgement& judged) {
 
 std::string waste_text(const RecordingJudgement& judged) {
     const std::uint64_t tests =
-        sum(judged, &FrameJudgement::volume_tests) + sum(judged, &FrameJudgement::item_tests);
+        judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
     if (!has_results(judged))
@@ -365,9 +325,9 @@ std::string recording_text(const RecordingJudgement& judged,
                            const std::string& file, std::size_t top, std::size_t cases) {
     std::string text = file + (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
                        counted(judged.frames.size(), "frame", "frames") + ", " +
-                       counted(sum(judged, &FrameJudgement::queries), "query", "queries") + ", " +
-                       counted(sum(judged, &FrameJudgement::volume_tests), "test", "tests") +
-                       " of volumes, " + count_text(sum(judged, &FrameJudgement::item_tests)) +
+                       counted(judged.total(&FrameJudgement::queries), "query", "queries") + ", " +
+                       counted(judged.total(&FrameJudgement::volume_tests), "test", "tests") +
+                       " of volumes, " + count_text(judged.total(&FrameJudgement::item_tests)) +
                        " of triangles\n" + verdict_text(judged, settings);
     text += poses_text(judged, top);
     text += trees_text(judged, top) + tests_text(judged) +

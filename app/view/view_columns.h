@@ -17,7 +17,8 @@ struct ViewColumn {
     std::vector<scenes::BodyAtFrame> bodies;  ///< at the frame that is shown first
     QuerySource* query = nullptr;             ///< of the first two bodies; null: none
     std::vector<std::string> names;           ///< of the scene on a command line
-    std::string kind;     ///< as --volume names it; empty of what another engine recorded
+    std::string kind;  ///< as --volume names it; empty of what another engine recorded
+    std::vector<std::string> verdict;  ///< on the recorded frame, see verdict_lines; or empty
     std::string explain;  ///< the command that explains a test, but for frame and pair; or empty
 
     bool is_recorded() const { return kind.empty(); }

@@ -236,6 +236,7 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
             bodies.push_back(parts.body(column, b, level[b].first_id));
         columns.push_back({{"title", scenes::printable(column.title)},
                            {"bodies", std::move(bodies)},
+                           {"verdict", column.verdict},
                            {"explain", column.explain},
                            {"several_frames", column.scene->frames > 1},
                            {"query", nullptr}});

@@ -9,6 +9,7 @@
 #include "app/pictures/level_bodies.h"
 #include "app/query/level_list.h"
 #include "app/query/output_guard.h"
+#include "app/query/recording_verdict.h"
 #include "app/query/scene_title.h"
 #include "app/view/view_commands.h"
 #include "app/view/view_manifest.h"
@@ -20,6 +21,7 @@
 #include "render/overlay/overlay.h"
 #include "render/web/web_page.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/text/utf8.h"
 
 namespace scb::app {
@@ -65,6 +67,15 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubjec
         render::compose(figure, options.picture.width(), options.picture.height(),
                         options.picture.samples, overlay);
     return render::encode_png(renderer.draw(picture, &overlay).image);
+}
+
+/// The verdict on one frame of a recording, with the frame's number.
+std::vector<std::string> verdict_of(const std::string& path, int frame) {
+    std::vector<std::string> lines = verdict_lines(scenes::judge_recording(
+        scenes::RecordingFile(path), [frame](int number) { return number == frame; },
+        [](bool) { return true; }));
+    lines.front() = "Frame " + std::to_string(frame) + ": " + lines.front();
+    return lines;
 }
 
 }  // namespace
@@ -131,7 +142,11 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     start.center = render::center_of(support);
     start.up = wish.up.value_or(Vec3::UnitZ());
     start.commands = view_commands(options, subject);
-    for (ViewColumn& column : subject.columns) column.explain = explain_command(options, column);
+    for (ViewColumn& column : subject.columns) {
+        column.explain = explain_command(options, column);
+        if (column.is_recorded() && scenes::names_recording(column.scene->file))
+            column.verdict = verdict_of(column.scene->file, subject.frame);
+    }
 
     std::string scene, titles;
     for (ViewColumn& column : subject.columns) {

@@ -199,6 +199,10 @@ std::string count_text(std::uint64_t count) {
     return text;
 }
 
+std::string counted(std::uint64_t count, const char* one, const char* several) {
+    return count_text(count) + " " + (count == 1 ? one : several);
+}
+
 std::string mean_text(std::uint64_t sum, std::size_t frames) {
     if (frames <= 1) return count_text(sum);
     const auto tenths = static_cast<std::uint64_t>(

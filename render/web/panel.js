@@ -25,6 +25,7 @@ class Panel {
       ...(shown.length > 1 ? [element('div', { className: 'row modes', role: 'group', 'aria-label': 'What is shown' },
         ...shown.map(({ name, text, about }, i) => this.toggle(text, `${about} (key ${i + 1})`, () => app.set({ mode: name }), () => state.mode === name)))] : []),
       ...(frame ? [frame, ...this.chart.parts(), row(this.toggle('Play', 'Space', () => app.play(), () => app.playing), button('\u2039', 'One frame back (,)', () => app.step(-1)), button('\u203a', 'One frame on (.)', () => app.step(1)))] : []),
+      ...app.columns.flatMap(({ title, verdict }) => verdict.map((line, i) => element('p', { className: 'verdict', textContent: (i === 0 && app.columns.length > 1 ? `${title}: ` : '') + line }))),
       this.query,
       ...ofLevels(element('h2', { textContent: 'Levels' }), this.level),
       ...(bodyLevels.length ? ofLevels(element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...bodyLevels)) : []),

@@ -389,6 +389,12 @@ class RecordingJudge {
 
 }  // namespace
 
+std::uint64_t RecordingJudgement::total(std::uint64_t FrameJudgement::*count) const {
+    std::uint64_t result = 0;
+    for (const FrameJudgement& frame : frames) result += frame.*count;
+    return result;
+}
+
 Verdict RecordingJudgement::verdict() const {
     const bool tree = std::any_of(trees.begin(), trees.end(), [](const TreeJudgement& judged) {
         return !judged.problems.empty();

@@ -126,6 +126,8 @@ struct RecordingJudgement {
     /// Queries of whose items too little is known, see has_known_items.
     std::uint64_t unknown_items = 0;
 
+    /// The sum of a count over the frames.
+    std::uint64_t total(std::uint64_t FrameJudgement::*count) const;
     /// Something that is slow is not wrong.
     Verdict verdict() const;
     bool wrong() const { return verdict() == Verdict::wrong; }

@@ -100,6 +100,26 @@ TEST(ViewCommand, TakesRecordings) {
     EXPECT_EQ(manifest["trees"].size(), 2u);
 }
 
+TEST(ViewCommand, GivesTheVerdictOnTheRecordedFrame) {
+    const TemporaryFolder folder;
+    const std::string whole = folder / "own.scbrec", file = folder / "a.html";
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + whole).status, 0);
+    const auto verdict = [&](const std::string& recording) {
+        EXPECT_EQ(run_scb("view " + recording + " --frames 100 -o " + file).status, 0);
+        return manifest_of(file_text(file))["columns"][0]["verdict"][0];
+    };
+    EXPECT_EQ(verdict(whole), "Frame 100: Sound.");
+    // The same without the last pair of the last frame.
+    const std::string text = folder / "own.jsonl", broken = folder / "broken.jsonl";
+    ASSERT_EQ(run_scb("convert " + whole + " -o " + text).status, 0);
+    std::string lines = file_text(text);
+    const std::size_t last = lines.rfind(",[\"pair\"");
+    ASSERT_NE(last, lines.npos);
+    lines.erase(last, lines.find(']', last) + 1 - last);
+    folder.write("broken.jsonl", lines);
+    EXPECT_EQ(verdict(broken), "Frame 100: Wrong: 1 pair missed.");
+}
+
 // By default a recording shows the frame with the most pairs, and a trace the first.
 TEST(ViewCommand, ShowsAFrameThatTwoFilesHave) {
     const TemporaryFolder folder;

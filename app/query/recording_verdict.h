@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/recordings/recording_judgement.h"
+
+namespace scb::app {
+
+/// The verdict on a recording, and the parts that could not be judged: a sentence each, as reports
+/// and pages begin with them.
+std::vector<std::string> verdict_lines(const scenes::RecordingJudgement& judged);
+
+}  // namespace scb::app
