@@ -2,10 +2,12 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/app/program.h"
 
@@ -163,6 +165,75 @@ TEST(HostileFiles, ThatReadersMisreadAreReadRight) {
         EXPECT_TRUE(entry.path().extension() == ".md" ||
                     expected_of_readers.contains(entry.path().filename().string()))
             << entry.path();
+}
+
+class HostileRecording : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!fs::is_directory(recordings))
+            GTEST_SKIP() << "../shared/hostile/recording is not there";
+    }
+    const fs::path recordings = hostile / "recording";
+    const TemporaryFolder folder;
+};
+
+// Of one scene and one engine: the second kept the name of the first, and replaced its pictures.
+TEST_F(HostileRecording, DoesNotReplaceThePicturesOfAnotherOne) {
+    std::set<std::string> pictures;
+    for (const char* name : {"before", "after"}) {
+        const fs::path file = recordings / (std::string(name) + ".scbrec");
+        const ProgramRun run = run_scb("inspect " + file.string() + " -o " + (folder / "out"));
+        ASSERT_EQ(run.status, 0) << run.err;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder.path / "out"))
+            if (entry.path().extension() == ".png") pictures.insert(entry.path().filename());
+        EXPECT_EQ(run.err.find("replaced"), std::string::npos) << run.err;
+    }
+    const auto of = [&](const std::string& name) {
+        return std::count_if(pictures.begin(), pictures.end(),
+                             [&](const std::string& file) { return file.starts_with(name); });
+    };
+    EXPECT_GT(of("before"), 0);
+    EXPECT_EQ(of("before"), of("after"));
+}
+
+TEST_F(HostileRecording, LosesNothingOnItsWayThroughJson) {
+    const std::string text = folder / "a.jsonl", again = folder / "a.scbrec",
+                      text_again = folder / "b.jsonl";
+    ASSERT_EQ(run_scb("convert " + (recordings / "lossy.scbrec").string() + " -o " + text).status,
+              0);
+    ASSERT_EQ(run_scb("convert " + text + " -o " + again).status, 0);
+    ASSERT_EQ(run_scb("convert " + again + " -o " + text_again).status, 0);
+    EXPECT_EQ(file_text(text), file_text(text_again));
+    // A signalling NaN, the bytes of a later version, and "complete" that is neither 0 nor 1.
+    for (const char* kept : {"nan:7ff4000020000000", "appended", "\"complete\":2"})
+        EXPECT_NE(file_text(text).find(kept), std::string::npos) << file_text(text);
+}
+
+TEST_F(HostileRecording, NamesTheCauseOf40000MissedPairs) {
+    const ProgramRun run = run_scb("inspect " + (recordings / "miss200.scbrec").string());
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_NE(run.out.find("\nWrong: 40,000 pairs missed.\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("\nCost: tree 0 \"t\" is 199 deep, where 8 would do"), std::string::npos)
+        << run.out;
+}
+
+TEST_F(HostileRecording, HasNumbersThatNoLocaleChanges) {
+    const ProgramRun run =
+        run_scb_process("--no-config stats --json " + (recordings / "locale.ply").string());
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto box = nlohmann::json::parse(run.out)["hierarchies"][0]["facts"]["box"];
+    EXPECT_EQ(box["lower"], nlohmann::json({0, 0, 0}));
+    EXPECT_EQ(box["upper"], nlohmann::json({1, 1, 0}));
+}
+
+// The command is a stranger's: of a very long word only the start is printed.
+TEST_F(HostileRecording, OfAShardIsNotPrintedWhole) {
+    const ProgramRun run =
+        run_scb("merge " + (recordings / "merge_16.json").string() + " -o " + (folder / "out"));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("shard 2/2 is missing"), std::string::npos) << run.err;
+    EXPECT_LT(run.err.size(), 500u);
+    EXPECT_FALSE(fs::exists(folder.path / "out"));
 }
 
 // As the real program reads them; their fuzzers read them again under sanitizers.
