@@ -50,8 +50,7 @@ struct RecordedPair {
     }
 };
 
-/// At the frame that the options name. Without one, at the frame with the most pairs; if the query
-/// there does not test the nodes, at the first frame that does.
+/// At the frame that the options name; without one, at that of RecordedTrace::frame_of_test.
 std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
     const std::string& path = options.scene.names[0];
     const auto open = [&](const std::string& frames) {
@@ -64,15 +63,8 @@ std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPa
                              ": this command takes one frame; give one.");
         return trace;
     }
-    std::unique_ptr<RecordedTrace> trace = open(scenes::auto_frames);
-    const TraceFrame& frame = trace->frame(trace->frames()[0]);
-    const std::optional<IndexPair> nodes = nodes_of(frame, numbers);
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
-    const bool is_tested =
-        nodes && std::any_of(tests.begin(), tests.end(),
-                             [&](const VolumeTest& test) { return test.nodes == *nodes; });
-    const std::optional<int> other = is_tested ? std::nullopt : trace->frame_with_test(numbers);
-    return open(std::to_string(other.value_or(trace->frames()[0])));
+    const std::unique_ptr<RecordedTrace> trace = open(scenes::auto_frames);
+    return open(std::to_string(trace->frame_of_test(numbers, trace->frames()[0])));
 }
 
 std::uint32_t checked_number(std::int64_t number, const std::string& option) {
@@ -153,7 +145,7 @@ RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::s
                   explain_nodes(of_a, of_b, query.b_to_a, query.tolerance, ended),
                   {},
                   {{described(body_a, a, found.nodes.a), described(body_b, b, found.nodes.b)}}};
-    found.has_verdict = has_exact_verdict(of_a, of_b);
+    found.has_verdict = proven_verdict(of_a, of_b, query.b_to_a, query.tolerance).has_value();
     for (FoundTest& test : found.tests)
         test.answer = judged(test.stage, found.pair.found.certificate.contact);
     return found;

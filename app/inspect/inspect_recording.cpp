@@ -13,11 +13,30 @@
 #include "app/inspect/recording_report.h"
 #include "app/inspect/recording_settings.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/text/input_files.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::app {
+namespace {
+
+/// Explains the first test that is at fault; empty where none is.
+std::string explain_command(const scenes::RecordingJudgement& judged, const std::string& path) {
+    for (const auto* groups : {&judged.test_problems, &judged.missed})
+        for (const scenes::ProblemGroup& group : *groups) {
+            const scenes::ProblemCase& first = group.cases.front();
+            if (first.nodes.a == no_index || first.nodes.b == no_index) continue;
+            const bool several = judged.summary.body_names.size() > 2;
+            return "scb explain " + file_word(path) +
+                   (several ? " --bodies " + file_word(first.query.a + "," + first.query.b) : "") +
+                   " --frames " + std::to_string(first.query.frame) +
+                   format(" --pair %u,%u", first.nodes.a, first.nodes.b);
+        }
+    return {};
+}
+
+}  // namespace
 
 int inspect_recording(InspectOptions& options, const Console& console) {
     const std::string& path = options.scene.names[0];
@@ -90,6 +109,8 @@ int inspect_recording(InspectOptions& options, const Console& console) {
     if (judged.wrong() && !pictures)
         console.note("scb: `scb inspect " + file_word(path) +
                      " -o out` draws the first of each kind of what is wrong.");
+    if (const std::string next = explain_command(judged, path); !next.empty())
+        console.note("scb: `" + next + "` shows the first of these tests step by step.");
     if (watch.signal() != 0) {
         console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
                      std::to_string(frames.size()) + " frames were inspected.");

@@ -11,6 +11,7 @@
 #include "render/figures/heat_figure.h"
 #include "render/figures/problem_figure.h"
 #include "scb/error.h"
+#include "scenes/recordings/judgement_words.h"
 #include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {
@@ -58,7 +59,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
                 [&p](const WatchedProblem& each) { return each.problem.fault == p.fault; }));
             problems.push_back({"a fault of the tree",
                                 "tree-" + std::to_string(tree.number),
-                                "",
+                                scenes::fault_words(p.fault),
                                 watched.words,
                                 count,
                                 watched.worst_at,
@@ -182,8 +183,8 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         if (!problem.what.empty()) figure.panel.emplace_back(render::PanelNote{problem.what});
         figure.panel.emplace_back(render::PanelNote{problem.first});
         if (problem.count > 1)
-            figure.panel.emplace_back(render::PanelNote{
-                "the first of " + render::count_text(problem.count) + " of the kind"});
+            figure.panel.emplace_back(
+                render::PanelNote{"one of " + render::count_text(problem.count) + " of the kind"});
         const std::string name =
             picture_name(stem,
                          scenes::file_name_of(recording.engine) + "_problem-" +

@@ -7,10 +7,10 @@
 #include "app/inspect/inspect_report.h"
 #include "app/inspect/recording_settings.h"
 #include "app/query/recording_verdict.h"
-#include "core/base/enum_names.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
+#include "scenes/recordings/judgement_words.h"
 
 namespace scb::app {
 namespace {
@@ -23,36 +23,22 @@ using scenes::ProblemGroup;
 using scenes::RecordingJudgement;
 using scenes::TreeJudgement;
 
-constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
-    "nodes are described twice",
-    "children are not described",
-    "nodes are children of two nodes",
-    "nodes name another parent than the one that lists them",
-    "nodes are not listed by the parent that they name",
-    "nodes are in cycles, or below them",
-    "triangles are in no leaf",
-    "triangles of leaves are none of the mesh",
-    "triangles have vertices that are not finite",
-    "nodes have volumes that are none",
-    "nodes have no volume",
-    "nodes do not contain what is below them",
-    "nodes do not contain their parts of triangles",
-};
-
-std::string query_words(const scenes::QueryName& query) {
-    return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b;
-}
-
 /// Since when, how large it was there, and where it is worst.
 std::string when(const WatchedProblem& problem) {
-    std::string words = "since frame " + std::to_string(problem.since);
+    std::string words = problem.gaps
+                            ? "in " + count_text(problem.frames) + " frames, first at frame " +
+                                  std::to_string(problem.since)
+                            : "since frame " + std::to_string(problem.since);
     if (problem.worst_at != problem.since)
         words += ", by " + amount_words(problem.since_amount) + " there; by " +
                  amount_words(problem.problem.amount) + " at frame " +
                  std::to_string(problem.worst_at);
-    if (problem.stale)
-        words +=
-            "; stale: the volume was last recorded at frame " + std::to_string(problem.told_at);
+    if (problem.links_at >= 0)
+        words += "; at frame " + std::to_string(problem.links_at) +
+                 " the node got other children or items, and kept its volume of frame " +
+                 std::to_string(problem.kept_from);
+    else if (problem.stale)
+        words += "; stale: the volume is that of frame " + std::to_string(problem.told_at);
     return words;
 }
 
@@ -66,11 +52,20 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
     const TreeFault fault = problems[0]->problem.fault;
     std::string text;
     if (problems.size() > 1) {
-        text = "    " + count_text(problems.size()) + " " + std::string(fault_names[fault]);
+        text = "    " + count_text(problems.size()) + " " + scenes::fault_words(fault);
         double most = 0;
-        for (const WatchedProblem* problem : problems)
+        int first = problems[0]->since;
+        std::uint64_t inherited = 0;
+        for (const WatchedProblem* problem : problems) {
             most = std::max(most, problem->problem.amount);
+            first = std::min(first, problem->since);
+            inherited += problem->problem.inherited;
+        }
         if (most > 0) text += ", by up to " + amount_words(most);
+        text += ", the first since frame " + std::to_string(first);
+        if (inherited > 0)
+            text += "; of these, " + count_text(inherited) +
+                    " are above others and miss the same items";
         text += most > 0 ? "; the worst:\n" : "; the first:\n";
     }
     for (std::size_t i = 0; i < std::min(top, problems.size()); ++i)
@@ -79,10 +74,12 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
     return text;
 }
 
-std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
+std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::size_t cases) {
     std::string text = "Trees\n";
     for (const TreeJudgement& tree : judged.trees) {
-        const char* sound = tree.unfinished ? "the file breaks off in it, not judged" : "sound";
+        const char* sound = tree.unfinished   ? "the file breaks off in it, not judged"
+                            : tree.nodes == 0 ? "not judged"
+                                              : "sound";
         text +=
             "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
             std::to_string(tree.depth) +
@@ -98,7 +95,7 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
         for (const WatchedProblem& problem : tree.problems)
             by_fault[problem.problem.fault].push_back(&problem);
         for (const auto& [fault, problems] : by_fault)
-            text += faults_text(problems, std::min<std::size_t>(top, 3));
+            text += faults_text(problems, cases > 1 ? cases : std::min<std::size_t>(top, 3));
         if (tree.fit)
             text += "    One change explains it: " + tree.fit->what + ". With it, " +
                     count_text(tree.fit->nodes) + " of " + count_text(tree.fit->of) +
@@ -110,6 +107,8 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top) {
 
 std::string tests_text(const RecordingJudgement& judged) {
     if (judged.stages.empty()) return "Tests: none were recorded.\n\n";
+    if (judged.total(&FrameJudgement::volume_tests) == 0)
+        return "Tests: no tests of volumes were recorded.\n\n";
     std::size_t width = 5;
     for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));
     std::string text = "Tests" + std::string(width - 3, ' ') +
@@ -137,7 +136,7 @@ std::string poses_text(const RecordingJudgement& judged, std::size_t top) {
     for (const auto& pose : judged.poses) {
         if (++counts[pose.pose] > std::min<std::size_t>(top, 3)) continue;
         text += std::string("Pose: the tests ") + (pose.only_volumes ? "of volumes " : "") + "at " +
-                query_words(pose.query) + " fit " + pose.pose + ": " +
+                scenes::query_words(pose.query) + " fit " + pose.pose + ": " +
                 count_text(pose.told.all_wrong()) +
                 " are wrong with the one that was told, none with this" +
                 (pose.only_volumes ? ". Those of triangles fit the one that was told.\n" : ".\n");
@@ -157,7 +156,7 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
         text += "  " + count_text(group.count) + ": " + group.what + "\n";
         for (std::size_t i = 0; i < std::min(cases, group.cases.size()); ++i)
             text += (i == 0 ? "      first: " : "             ") +
-                    query_words(group.cases[i].query) + ": " + group.cases[i].words + "\n";
+                    scenes::query_words(group.cases[i].query) + ": " + group.cases[i].words + "\n";
     }
     return text.empty() ? text : text + "\n";
 }
@@ -194,11 +193,10 @@ std::string own_words(const std::optional<RecordingSettings>& settings) {
                         static_cast<double>(settings->recorded.volume_tests)));
 }
 
-/// The verdict, then what it does not cover, then what costs.
-std::string verdict_text(const RecordingJudgement& judged,
-                         const std::optional<RecordingSettings>& settings) {
+/// What costs, and which bodies are scaled.
+std::string costs_text(const RecordingJudgement& judged,
+                       const std::optional<RecordingSettings>& settings) {
     std::string text;
-    for (const std::string& line : verdict_lines(judged)) text += line + "\n";
     for (const scenes::CostFinding& cost : judged.costs)
         text += "Cost: " + cost_finding_words(cost) +
                 (cost.kind == scenes::CostFinding::Kind::repeated ? "" : own_words(settings)) +
@@ -216,11 +214,14 @@ std::string results_text(const RecordingJudgement& judged) {
     if (judged.unknown_items < judged.total(&FrameJudgement::queries))
         text += ", " + count_text(judged.exact_pairs) + " intersect; " +
                 count_text(judged.total(&FrameJudgement::missed)) + " missed, " +
-                count_text(judged.total(&FrameJudgement::false_pairs)) + " false";
+                count_text(judged.total(&FrameJudgement::false_pairs)) + " false" +
+                (judged.grazing > 0 ? ", " + count_text(judged.grazing) + " within the tolerance"
+                                    : std::string());
     text += ".\n";
     if (judged.ended_early > 0)
         text += count_text(judged.ended_early) + (judged.ended_early == 1 ? " query" : " queries") +
-                " ended early, or broke off: of what they did not come to, nothing is missed.\n";
+                " ended early, or broke off: pairs that they did not come to are not counted as "
+                "missed.\n";
     return text + "\n";
 }
 
@@ -291,6 +292,14 @@ std::string frames_text(const RecordingJudgement& judged, std::size_t top) {
     return "\nThe frames with the most errors, then with the most waste\n" + text;
 }
 
+std::string odd_text(const scenes::OddRecords& records) {
+    std::string text;
+    for (const std::string& words : records.first) text += "Odd: " + words + ".\n";
+    if (records.count > records.first.size())
+        text += "Odd: " + count_text(records.count - records.first.size()) + " more of the kind.\n";
+    return text;
+}
+
 const char* verdict_name(scenes::Verdict verdict) {
     return verdict == scenes::Verdict::sound   ? "sound"
            : verdict == scenes::Verdict::wrong ? "wrong"
@@ -323,22 +332,24 @@ Json groups_json(const std::vector<ProblemGroup>& groups) {
 std::string recording_text(const RecordingJudgement& judged,
                            const std::optional<RecordingSettings>& settings,
                            const std::string& file, std::size_t top, std::size_t cases) {
-    std::string text = file + (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
-                       counted(judged.frames.size(), "frame", "frames") + ", " +
-                       counted(judged.total(&FrameJudgement::queries), "query", "queries") + ", " +
-                       counted(judged.total(&FrameJudgement::volume_tests), "test", "tests") +
-                       " of volumes, " + count_text(judged.total(&FrameJudgement::item_tests)) +
-                       " of triangles\n" + verdict_text(judged, settings);
+    const std::vector<std::string> verdict = verdict_lines(judged);
+    std::string text =
+        verdict.front() + "\n" + file + (judged.engine.empty() ? "" : ", of " + judged.engine) +
+        ": " + counted(judged.frames.size(), "frame", "frames") + ", " +
+        counted(judged.total(&FrameJudgement::queries), "query", "queries") + ", " +
+        counted(judged.total(&FrameJudgement::volume_tests), "test", "tests") + " of volumes, " +
+        count_text(judged.total(&FrameJudgement::item_tests)) + " of triangles\n";
+    for (std::size_t i = 1; i < verdict.size(); ++i) text += verdict[i] + "\n";
+    text += costs_text(judged, settings);
     text += poses_text(judged, top);
-    text += trees_text(judged, top) + tests_text(judged) +
+    text += trees_text(judged, top, cases) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
             tolerance_text(judged) + results_text(judged) +
             groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
             frames_text(judged, top);
-    for (const std::string& odd : judged.odd) text += "Odd: " + odd + ".\n";
+    text += odd_text(judged.odd) + odd_text(judged.unusable);
     for (const std::string& note : judged.notes) text += "Note: " + note + ".\n";
-    if (judged.more_odd > 0) text += "Odd: " + count_text(judged.more_odd) + " more of the kind.\n";
     return text;
 }
 
@@ -362,13 +373,16 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
             Json problem = {{"what", watched.words}, {"since", watched.since}};
             if (watched.problem.node != no_index) problem["node"] = watched.problem.node;
             if (watched.problem.item != no_index) problem["triangle"] = watched.problem.item;
-            if (watched.problem.fault == TreeFault::outside)
+            if (watched.problem.amount > 0)
                 problem.update({{"amount", watched.problem.amount},
                                 {"worst_at", watched.worst_at},
                                 {"since_amount", watched.since_amount},
                                 {"told_at", watched.told_at},
                                 {"stale", watched.stale},
+                                {"inherited", watched.problem.inherited},
                                 {"frames", watched.frames}});
+            if (watched.links_at >= 0)
+                problem.update({{"links_at", watched.links_at}, {"kept_from", watched.kept_from}});
             problems.push_back(std::move(problem));
         }
         Json of_tree = {{"tree", tree.number},
@@ -422,7 +436,8 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
                                   {"triangle_tolerance", f.tolerance.triangles},
                                   {"from_origin", f.tolerance.away}});
     json["stretches"] = judged.stretches;
-    json["odd"] = judged.odd;
+    json["odd"] = judged.odd.first;
+    for (const std::string& words : judged.unusable.first) json["odd"].push_back(words);
     json["notes"] = judged.notes;
     return json;
 }

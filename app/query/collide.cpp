@@ -282,8 +282,8 @@ int run(CollideCommandOptions& options, const Console& console) {
         text += "\nrecorded: pairs that " + recorded->header().engine->name +
                 " reported; missed and false: against the exact ones. `scb inspect` says why.\n" +
                 (grazing == 0 ? std::string()
-                              : format("%llu more pairs touch, or miss each other, by less than "
-                                       "the engine's rounding, and are not judged.\n",
+                              : format("%llu of these pairs have a distance or depth within the "
+                                       "tolerance of `scb inspect`, and are not judged.\n",
                                        wide(grazing)));
     const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
     if (!options.json && !options.csv && all) {

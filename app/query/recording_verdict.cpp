@@ -26,7 +26,8 @@ std::string wrong_words(const RecordingJudgement& judged) {
     add(tests, "test that went wrong", "tests that went wrong");
     add(judged.total(&FrameJudgement::missed), "pair missed", "pairs missed");
     add(judged.total(&FrameJudgement::false_pairs), "false pair", "false pairs");
-    add(judged.odd.size() + judged.more_odd, "oddity", "oddities");
+    add(judged.odd.count, "record that contradicts its tree",
+        "records that contradict their trees");
     return "Wrong" + text;
 }
 
@@ -51,8 +52,8 @@ std::string not_judged_words(const scenes::NotJudged& part) {
 
 std::vector<std::string> verdict_lines(const RecordingJudgement& judged) {
     std::vector<std::string> lines;
-    if (!judged.damage.empty()) lines.push_back("Not whole: " + judged.damage);
     lines.push_back(verdict_words(judged) + ".");
+    if (!judged.damage.empty()) lines.push_back("Not whole: " + judged.damage);
     for (const scenes::NotJudged& part : judged.not_judged)
         lines.push_back("Not judged: " + not_judged_words(part) + ".");
     return lines;

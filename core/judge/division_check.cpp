@@ -2,17 +2,10 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace scb {
 namespace {
-
-std::vector<std::uint32_t> children_of(const TreeShape& shape, std::uint32_t node) {
-    std::vector<std::uint32_t> children;
-    for (std::uint32_t child = shape.first_child[node]; child != no_index;
-         child = shape.next_sibling[child])
-        children.push_back(child);
-    return children;
-}
 
 /// What a test led to: which children of A's node and of B's were tested.
 struct Division {
@@ -20,64 +13,139 @@ struct Division {
     std::size_t pairs = 0;  ///< of a child of each
 };
 
-bool overlap(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
-    return exact_verdict((*query.sides[0].tree)[a].volume, (*query.sides[1].tree)[b].volume,
-                         query.b_to_a, query.tolerance)
-               .contact == Contact::overlapping;
-}
+/// A node and the box about its volume, in A's frame.
+struct BoxedNode {
+    std::uint32_t node = 0;
+    Box box;
+};
 
-/// Whether the child of a node of `side` overlaps what stands against it: the other node of the
-/// test or, where that was divided too, one of its children.
-bool overlaps_other(const EngineQuery& query, std::uint32_t side, std::uint32_t child,
-                    std::uint32_t other, bool divided) {
-    const std::vector<std::uint32_t> others =
-        divided ? children_of(*query.sides[1 - side].shape, other) : std::vector{other};
-    return std::any_of(others.begin(), others.end(), [&](std::uint32_t node) {
-        return side == 0 ? overlap(query, child, node) : overlap(query, node, child);
-    });
-}
+class DivisionCheck {
+  public:
+    DivisionCheck(const EngineQuery& query, std::span<const JudgedTest> tests)
+        : query_(query), tests_(tests) {}
+
+    DivisionCounts counted() {
+        // A query may come to the same two nodes several times: together they lead to all children.
+        std::unordered_map<std::uint64_t, std::uint32_t> first;  // lookups only
+        for (std::uint32_t i = 0; i < tests_.size(); ++i)
+            first.try_emplace(key_of(tests_[i].nodes), i);
+        std::vector<Division> divisions(tests_.size());
+        for (const JudgedTest& test : tests_)
+            if (test.parent != no_index)
+                add(divisions[first.at(key_of(tests_[test.parent].nodes))], test.nodes,
+                    tests_[first.at(key_of(tests_[test.parent].nodes))].nodes);
+        for (std::uint32_t i = 0; i < tests_.size(); ++i) check(divisions[i], i);
+        return counts_;
+    }
+
+  private:
+    std::uint64_t key_of(IndexPair nodes) const { return pair_key(query_, nodes.a, nodes.b); }
+    const TreeShape& shape(std::uint32_t side) const { return *query_.sides[side].shape; }
+
+    bool is_below(std::uint32_t side, std::uint32_t node, std::uint32_t above) const {
+        return node == above || shape(side).parents[node] == above;
+    }
+
+    void add(Division& division, IndexPair nodes, IndexPair above) const {
+        // A body against itself may name the two the other way round.
+        if (query_.self && !(is_below(0, nodes.a, above.a) && is_below(1, nodes.b, above.b)))
+            std::swap(nodes.a, nodes.b);
+        if (nodes.a != above.a) division.of_a.insert(nodes.a);
+        if (nodes.b != above.b) division.of_b.insert(nodes.b);
+        division.pairs += nodes.a != above.a && nodes.b != above.b;
+    }
+
+    std::vector<std::uint32_t> children_of(std::uint32_t side, std::uint32_t node) const {
+        std::vector<std::uint32_t> children;
+        for (std::uint32_t child = shape(side).first_child[node]; child != no_index;
+             child = shape(side).next_sibling[child])
+            children.push_back(child);
+        return children;
+    }
+
+    BoxedNode boxed(std::uint32_t side, std::uint32_t node) const {
+        const NodeVolume& volume = (*query_.sides[side].tree)[node].volume;
+        BoxedNode result{node, {}};
+        if (!has_volume(volume)) return result;
+        result.box = box_about(placed(convex_shape(volume), side == 0 ? Pose{} : query_.b_to_a));
+        return result;
+    }
+
+    /// Boxes decide most pairs of many children.
+    bool overlap(const BoxedNode& a, const BoxedNode& b) const {
+        if ((a.box.lower.array() > b.box.upper.array()).any() ||
+            (b.box.lower.array() > a.box.upper.array()).any())
+            return false;
+        return exact_verdict((*query_.sides[0].tree)[a.node].volume,
+                             (*query_.sides[1].tree)[b.node].volume, query_.b_to_a,
+                             tolerance_of(query_, {a.node, b.node}))
+                   .contact == Contact::overlapping;
+    }
+
+    /// The place of the first child of a node of `side` that was not tested, although it overlaps
+    /// one of the others.
+    std::optional<std::uint32_t> lack(std::uint32_t side, const std::set<std::uint32_t>& tested,
+                                      const std::vector<std::uint32_t>& children,
+                                      const std::vector<std::uint32_t>& others,
+                                      bool against_itself) const {
+        std::vector<BoxedNode> boxes;
+        for (std::uint32_t place = 0; place < children.size(); ++place) {
+            if (tested.contains(children[place])) continue;
+            if (boxes.empty())
+                for (const std::uint32_t node : others) boxes.push_back(boxed(1 - side, node));
+            const BoxedNode child = boxed(side, children[place]);
+            const auto meets = [&](const BoxedNode& other) {
+                // A leaf has no pairs with itself.
+                if (against_itself && other.node == child.node)
+                    return !shape(side).is_leaf(child.node);
+                return side == 0 ? overlap(child, other) : overlap(other, child);
+            };
+            if (std::any_of(boxes.begin(), boxes.end(), meets)) return place;
+        }
+        return std::nullopt;
+    }
+
+    void check(const Division& division, std::uint32_t i) {
+        const bool both = !division.of_a.empty() && !division.of_b.empty();
+        // Some pairs with both children, and some with one: each its own way.
+        if ((division.of_a.empty() && division.of_b.empty()) || (both && division.pairs == 0))
+            return;
+        ++counts_.divided;
+        const IndexPair nodes = tests_[i].nodes;
+        const bool against_itself = query_.self && nodes.a == nodes.b;
+        std::set<std::uint32_t> all = division.of_a;
+        all.insert(division.of_b.begin(), division.of_b.end());
+        for (const std::uint32_t side : {0u, 1u}) {
+            const std::set<std::uint32_t>& tested = against_itself ? all
+                                                    : side == 0    ? division.of_a
+                                                                   : division.of_b;
+            if (tested.empty()) continue;
+            const std::uint32_t node = side == 0 ? nodes.a : nodes.b,
+                                other = side == 0 ? nodes.b : nodes.a;
+            const std::vector<std::uint32_t> children = children_of(side, node),
+                                             others = both ? children_of(1 - side, other)
+                                                           : std::vector{other};
+            const auto place = lack(side, tested, children, others, against_itself);
+            if (!place) continue;
+            if (counts_.lacking == 0)
+                counts_.first = {i, side, (*query_.sides[side].tree)[children[*place]].number,
+                                 *place};
+            counts_.alike =
+                counts_.alike && side == counts_.first.side && *place == counts_.first.place;
+            ++counts_.lacking;
+            return;
+        }
+    }
+
+    const EngineQuery& query_;
+    std::span<const JudgedTest> tests_;
+    DivisionCounts counts_;
+};
 
 }  // namespace
 
 DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests) {
-    std::vector<Division> divisions(tests.size());
-    for (const JudgedTest& test : tests) {
-        if (test.parent == no_index || test.repeated) continue;
-        const IndexPair above = tests[test.parent].nodes;
-        Division& division = divisions[test.parent];
-        if (test.nodes.a != above.a) division.of_a.insert(test.nodes.a);
-        if (test.nodes.b != above.b) division.of_b.insert(test.nodes.b);
-        division.pairs += test.nodes.a != above.a && test.nodes.b != above.b;
-    }
-    DivisionCounts counts;
-    for (std::uint32_t i = 0; i < tests.size(); ++i) {
-        const Division& division = divisions[i];
-        const bool both = !division.of_a.empty() && !division.of_b.empty();
-        // Some pairs with both children, and some with one: each its own way.
-        if ((division.of_a.empty() && division.of_b.empty()) || (both && division.pairs == 0))
-            continue;
-        ++counts.divided;
-        for (const std::uint32_t side : {0u, 1u}) {
-            const std::set<std::uint32_t>& tested = side == 0 ? division.of_a : division.of_b;
-            if (tested.empty()) continue;
-            const TreeShape& shape = *query.sides[side].shape;
-            const std::vector<std::uint32_t> children =
-                children_of(shape, side == 0 ? tests[i].nodes.a : tests[i].nodes.b);
-            const std::uint32_t other = side == 0 ? tests[i].nodes.b : tests[i].nodes.a;
-            std::uint32_t place = 0;
-            while (place < children.size() &&
-                   (tested.contains(children[place]) ||
-                    !overlaps_other(query, side, children[place], other, both)))
-                ++place;
-            if (place == children.size()) continue;
-            if (counts.lacking == 0)
-                counts.first = {i, side, (*query.sides[side].tree)[children[place]].number, place};
-            counts.alike = counts.alike && side == counts.first.side && place == counts.first.place;
-            ++counts.lacking;
-            break;
-        }
-    }
-    return counts;
+    return DivisionCheck(query, tests).counted();
 }
 
 }  // namespace scb

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/judge/node_tree.h"
@@ -32,9 +34,23 @@ struct EngineSide {
     const TreeShape* shape = nullptr;
     /// nullptr: items are no triangles. Vertices need not be finite, see has_finite_corners.
     const Mesh* mesh = nullptr;
+    /// The mesh as it was first, all of it finite: vertices at one place there are one vertex.
+    /// nullptr: the mesh itself.
+    const Mesh* rest = nullptr;
     /// Items are objects, each alone in a leaf, whose volume is all that is known of them.
     bool objects_by_volume = false;
+    /// The largest |coordinate| of the tree's volumes and of its mesh, without the stretch of the
+    /// body's pose, and the stretch.
+    double reach = 0, mesh_reach = 0, stretch = 1;
     int version = 0;  ///< another one whenever anything of this tree, or of its mesh, has changed
+};
+
+/// Which part of a tolerance is the largest.
+enum class ToleranceCause {
+    setting,   ///< the recording says what it is
+    pose,      ///< a body's rotation is not exact
+    distance,  ///< a body stands far from the origin
+    reach,     ///< coordinates of volumes and meshes are large
 };
 
 /// A query of two trees, as its engine tells of it.
@@ -50,18 +66,41 @@ struct EngineQuery {
     bool tells_items = false, tells_pairs = false;
     bool complete = true;           ///< false: it ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
-    /// Lengths up to which the engine's arithmetic may differ from exact one: of volumes, and of
-    /// triangles.
+    /// Lengths up to which the engine's arithmetic may differ from exact one: of the largest
+    /// volumes, and of triangles.
     double tolerance = 0, triangle_tolerance = 0;
-    /// The largest |coordinate| of the places of both bodies, which the tolerance follows.
-    double away = 0;
+    double tolerance_slope = 0;  ///< by how much `tolerance` grows with the reach of a volume
+    ToleranceCause tolerance_cause = ToleranceCause::reach;
+    /// The largest |coordinate| of the places of both bodies, and of their volumes and meshes.
+    double away = 0, reach = 0;
     bool single = false;  ///< the engine's numbers are of 32 bits
 };
+
+/// Two items, or two nodes, in one number; of a body against itself the same in either order.
+inline std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
+    if (query.self && a > b) std::swap(a, b);
+    return std::uint64_t{a} << 32 | b;
+}
+
+/// The tolerance of a test of these nodes: that of the query would be the tolerance of the largest.
+inline double tolerance_of(const EngineQuery& query, IndexPair nodes) {
+    double tolerance = query.tolerance;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const EngineSide& side = query.sides[k];
+        const double reach = (*side.tree)[k == 0 ? nodes.a : nodes.b].reach;
+        tolerance -= query.tolerance_slope * side.stretch *
+                     std::max(0.0, side.reach - std::max(reach, side.mesh_reach));
+    }
+    return std::max(tolerance, query.triangle_tolerance);
+}
 
 /// Whether all coordinates are numbers of at most max_coordinate.
 inline bool is_usable(const Vec3& point) { return (point.array().abs() <= max_coordinate).all(); }
 
 /// Whether all corners of the triangle are usable.
 bool has_finite_corners(const Mesh& mesh, std::uint32_t triangle);
+
+/// Whether the corners lie on a line. Builders leave such triangles out.
+bool has_no_area(const Mesh& mesh, std::uint32_t triangle);
 
 }  // namespace scb

@@ -7,11 +7,6 @@
 
 namespace scb {
 
-std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
-    if (query.self && a > b) std::swap(a, b);
-    return static_cast<std::uint64_t>(a) << 32 | b;
-}
-
 MissedPairs::MissedPairs(const EngineQuery& query, std::span<const JudgedTest> tests,
                          const std::unordered_map<std::uint64_t, ItemTest>& item_tests)
     : query_(query), tests_(tests), item_tests_(item_tests) {
@@ -91,20 +86,31 @@ MissedPairs::Found MissedPairs::search(const Ways& ways) const {
 }
 
 double MissedPairs::outside(std::size_t side, std::uint32_t node, std::uint32_t item) const {
+    const auto [known, added] = outside_[side].try_emplace(std::uint64_t{node} << 32 | item, 0.0);
+    if (added) known->second = computed_outside(side, node, item);
+    return known->second;
+}
+
+double MissedPairs::computed_outside(std::size_t side, std::uint32_t node,
+                                     std::uint32_t item) const {
     const EngineSide& of = query_.sides[side];
     const NodeVolume& volume = (*of.tree)[node].volume;
     // Of a triangle that is split between leaves, a node need contain a part alone.
     if (!has_volume(volume) || of.shape->holders_of(item).size() > 1) return 0;
+    const double tolerance =
+        query_.tolerance -
+        query_.tolerance_slope * of.stretch *
+            std::max(0.0, of.reach - std::max((*of.tree)[node].reach, of.mesh_reach));
     if (!of.mesh) {
         const NodeVolume* object = of.tree->object_volume(item);
         if (!object) return 0;
         const double amount = reach_beyond(convex_shape(volume), convex_shape(*object));
-        return amount > query_.tolerance ? amount : 0;
+        return amount > tolerance ? amount : 0;
     }
     double most = 0;
     for (const Vec3& corner : corners(*of.mesh, item)) {
         const double amount = excess(volume, corner);
-        if (amount > query_.tolerance) most = std::max(most, amount);
+        if (amount > tolerance) most = std::max(most, amount);
     }
     return most;
 }
@@ -197,7 +203,8 @@ PairProblem MissedPairs::rejected_at(PairProblem problem, std::uint32_t at) cons
     problem.event = test.event;
     problem.test = at;
     problem.nodes = {number(0, test.nodes.a), number(1, test.nodes.b)};
-    problem.cause = PairCause::rejected;
+    problem.cause =
+        test.verdict == TestVerdict::wrong ? PairCause::rejected : PairCause::rejected_unproven;
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::uint32_t node = side == 0 ? test.nodes.a : test.nodes.b,
                             item = side == 0 ? problem.items.a : problem.items.b;
@@ -211,8 +218,19 @@ PairProblem MissedPairs::rejected_at(PairProblem problem, std::uint32_t at) cons
         problem.cause = PairCause::not_contained;
         problem.side = side;
         problem.amount = amount;
+        problem.deepest = deepest_outside(side, node, item);
     }
     return problem;
+}
+
+/// The number of the node nearest to the item, below `node`, that does not contain it.
+std::uint32_t MissedPairs::deepest_outside(std::size_t side, std::uint32_t node,
+                                           std::uint32_t item) const {
+    const TreeShape& shape = *query_.sides[side].shape;
+    for (std::uint32_t below = shape.holder_of(item); below != no_index && below != node;
+         below = shape.parents[below])
+        if (outside(side, below, item) > 0) return number(side, below);
+    return no_index;
 }
 
 /// The number of the child of `node` on the way; no_index of the leaf itself.

@@ -16,9 +16,6 @@ struct ItemTest {
     std::uint32_t test = no_index;
 };
 
-/// Two items in one number; of a body against itself the same in either order.
-std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b);
-
 /// Finds out why pairs that intersect were not reported.
 class MissedPairs {
   public:
@@ -60,6 +57,8 @@ class MissedPairs {
     std::uint32_t next_number(std::size_t side, std::uint32_t node, const Way& way) const;
     /// How far the item is outside of the node, where that is more than the tolerance; else 0.
     double outside(std::size_t side, std::uint32_t node, std::uint32_t item) const;
+    double computed_outside(std::size_t side, std::uint32_t node, std::uint32_t item) const;
+    std::uint32_t deepest_outside(std::size_t side, std::uint32_t node, std::uint32_t item) const;
     std::uint32_t number(std::size_t side, std::uint32_t node) const {
         return (*query_.sides[side].tree)[node].number;
     }
@@ -70,6 +69,8 @@ class MissedPairs {
     std::array<std::vector<std::vector<std::uint32_t>>, 2> tests_of_;  ///< per node of a side
     mutable std::array<std::vector<std::uint32_t>, 2> mark_;  ///< per node: the latest search
     mutable std::uint32_t searches_ = 0;
+    /// What `outside` said, by node and item: lookups only.
+    mutable std::array<std::unordered_map<std::uint64_t, double>, 2> outside_;
 };
 
 }  // namespace scb

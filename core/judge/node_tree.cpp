@@ -12,15 +12,25 @@ void NodeTree::add(TreeNode node, std::string node_name, std::span<const std::ui
         told_twice_.push_back(node.number);
         return;
     }
+    if (!node_name.empty()) names_.emplace(index, std::move(node_name));
+    nodes_.push_back(std::move(node));
+    const TreeNode& added = nodes_.back();
+    relink(index, added.parent, added.links_at, children, items);
+}
+
+void NodeTree::relink(std::uint32_t index, std::uint32_t parent, int frame,
+                      std::span<const std::uint32_t> children,
+                      std::span<const std::uint32_t> items) {
+    TreeNode& node = nodes_[index];
+    node.parent = parent;
+    node.links_at = frame;
     node.first_child = static_cast<std::uint32_t>(children_.size());
     node.child_count = static_cast<std::uint32_t>(children.size());
     node.first_item = static_cast<std::uint32_t>(items_.size());
     node.item_count = static_cast<std::uint32_t>(items.size());
     children_.insert(children_.end(), children.begin(), children.end());
     items_.insert(items_.end(), items.begin(), items.end());
-    if (!nodes_.empty()) tells_parents_ |= node.parent != nodes_.front().parent;
-    if (!node_name.empty()) names_.emplace(index, std::move(node_name));
-    nodes_.push_back(std::move(node));
+    tells_parents_ |= parent != nodes_.front().parent;
 }
 
 std::uint32_t NodeTree::index_of(std::uint32_t number) const {
@@ -50,8 +60,10 @@ std::uint32_t NodeTree::parent(std::size_t index) const {
     return tells_parents_ ? nodes_[index].parent : no_index;
 }
 
-void NodeTree::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault) {
+void NodeTree::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault,
+                          double reach) {
     nodes_[index].volume = std::move(volume);
+    nodes_[index].reach = reach;
     nodes_[index].told_at = frame;
     if (fault.empty())
         volume_faults_.erase(index);

@@ -21,7 +21,9 @@ struct TreeNode {
     std::uint64_t id = 0;             ///< what the engine calls it
     std::uint32_t first_child = 0, child_count = 0, first_item = 0, item_count = 0;
     NodeVolume volume;
-    int told_at = 0;  ///< the frame at which the volume was told last
+    double reach = 0;  ///< the largest |number| of the volume that is a length
+    int told_at = 0;   ///< the frame from which on it has this volume
+    int links_at = 0;  ///< the frame from which on it has these children and items
 };
 
 /// A tree of nodes with any number of children, of whatever engine; what it was told of may be no
@@ -36,6 +38,10 @@ class NodeTree {
     /// taken.
     void add(TreeNode node, std::string node_name, std::span<const std::uint32_t> children,
              std::span<const std::uint32_t> items);
+
+    /// The parent, children and items of a node from this frame on.
+    void relink(std::uint32_t index, std::uint32_t parent, int frame,
+                std::span<const std::uint32_t> children, std::span<const std::uint32_t> items);
 
     std::size_t size() const { return nodes_.size(); }
     const TreeNode& operator[](std::size_t index) const { return nodes_[index]; }
@@ -56,7 +62,8 @@ class NodeTree {
     const std::vector<std::uint32_t>& told_twice() const { return told_twice_; }
 
     /// The volume from this frame on. `fault`: why what was told is none, as a clause; else empty.
-    void set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault);
+    void set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault,
+                    double reach = 0);
     /// Why the node has none; empty where it has one, or was told to have none.
     std::string volume_fault(std::uint32_t index) const;
 

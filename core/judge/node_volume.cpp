@@ -41,15 +41,28 @@ ConvexShape shape(const Obb& box) {
 }
 
 ConvexShape shape(const OpenBox& box) {
-    ConvexShape result =
-        shape(cut_box(box, Vec3::Constant(-max_coordinate), Vec3::Constant(max_coordinate)));
-    std::erase_if(result.faces, [&](const FacePlane& face) {
-        for (int i = 0; i < 3; ++i)
-            if (face.normal[i] != 0)
-                return std::isinf(face.normal[i] > 0 ? box.upper[i] : box.lower[i]);
-        return false;
-    });
-    return result;
+    // The center stands near the finite sides: from one in the middle they would be lost in
+    // rounding.
+    Vec3 center = Vec3::Zero(), lower, upper;
+    std::vector<FacePlane> faces;
+    for (int i = 0; i < 3; ++i) {
+        const bool from = std::isfinite(box.lower[i]), to = std::isfinite(box.upper[i]);
+        if (from && to)
+            center[i] = box.lower[i] + (box.upper[i] - box.lower[i]) / 2;
+        else if (from)
+            center[i] = box.lower[i] + 1 + std::abs(box.lower[i]);
+        else if (to)
+            center[i] = box.upper[i] - 1 - std::abs(box.upper[i]);
+        lower[i] = from ? box.lower[i] - center[i] : -max_coordinate;
+        upper[i] = to ? box.upper[i] - center[i] : max_coordinate;
+        if (from) faces.push_back({Vec3(-Vec3::Unit(i)), -lower[i]});
+        if (to) faces.push_back({Vec3::Unit(i), upper[i]});
+    }
+    return {center, 0, Mat3::Identity(),
+            [lower, upper](const Vec3& d) {
+                return Vec3((d.array() < 0).select(lower.array(), upper.array()));
+            },
+            std::move(faces)};
 }
 
 ConvexShape shape(const Ball& ball) {
@@ -72,8 +85,12 @@ ConvexShape shape(const Scb& scb) {
                 const double along = dot(scb.n, d) / length * scb.r;
                 const double height = std::clamp(along, scb.f, scb.e);
                 if (height == along) return Vec3(d * (scb.r / length));
-                const Vec3 across = d - scb.n * dot(scb.n, d);
-                const double width = std::sqrt(squared_norm(across));
+                // Twice, since the first difference cancels where d is nearly along n. What is left
+                // of one along n is rounding: then each point of the plane is as far.
+                Vec3 across = d - scb.n * dot(scb.n, d);
+                across -= scb.n * dot(scb.n, across);
+                double width = std::sqrt(squared_norm(across));
+                if (!(width > 1e-15 * length)) width = 0;
                 const double rim = std::sqrt(std::max(0.0, (scb.r - height) * (scb.r + height)));
                 return Vec3(scb.n * height +
                             (width > 0 ? Vec3(across * (rim / width)) : Vec3(Vec3::Zero())));
@@ -290,8 +307,8 @@ double finite_reach(const OpenBox& box) {
     return reach;
 }
 
-ContactCertificate open_verdict(const OpenBox& a, const OpenBox& b, const Pose& b_to_a,
-                                double tolerance) {
+std::optional<ContactCertificate> open_verdict(const OpenBox& a, const OpenBox& b,
+                                               const Pose& b_to_a, double tolerance) {
     const double reach =
         8 * (finite_reach(a) + finite_reach(b) + std::sqrt(squared_norm(b_to_a.translation)));
     const Vec3 far = Vec3::Constant(reach);
@@ -300,33 +317,39 @@ ContactCertificate open_verdict(const OpenBox& a, const OpenBox& b, const Pose& 
     // Of boxes along the same axes each axis has its own intervals, so that the cut decides.
     const bool along =
         (b_to_a.rotation.cwiseAbs().array().round() == b_to_a.rotation.cwiseAbs().array()).all();
-    return found.contact == Contact::disjoint && !along ? ContactCertificate{} : found;
+    if (found.contact == Contact::disjoint && !along) return std::nullopt;
+    return found;
 }
 
 /// The inverse of a rigid pose.
 Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
 
-}  // namespace
-
-bool has_exact_verdict(const NodeVolume& a, const NodeVolume& b) {
+bool has_verdict(const NodeVolume& a, const NodeVolume& b) {
     // What scb2_reach gives is then only a bound.
     if (has_slab_beside_center(a) || has_slab_beside_center(b)) return false;
     return has_volume(a) && has_volume(b) &&
            std::holds_alternative<Scb2>(a) == std::holds_alternative<Scb2>(b);
 }
 
+}  // namespace
+
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance) {
-    if (!has_exact_verdict(a, b)) return {};
+    return proven_verdict(a, b, b_to_a, tolerance).value_or(ContactCertificate{});
+}
+
+std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
+                                                 const Pose& b_to_a, double tolerance) {
+    if (!has_verdict(a, b)) return std::nullopt;
     const auto *open_a = std::get_if<OpenBox>(&a), *open_b = std::get_if<OpenBox>(&b);
     if (open_a && open_b) return open_verdict(*open_a, *open_b, b_to_a, tolerance);
     if (open_a)
-        return exact_verdict(cut_about(*open_a, convex_shape(b), b_to_a), b, b_to_a, tolerance);
+        return proven_verdict(cut_about(*open_a, convex_shape(b), b_to_a), b, b_to_a, tolerance);
     if (open_b)
-        return exact_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a)), b_to_a,
-                             tolerance);
+        return proven_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a)), b_to_a,
+                              tolerance);
     return std::visit(
-        [&]<class V>(const V& va) -> ContactCertificate {
+        [&]<class V>(const V& va) -> std::optional<ContactCertificate> {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||
                           std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>) {
                 if (const V* vb = std::get_if<V>(&b)) return verdict(va, *vb, b_to_a, tolerance);

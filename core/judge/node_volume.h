@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -58,15 +59,14 @@ ConvexShape convex_shape(const NodeVolume& volume);
 /// The box along the axes about it.
 Box box_about(const ConvexShape& shape);
 
-/// The exact verdict on two volumes, in A's frame: of two of one type as exact_verdict has it.
-/// Where gap or depth is within `tolerance`, a length, they touch. Touching, which claims nothing,
-/// where one has no volume, of a ball cut by two slabs with a volume of another type, or one whose
-/// center is not in both of its slabs, and of two open boxes that are turned against each other and
-/// do not meet near their finite sides.
+/// The exact verdict on two volumes, in A's frame. They touch where gap or depth is within
+/// `tolerance`, a length. There is no verdict where one has no volume, on a ball cut by two slabs
+/// with a volume of another type, or with a center outside of one of its slabs, and on two open
+/// boxes that are turned against each other and do not meet near their finite sides.
+std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
+                                                 const Pose& b_to_a, double tolerance);
+/// The same; touching, which claims nothing, where there is no verdict.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance);
-
-/// Whether it claims something of such volumes.
-bool has_exact_verdict(const NodeVolume& a, const NodeVolume& b);
 
 }  // namespace scb

@@ -22,16 +22,26 @@ std::vector<Extent> extents(const EngineSide& side, const Pose& to_a, double tol
         result.push_back(
             {object, volume, box.lower.array() - tolerance, box.upper.array() + tolerance});
     }
-    std::sort(result.begin(), result.end(), [](const Extent& x, const Extent& y) {
-        return std::pair(x.lower[0], x.object) < std::pair(y.lower[0], y.object);
-    });
     return result;
 }
 
+/// The axis along which the lower ends spread the most, as their variance has it: few extents
+/// overlap along it.
+int widest_axis(const std::vector<Extent>& of_a, const std::vector<Extent>& of_b) {
+    Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
+    const auto count = static_cast<double>(of_a.size() + of_b.size());
+    for (const std::vector<Extent>* extents : {&of_a, &of_b})
+        for (const Extent& extent : *extents) {
+            sum += extent.lower / count;
+            squares += extent.lower.cwiseAbs2() / count;
+        }
+    int axis = 0;
+    (squares - sum.cwiseAbs2()).maxCoeff(&axis);
+    return axis;
+}
+
 bool apart(const Extent& a, const Extent& b) {
-    for (int k = 1; k < 3; ++k)
-        if (a.upper[k] < b.lower[k] || b.upper[k] < a.lower[k]) return true;
-    return false;
+    return (a.upper.array() < b.lower.array()).any() || (b.upper.array() < a.lower.array()).any();
 }
 
 }  // namespace
@@ -48,8 +58,13 @@ bool has_object_volumes(const EngineQuery& query) {
 
 std::vector<IndexPair> object_contacts(const EngineQuery& query) {
     const EngineSide &side_a = query.sides[0], &side_b = query.sides[1];
-    const std::vector<Extent> of_a = extents(side_a, Pose{}, query.tolerance),
-                              of_b = extents(side_b, query.b_to_a, query.tolerance);
+    std::vector<Extent> of_a = extents(side_a, Pose{}, query.tolerance),
+                        of_b = extents(side_b, query.b_to_a, query.tolerance);
+    const int axis = widest_axis(of_a, of_b);
+    for (std::vector<Extent>* sorted : {&of_a, &of_b})
+        std::sort(sorted->begin(), sorted->end(), [axis](const Extent& x, const Extent& y) {
+            return std::pair(x.lower[axis], x.object) < std::pair(y.lower[axis], y.object);
+        });
     std::vector<IndexPair> contacts;
     const auto take = [&](const Extent& a, const Extent& b) {
         if (apart(a, b) || (query.self && a.object >= b.object)) return;
@@ -60,15 +75,16 @@ std::vector<IndexPair> object_contacts(const EngineQuery& query) {
     // Each begins at its lower end, and meets those that began before and have not ended.
     std::vector<const Extent*> open_a, open_b;
     std::size_t next_a = 0, next_b = 0;
-    const auto end_before = [](std::vector<const Extent*>& open, double x) {
-        std::erase_if(open, [x](const Extent* extent) { return extent->upper[0] < x; });
+    const auto end_before = [axis](std::vector<const Extent*>& open, double at) {
+        std::erase_if(open, [=](const Extent* extent) { return extent->upper[axis] < at; });
     };
     while (next_a < of_a.size() || next_b < of_b.size()) {
-        const bool is_a = next_b == of_b.size() ||
-                          (next_a < of_a.size() && of_a[next_a].lower[0] <= of_b[next_b].lower[0]);
+        const bool is_a =
+            next_b == of_b.size() ||
+            (next_a < of_a.size() && of_a[next_a].lower[axis] <= of_b[next_b].lower[axis]);
         const Extent& begun = is_a ? of_a[next_a++] : of_b[next_b++];
         std::vector<const Extent*>& others = is_a ? open_b : open_a;
-        end_before(others, begun.lower[0]);
+        end_before(others, begun.lower[axis]);
         for (const Extent* other : others) is_a ? take(begun, *other) : take(*other, begun);
         (is_a ? open_a : open_b).push_back(&begun);
     }

@@ -20,7 +20,9 @@ using Kind = EngineEvent::Kind;
 
 bool has_items(const EngineQuery& query, IndexPair items) {
     const auto has = [](const EngineSide& side, std::uint32_t item) {
-        return !side.mesh || item < side.mesh->triangles.size();
+        if (side.mesh) return item < side.mesh->triangles.size();
+        return side.shape->holder.empty() || side.shape->holder_of(item) != no_index ||
+               side.tree->object_volume(item);
     };
     return has(query.sides[0], items.a) && has(query.sides[1], items.b);
 }
@@ -68,31 +70,44 @@ bool have_meshes(const EngineQuery& query) { return query.sides[0].mesh && query
 std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
                                const EngineEvent& event) {
     const IndexPair items{event.a, event.b};
-    if (!have_meshes(query) || !has_items(query, items) || !are_finite(query, items))
-        return std::nullopt;
+    if (!has_items(query, items)) return std::nullopt;
+    if (has_object_volumes(query)) {
+        // The extents of objects are bounds: that they overlap says nothing of the objects.
+        if (event.kind != Kind::items_meet || !query.sides[0].tree->object_volume(items.a) ||
+            !query.sides[1].tree->object_volume(items.b))
+            return std::nullopt;
+        const ItemContact contact = contact_of(query, b_to_a, items);
+        return contact.meet || contact.grazing ? std::nullopt : std::optional(contact.margin);
+    }
+    if (!have_meshes(query) || !are_finite(query, items)) return std::nullopt;
     const auto [a, b] = triangles_of(query, b_to_a, items);
     if (triangles_overlap(a, b) == (event.kind == Kind::items_meet)) return std::nullopt;
     const ItemContact contact = contact_of(query, b_to_a, items);
     return contact.grazing ? std::nullopt : std::optional(contact.margin);
 }
 
-TestVerdict verdict_of(const ContactCertificate& certificate, std::uint8_t stage) {
-    if (certificate.contact == Contact::disjoint)
+TestVerdict verdict_of(const std::optional<ContactCertificate>& certificate, std::uint8_t stage) {
+    if (!certificate) return TestVerdict::unjudged;
+    if (certificate->contact == Contact::disjoint)
         return stage == 0 ? TestVerdict::false_positive : TestVerdict::right;
-    if (certificate.contact == Contact::overlapping)
+    if (certificate->contact == Contact::overlapping)
         return stage == 0 ? TestVerdict::right : TestVerdict::wrong;
     return TestVerdict::right;
 }
 
-bool can_judge(const EngineQuery& query, IndexPair nodes) {
-    return nodes.a != no_index && nodes.b != no_index &&
-           has_volume((*query.sides[0].tree)[nodes.a].volume) &&
-           has_volume((*query.sides[1].tree)[nodes.b].volume);
-}
-
-ContactCertificate certificate_of(const EngineQuery& query, const Pose& b_to_a, IndexPair nodes) {
-    return exact_verdict((*query.sides[0].tree)[nodes.a].volume,
-                         (*query.sides[1].tree)[nodes.b].volume, b_to_a, query.tolerance);
+std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const Pose& b_to_a,
+                                                 IndexPair nodes) {
+    if (nodes.a == no_index || nodes.b == no_index) return std::nullopt;
+    const NodeVolume &a = (*query.sides[0].tree)[nodes.a].volume,
+                     &b = (*query.sides[1].tree)[nodes.b].volume;
+    const double tolerance = tolerance_of(query, nodes);
+    const auto found = proven_verdict(a, b, b_to_a, tolerance);
+    // Of volumes that are smaller than the tolerance, touching says nothing.
+    if (found && found->contact == Contact::touching)
+        for (const NodeVolume* volume : {&a, &b})
+            if (const double size = diameter(convex_shape(*volume)); size > 0 && size <= tolerance)
+                return std::nullopt;
+    return found;
 }
 
 /// Of more pairs of a query that were not reported nobody asks why: each takes microseconds, and a
@@ -101,21 +116,25 @@ constexpr std::size_t most_looked_into = 100'000;
 
 class Judge {
   public:
-    Judge(const EngineQuery& query, std::span<const IndexPair> contacts)
-        : query_(query), contacts_(contacts), links_(query) {
+    Judge(const EngineQuery& query, std::span<const IndexPair> contacts,
+          const std::function<bool()>& go_on)
+        : query_(query), contacts_(contacts), go_on_(go_on), links_(query) {
         if (!query.self || !have_meshes(query)) return;
-        const Mesh& mesh = *query.sides[0].mesh;
-        if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                        [](const Vec3& v) { return v.allFinite(); }))
-            self_.emplace(mesh);
+        const EngineSide& side = query.sides[0];
+        self_.emplace(*side.mesh, side.rest ? *side.rest : *side.mesh);
     }
 
     QueryJudgement judged() && {
-        for (std::uint32_t i = 0; i < query_.events.size(); ++i) take(i);
+        for (std::uint32_t i = 0; i < query_.events.size(); ++i) {
+            take(i);
+            if (is_interrupted(i)) return std::move(result_);
+        }
         count_waste();
+        count_objects();
         if (query_.complete) result_.divisions = check_divisions(query_, result_.tests);
         // Without results there is nothing to compare.
         if (has_known_items(query_) && (query_.tells_pairs || query_.tells_items)) {
+            result_.exact = contacts_.size();
             if (query_.complete) find_missed();
             find_false();
         } else if (has_known_items(query_) && query_.complete) {
@@ -125,6 +144,24 @@ class Judge {
     }
 
   private:
+    bool is_interrupted(std::size_t done) {
+        constexpr std::size_t every = 256;
+        if ((done + 1) % every == 0 && go_on_ && !go_on_()) result_.interrupted = true;
+        return result_.interrupted;
+    }
+
+    /// Objects of which nothing is known that contains them.
+    void count_objects() {
+        if (!has_object_volumes(query_)) return;
+        for (const EngineSide& side : query_.sides)
+            for (std::uint32_t object = 0; object < side.shape->holder.size(); ++object) {
+                const NodeVolume* volume = volume_of_object(side, object);
+                if (!volume) continue;
+                ++result_.objects;
+                result_.unknown_objects += !has_volume(*volume);
+            }
+    }
+
     void take(std::uint32_t i) {
         const EngineEvent& event = query_.events[i];
         switch (event.kind) {
@@ -147,15 +184,42 @@ class Judge {
         ++result_.item_tests;
         item_tests_.try_emplace(pair_key(query_, event.a, event.b), ItemTest{i, led_by});
         item_parent_.push_back(led_by);
-        if (have_meshes(query_) && !has_items(query_, items))
+        if (!has_items(query_, items)) {
             result_.wrong_item_tests.push_back({i, led_by, 0, false, true});
-        else if (const auto margin = error_of(query_, query_.b_to_a, event))
-            result_.wrong_item_tests.push_back(
-                {i, led_by, *margin, !result_.tests.empty() && !links_.tested_nodes_of(items)});
-        else if (have_meshes(query_) && links_.strays(items))
-            result_.stray_item_tests.push_back({i, led_by, 0, true});
+        } else if (!are_neighbours(items)) {
+            if (const auto margin = error_of(query_, query_.b_to_a, event))
+                result_.wrong_item_tests.push_back(
+                    {i, led_by, *margin, !result_.tests.empty() && !links_.tested_nodes_of(items)});
+            else if (have_meshes(query_) && !in_one_leaf(items) && links_.strays(items))
+                result_.stray_item_tests.push_back({i, led_by, 0, true});
+        }
         if (event.kind == Kind::items_meet) mark_above(led_by);
         if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
+    }
+
+    /// Engines test the triangles of a leaf with each other, without a test of the leaf with
+    /// itself.
+    bool in_one_leaf(IndexPair items) const {
+        if (!query_.self) return false;
+        const std::vector<std::uint32_t> of_a = query_.sides[0].shape->holders_of(items.a),
+                                         of_b = query_.sides[0].shape->holders_of(items.b);
+        return std::any_of(of_a.begin(), of_a.end(), [&](std::uint32_t leaf) {
+            return std::find(of_b.begin(), of_b.end(), leaf) != of_b.end();
+        });
+    }
+
+    /// Triangles of one mesh that share a vertex are no pair, whatever a test says of them.
+    bool are_neighbours(IndexPair items) const {
+        return self_ && self_->share_vertex(items.a, items.b);
+    }
+
+    /// Vertices that stand closer to each other than the engine's numbers can tell: whether it has
+    /// joined them is not known.
+    bool may_be_neighbours(IndexPair items) const {
+        const double unit = query_.single ? 0x1p-22 : 0x1p-51;
+        return self_ && self_->may_share_vertex(
+                            items.a, items.b,
+                            std::max(query_.triangle_tolerance, unit * query_.sides[0].mesh_reach));
     }
 
     /// There is a pair below this test.
@@ -166,11 +230,9 @@ class Judge {
 
     void take_test(std::uint32_t i, const EngineEvent& event) {
         JudgedTest test{i, nodes_of(query_, event)};
-        if (can_judge(query_, test.nodes)) {
-            const ContactCertificate found = certificate_of(query_, query_.b_to_a, test.nodes);
-            test.verdict = verdict_of(found, event.stage);
-            test.margin = found.margin;
-        }
+        const auto found = certificate_of(query_, query_.b_to_a, test.nodes);
+        test.verdict = verdict_of(found, event.stage);
+        if (found) test.margin = found->margin;
         const TestLinks::Link link = links_.take_volumes(test.nodes, event.stage == 0);
         test.parent = link.led_by;
         test.repeated = link.repeated;
@@ -180,6 +242,8 @@ class Judge {
     void report(std::uint32_t i, const EngineEvent& event) {
         if (!reported_.insert(pair_key(query_, event.a, event.b)).second) {
             // Of a body against itself, a pair and the same the other way round are one.
+            // Of a triangle in several leaves, each leaf may lead to a test.
+            if (!query_.tells_pairs) return;
             if (!query_.self || event.a == event.b ||
                 !ordered_.insert(std::uint64_t{event.a} << 32 | event.b).second)
                 twice_.push_back(i);
@@ -219,14 +283,32 @@ class Judge {
                 continue;
             }
             ++looked;
-            if (contact_of(query_, query_.b_to_a, contact).grazing) {
+            if (is_interrupted(looked)) return;
+            // That the extents of two objects overlap does not prove their own test wrong.
+            if (has_object_volumes(query_))
+                if (const auto tested = item_tests_.find(pair_key(query_, contact.a, contact.b));
+                    tested != item_tests_.end() &&
+                    query_.events[tested->second.event].kind == Kind::items_apart)
+                    continue;
+            if (is_hidden(contact) || contact_of(query_, query_.b_to_a, contact).grazing) {
                 ++result_.grazing;
+                if (result_.grazing_missed++ == 0) result_.first_grazing = contact;
                 continue;
             }
             if (!missed) missed.emplace(query_, result_.tests, item_tests_);
             result_.pairs.push_back(missed->cause_of(contact));
         }
-        result_.exact = contacts_.size();
+    }
+
+    /// A triangle without an area that no leaf has, or two that the engine may take for neighbours.
+    bool is_hidden(IndexPair contact) const {
+        if (!have_meshes(query_)) return false;
+        const auto dropped = [](const EngineSide& side, std::uint32_t item) {
+            return side.shape->size() > 0 && side.shape->holder_of(item) == no_index &&
+                   has_no_area(*side.mesh, item);
+        };
+        return dropped(query_.sides[0], contact.a) || dropped(query_.sides[1], contact.b) ||
+               may_be_neighbours(contact);
     }
 
     /// A broadphase may report objects by the boxes of its leaves, which are larger than theirs.
@@ -234,8 +316,8 @@ class Judge {
         if (!has_object_volumes(query_)) return false;
         const IndexPair leaves{query_.sides[0].shape->holder_of(items.a),
                                query_.sides[1].shape->holder_of(items.b)};
-        return can_judge(query_, leaves) &&
-               certificate_of(query_, query_.b_to_a, leaves).contact == Contact::overlapping;
+        const auto found = certificate_of(query_, query_.b_to_a, leaves);
+        return found && found->contact == Contact::overlapping;
     }
 
     void find_false() {
@@ -249,8 +331,7 @@ class Judge {
                     ++result_.broken;
                     continue;
                 }
-                if (query_.self &&
-                    (items.a == items.b || (self_ && self_->share_vertex(items.a, items.b)))) {
+                if (query_.self && (items.a == items.b || are_neighbours(items))) {
                     if (items.a != items.b &&
                         self_->may_meet_elsewhere(items.a, items.b, query_.triangle_tolerance))
                         continue;
@@ -260,7 +341,7 @@ class Judge {
                 }
                 const ItemContact contact = contact_of(query_, query_.b_to_a, items);
                 if (contact.meet || leaves_meet(items)) continue;
-                if (contact.grazing) {
+                if (contact.grazing || may_be_neighbours(items)) {
                     ++result_.grazing;
                     continue;
                 }
@@ -286,6 +367,7 @@ class Judge {
 
     const EngineQuery& query_;
     std::span<const IndexPair> contacts_;
+    const std::function<bool()>& go_on_;
     QueryJudgement result_;
     TestLinks links_;
     std::optional<SelfPairs> self_;  ///< of triangles of a body against itself
@@ -316,12 +398,19 @@ bool has_finite_corners(const Mesh& mesh, std::uint32_t triangle) {
     return std::all_of(of.begin(), of.end(), is_usable);
 }
 
+bool has_no_area(const Mesh& mesh, std::uint32_t triangle) {
+    const TriangleCorners of = corners(mesh, triangle);
+    return has_finite_corners(mesh, triangle) &&
+           !(squared_norm(cross(Vec3(of[1] - of[0]), Vec3(of[2] - of[0]))) > 0);
+}
+
 bool has_known_items(const EngineQuery& query) {
     return have_meshes(query) || has_object_volumes(query);
 }
 
-QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts) {
-    return Judge(query, contacts).judged();
+QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts,
+                           const std::function<bool()>& go_on) {
+    return Judge(query, contacts, go_on).judged();
 }
 
 PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
@@ -332,9 +421,8 @@ PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
             fit.wrong_items += error_of(query, b_to_a, event).has_value();
             continue;
         }
-        const IndexPair nodes = nodes_of(query, event);
-        if (!can_judge(query, nodes)) continue;
-        const TestVerdict verdict = verdict_of(certificate_of(query, b_to_a, nodes), event.stage);
+        const TestVerdict verdict =
+            verdict_of(certificate_of(query, b_to_a, nodes_of(query, event)), event.stage);
         fit.wrong += verdict == TestVerdict::wrong;
         fit.false_positive += verdict == TestVerdict::false_positive;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@ enum class PairCause : std::uint8_t {
     not_contained,      ///< rejected at a node that does not contain the triangle
     bad_volume,         ///< rejected at a node whose volume is none
     rejected,           ///< rejected although the volumes overlap
+    rejected_unproven,  ///< rejected by a test that is not proven wrong
     never_visited,      ///< nodes overlapped, and what is below them was not tested
     below_outside,      ///< no test was recorded, and a node above does not contain the triangle
     below_bad_volume,   ///< no test was recorded, and a node above has a volume that is none
@@ -52,7 +54,7 @@ enum class PairCause : std::uint8_t {
     unknown_item,       ///< one of the two does not exist
     reported_twice,
 };
-inline constexpr std::size_t pair_cause_count = 19;
+inline constexpr std::size_t pair_cause_count = 20;
 inline bool is_missed(PairCause cause) { return cause < PairCause::reported_in_spite; }
 
 /// A pair of items that is missed or false, and why.
@@ -68,6 +70,9 @@ struct PairProblem {
     std::uint32_t test = no_index;
     std::uint32_t side = 0;  ///< of in_no_leaf and not_contained: whose triangle and node
     double amount = 0;       ///< of not_contained: how far the triangle is outside
+    /// Of not_contained: the node below that one, nearest to the triangle, that does not contain it
+    /// either; no_index: none.
+    std::uint32_t deepest = no_index;
 
     friend bool operator==(const PairProblem&, const PairProblem&) = default;
 };
@@ -107,7 +112,11 @@ struct QueryJudgement {
     std::uint64_t exact = 0;     ///< pairs that intersect
     /// Of a query whose results were not recorded: pairs that intersect.
     std::uint64_t without_results = 0;
-    std::uint64_t grazing = 0;       ///< reported or not, within the tolerance: not judged
+    std::uint64_t grazing = 0;         ///< reported or not, within the tolerance: not judged
+    std::uint64_t grazing_missed = 0;  ///< those that intersect exactly and were not reported
+    IndexPair first_grazing;           ///< the first of these
+    std::uint64_t unknown_objects = 0, objects = 0;  ///< without an extent, of how many
+    bool interrupted = false;
     std::uint64_t broken = 0;        ///< reported, of triangles that are not finite: not judged
     DivisionCounts divisions;        ///< of a complete query
     std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
@@ -129,7 +138,9 @@ bool has_known_items(const EngineQuery& query);
 /// Judges a query. `contacts` are all pairs of triangles that intersect, sorted, of finite
 /// triangles; of a body against itself those of SelfPairs; of objects those of object_contacts;
 /// empty where only one side has a mesh. O(tests) exact verdicts.
-QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts);
+/// `go_on` is asked from time to time; where it says no, the judgement ends there, interrupted.
+QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts,
+                           const std::function<bool()>& go_on = {});
 
 /// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,
 /// passed ones that are disjoint, or erred about two triangles.

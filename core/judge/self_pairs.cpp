@@ -41,7 +41,16 @@ bool fold_together(const TriangleCorners& a, const TriangleCorners& b, double to
 
 }  // namespace
 
-SelfPairs::SelfPairs(const Mesh& mesh) : mesh_(mesh), joined_(weld(mesh)) {}
+SelfPairs::SelfPairs(const Mesh& mesh, const Mesh& rest) : mesh_(mesh), joined_(weld(rest)) {}
+
+bool SelfPairs::may_share_vertex(std::uint32_t i, std::uint32_t j, double distance) const {
+    for (const std::uint32_t a : mesh_.triangles[i])
+        for (const std::uint32_t b : mesh_.triangles[j])
+            if (joined_[a] != joined_[b] &&
+                squared_norm(Vec3(mesh_.vertices[a] - mesh_.vertices[b])) <= distance * distance)
+                return true;
+    return false;
+}
 
 std::size_t SelfPairs::arrange(std::uint32_t i, std::uint32_t j, TriangleCorners& of_i,
                                TriangleCorners& of_j) const {

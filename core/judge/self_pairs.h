@@ -12,9 +12,15 @@ namespace scb {
 /// joined (0 and -0 are equal), and triangles that have a joined vertex in common are no pair.
 class SelfPairs {
   public:
-    /// All of the mesh, which must outlive this, must be finite.
-    explicit SelfPairs(const Mesh& mesh);
+    /// Both must outlive this. `rest` has the same vertices at the positions that join them: of a
+    /// mesh that changes, vertices may meet later that are not one. Vertices of triangles that are
+    /// asked for must be finite.
+    SelfPairs(const Mesh& mesh, const Mesh& rest);
+    explicit SelfPairs(const Mesh& mesh) : SelfPairs(mesh, mesh) {}
 
+    /// Whether a corner of one is nearer than `distance` to a corner of the other, which is not the
+    /// same vertex: an engine may have joined the two, or not.
+    bool may_share_vertex(std::uint32_t i, std::uint32_t j, double distance) const;
     bool share_vertex(std::uint32_t i, std::uint32_t j) const;
     /// Whether two triangles that share a vertex come nearer than `tolerance` to each other in any
     /// other place: then it depends on the engine's own rule whether they are a pair.

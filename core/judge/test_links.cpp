@@ -1,14 +1,9 @@
 #include "core/judge/test_links.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace scb {
-namespace {
-
-std::uint64_t key_of(IndexPair nodes) { return std::uint64_t{nodes.a} << 32 | nodes.b; }
-
-}  // namespace
-
 IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
     return {query.sides[0].tree->index_of(event.a), query.sides[1].tree->index_of(event.b)};
 }
@@ -18,8 +13,9 @@ TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
     Link link;
     if (nodes.a != no_index && nodes.b != no_index) {
         link.led_by = led_to(nodes);
-        const auto [known, added] = tests_.try_emplace(key_of(nodes), index);
+        const auto [known, added] = tests_.try_emplace(pair_key(query_, nodes.a, nodes.b), index);
         link.repeated = !added;
+        if (added) against_[nodes.a].push_back(nodes.b);
         known->second = index;
     }
     if (overlap) {
@@ -48,35 +44,46 @@ std::uint32_t TestLinks::led_to_items(IndexPair items) const {
 }
 
 bool TestLinks::strays(IndexPair items) const {
-    if (last_nodes_.a == no_index || last_nodes_.b == no_index) return false;
+    if (last_nodes_.a == no_index || last_nodes_.b == no_index || tested_nodes_of(items))
+        return false;
     const auto of_a = query_.sides[0].tree->items(last_nodes_.a),
                of_b = query_.sides[1].tree->items(last_nodes_.b);
     if (of_a.empty() || of_b.empty()) return false;
-    const bool in_both = std::find(of_a.begin(), of_a.end(), items.a) != of_a.end() &&
-                         std::find(of_b.begin(), of_b.end(), items.b) != of_b.end();
-    return !in_both && !tested_nodes_of(items);
+    return std::find(of_a.begin(), of_a.end(), items.a) == of_a.end() ||
+           std::find(of_b.begin(), of_b.end(), items.b) == of_b.end();
 }
 
 bool TestLinks::tested_nodes_of(IndexPair items) const { return test_of_items(items).has_value(); }
 
 std::optional<std::uint32_t> TestLinks::test_of_items(IndexPair items) const {
+    if (items == last_items_ && asked_at_ == taken_) return last_answer_;
+    const std::vector<std::uint32_t> of_a = query_.sides[0].shape->holders_of(items.a),
+                                     of_b = query_.sides[1].shape->holders_of(items.b);
     std::optional<std::uint32_t> latest;
     const auto take = [&](IndexPair nodes) {
         const std::optional<std::uint32_t> found = test_of(nodes);
         if (found && (!latest || *found > *latest)) latest = found;
     };
-    const TreeShape &shape_a = *query_.sides[0].shape, &shape_b = *query_.sides[1].shape;
-    for (const std::uint32_t a : shape_a.holders_of(items.a))
-        for (const std::uint32_t b : shape_b.holders_of(items.b)) take({a, b});
-    // A body against itself may be entered the other way round.
-    if (query_.self && !latest)
-        for (const std::uint32_t a : shape_a.holders_of(items.b))
-            for (const std::uint32_t b : shape_b.holders_of(items.a)) take({a, b});
+    constexpr std::size_t few = 64;
+    if (of_a.size() * of_b.size() <= few || query_.self) {
+        for (const std::uint32_t a : of_a)
+            for (const std::uint32_t b : of_b) take({a, b});
+    } else {
+        // Of items in many leaves, only the tests that were made are looked at.
+        const std::unordered_set<std::uint32_t> has_b(of_b.begin(), of_b.end());  // lookups only
+        for (const std::uint32_t a : of_a)
+            if (const auto against = against_.find(a); against != against_.end())
+                for (const std::uint32_t b : against->second)
+                    if (has_b.contains(b)) take({a, b});
+    }
+    last_items_ = items;
+    asked_at_ = taken_;
+    last_answer_ = latest;
     return latest;
 }
 
 std::optional<std::uint32_t> TestLinks::test_of(IndexPair nodes) const {
-    const auto found = tests_.find(key_of(nodes));
+    const auto found = tests_.find(pair_key(query_, nodes.a, nodes.b));
     if (found == tests_.end()) return std::nullopt;
     return found->second;
 }

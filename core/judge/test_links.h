@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "core/judge/engine_query.h"
 
@@ -41,8 +42,14 @@ class TestLinks {
 
     const EngineQuery& query_;
     std::unordered_map<std::uint64_t, std::uint32_t> tests_;  ///< by nodes: lookups only
+    /// By a node of A: the nodes of B that were tested against it. Lookups only.
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> against_;
     std::uint32_t taken_ = 0, last_overlap_ = no_index;
     IndexPair last_nodes_{no_index, no_index};  ///< those of last_overlap_
+    // The last answer of test_of_items, and how many tests there were: it is asked for repeatedly.
+    mutable IndexPair last_items_{no_index, no_index};
+    mutable std::uint32_t asked_at_ = 0;
+    mutable std::optional<std::uint32_t> last_answer_;
 };
 
 }  // namespace scb

@@ -67,17 +67,20 @@ struct Worst {
     explicit Worst(const NodeTree& of) : tree(of), problems(of.size()), found(of.size(), false) {}
 
     void note(std::uint32_t node, TreeFault fault, std::uint32_t item, std::uint32_t other,
-              double amount) {
+              double amount, bool inherited = false) {
         TreeProblem& worst = problems[node];
-        if (found[node] && !(amount > worst.amount)) return;
-        worst = {fault, tree[node].number, other, item, amount};
+        inherited = inherited && (!found[node] || worst.inherited);
+        if (!found[node] || amount > worst.amount)
+            worst = {fault, tree[node].number, other, item, amount};
+        worst.inherited = inherited;
         found[node] = true;
     }
 };
 
 /// Of a triangle in several leaves.
 void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh, std::uint32_t item,
-                 double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
+                 NodeTolerance allowed, Worst& worst, UnjudgedVolumes& unjudged) {
+    double tolerance = 0;
     std::vector<LeafWay> ways;
     std::vector<std::vector<std::uint32_t>> nodes;
     for (const std::uint32_t holder : shape.holders_of(item)) {
@@ -86,6 +89,7 @@ void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
         for (std::uint32_t node = holder; node != no_index; node = shape.parents[node])
             if (has_volume(tree[node].volume)) {
                 way.push_back(&tree[node].volume);
+                tolerance = std::max(tolerance, allowed.of(tree[node]));
                 of_way.push_back(node);
             }
     }
@@ -102,8 +106,22 @@ void check_split(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
     worst.note(farthest, TreeFault::part_outside, item, no_index, cover.amount);
 }
 
+/// A box along the axes contains the very numbers that it was made of. Where it does not, the
+/// engine may have rounded inwards; other volumes are made of rounded numbers anyway.
+void note_slight(const TreeNode& node, const Box& below, NodeTolerance tolerance,
+                 UnjudgedVolumes& unjudged) {
+    const auto* box = std::get_if<Obb>(&node.volume);
+    if (!box || box->axes != Mat3::Identity() || !(below.lower[0] <= below.upper[0])) return;
+    const Vec3 lower = box->center - box->half, upper = box->center + box->half;
+    const double by = std::max((lower - below.lower).maxCoeff(), (below.upper - upper).maxCoeff());
+    const double unit = std::ldexp(1.0, std::ilogb(std::max(node.reach, 1e-300)) - 23);
+    if (!(by > 1.5 * unit) || by > tolerance.of(node)) return;
+    ++unjudged.slightly_open;
+    unjudged.open_by = std::max(unjudged.open_by, by);
+}
+
 void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& mesh,
-                     double tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
+                     NodeTolerance tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
     std::vector<bool> split(mesh.triangles.size(), false);
     for (const auto& [item, node] : shape.more_holders)
         if (!split[item] && has_finite_corners(mesh, item)) {
@@ -124,51 +142,91 @@ void check_triangles(const NodeTree& tree, const TreeShape& shape, const Mesh& m
         if (const std::uint32_t parent = shape.parents[*i]; parent != no_index)
             boxes[parent].add(box);
         open[*i] = has_volume(tree[*i].volume) && box.lower[0] <= box.upper[0] &&
-                   !(excess(tree[*i].volume, box) <= tolerance);
+                   !(excess(tree[*i].volume, box) <= tolerance.of(tree[*i]));
+        note_slight(tree[*i], box, tolerance, unjudged);
     }
     for (const std::uint32_t i : shape.order)
         for (const std::uint32_t item : tree.items(i)) {
             if (!is_whole(item)) continue;
+            bool inherited = false;
             for (std::uint32_t above = i; above != no_index; above = shape.parents[above]) {
                 if (!open[above]) continue;
                 const double amount = excess(tree[above].volume, mesh, item);
-                if (amount > tolerance)
-                    worst.note(above, TreeFault::outside, item, no_index, amount);
+                if (!(amount > tolerance.of(tree[above]))) continue;
+                worst.note(above, TreeFault::outside, item, no_index, amount, inherited);
+                inherited = true;
             }
         }
 }
 
 /// Of a tree whose items are objects.
-void check_objects(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst,
-                   UnjudgedVolumes& unjudged) {
-    for (const std::uint32_t leaf : shape.order) {
-        if (tree.items(leaf).empty() || !has_volume(tree[leaf].volume)) continue;
+void check_objects(const NodeTree& tree, const TreeShape& shape, NodeTolerance tolerance,
+                   Worst& worst, UnjudgedVolumes& unjudged) {
+    // From the leaves up: the box of all extents below, which settles most nodes.
+    std::vector<Box> boxes(tree.size());
+    std::vector<bool> open(tree.size(), false);
+    for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
+        Box& box = boxes[*i];
         bool known = true;
-        for (const std::uint32_t object : tree.items(leaf)) {
+        for (const std::uint32_t object : tree.items(*i)) {
             const NodeVolume* extent = tree.object_volume(object);
             known = known && extent;
-            if (!extent) continue;
-            const ConvexShape of_object = convex_shape(*extent);
-            for (std::uint32_t node = leaf; node != no_index; node = shape.parents[node]) {
-                if (!has_volume(tree[node].volume)) continue;
-                const double amount = reach_beyond(convex_shape(tree[node].volume), of_object);
-                if (amount > tolerance)
-                    worst.note(node, TreeFault::outside, object, no_index, amount);
-            }
+            if (extent) box.add(box_about(convex_shape(*extent)));
         }
+        if (const std::uint32_t parent = shape.parents[*i]; parent != no_index)
+            boxes[parent].add(box);
+        open[*i] = has_volume(tree[*i].volume) && box.lower[0] <= box.upper[0] &&
+                   !(excess(tree[*i].volume, box) <= tolerance.of(tree[*i]));
+        if (tree.items(*i).empty()) continue;
         ++unjudged.of_leaves;
         unjudged.leaves += !known;
     }
+    for (const std::uint32_t leaf : shape.order)
+        for (const std::uint32_t object : tree.items(leaf)) {
+            const NodeVolume* extent = tree.object_volume(object);
+            if (!extent) continue;
+            bool inherited = false;
+            for (std::uint32_t node = leaf; node != no_index; node = shape.parents[node]) {
+                if (!open[node]) continue;
+                const double amount =
+                    reach_beyond(convex_shape(tree[node].volume), convex_shape(*extent));
+                if (!(amount > tolerance.of(tree[node]))) continue;
+                worst.note(node, TreeFault::outside, object, no_index, amount, inherited);
+                inherited = true;
+            }
+        }
 }
 
-void check_children(const NodeTree& tree, const TreeShape& shape, double tolerance, Worst& worst) {
+bool is_box_along_axes(const NodeVolume& volume) {
+    const auto* box = std::get_if<Obb>(&volume);
+    return (box && box->axes == Mat3::Identity()) || std::holds_alternative<OpenBox>(volume);
+}
+
+/// Of a tree whose items are objects: a box contains those of its children where the extents of the
+/// objects below them are not known. Where they are, a child may be larger than its objects; and
+/// volumes of other types need not contain the volumes of their children, but the objects.
+void check_children(const NodeTree& tree, const TreeShape& shape, NodeTolerance tolerance,
+                    Worst& worst) {
+    std::vector<bool> has_items(tree.size()), has_unknown(tree.size());
+    for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
+        for (const std::uint32_t object : tree.items(*i)) {
+            has_items[*i] = true;
+            if (!tree.object_volume(object)) has_unknown[*i] = true;
+        }
+        const std::uint32_t parent = shape.parents[*i];
+        if (parent == no_index) continue;
+        if (has_items[*i]) has_items[parent] = true;
+        if (has_unknown[*i]) has_unknown[parent] = true;
+    }
     for (const std::uint32_t i : shape.order) {
         const std::uint32_t parent = shape.parents[i];
-        if (parent == no_index || !has_volume(tree[i].volume) || !has_volume(tree[parent].volume))
+        if (parent == no_index || (has_items[i] && !has_unknown[i]) ||
+            !is_box_along_axes(tree[parent].volume) || !is_box_along_axes(tree[i].volume) ||
+            !has_volume(tree[i].volume) || !has_volume(tree[parent].volume))
             continue;
         const double amount =
             reach_beyond(convex_shape(tree[parent].volume), convex_shape(tree[i].volume));
-        if (amount > tolerance)
+        if (amount > std::max(tolerance.of(tree[parent]), tolerance.of(tree[i])))
             worst.note(parent, TreeFault::outside, no_index, tree[i].number, amount);
     }
 }
@@ -225,7 +283,7 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
         for (const std::uint32_t item : tree.items(i))
             if (item >= count) add(TreeFault::triangle_unknown, tree[i].number, no_index, item);
     for (std::uint32_t item = 0; item < count; ++item)
-        if (shape.holder_of(item) == no_index)
+        if (shape.holder_of(item) == no_index && !has_no_area(*mesh, item))
             add(TreeFault::triangle_nowhere, no_index, no_index, item);
     for (std::uint32_t item = 0; item < count; ++item)
         if (!has_finite_corners(*mesh, item))
@@ -234,7 +292,7 @@ std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shap
 }
 
 std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
-                                       const Mesh* mesh, double tolerance,
+                                       const Mesh* mesh, NodeTolerance tolerance,
                                        UnjudgedVolumes* unjudged) {
     std::vector<TreeProblem> problems;
     bool any = false;
@@ -242,13 +300,17 @@ std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& sh
     Worst worst(tree);
     UnjudgedVolumes not_judged;
     if (mesh) {
+        for (std::uint32_t item = 0; item < mesh->triangles.size() && tree.size() > 0; ++item)
+            not_judged.dropped += shape.holder_of(item) == no_index && has_no_area(*mesh, item);
         check_triangles(tree, shape, *mesh, tolerance, worst, not_judged);
-    } else {
+    } else if (tree.has_objects) {
         check_children(tree, shape, tolerance, worst);
         check_objects(tree, shape, tolerance, worst, not_judged);
     }
     if (unjudged) *unjudged = not_judged;
     for (const std::uint32_t i : shape.order) {
+        // Of a leaf without items the volume may be empty, or none.
+        if (shape.is_leaf(i) && tree.items(i).empty() && !worst.found[i]) continue;
         if (!tree.volume_fault(i).empty())
             worst.problems[i] = {TreeFault::bad_volume, tree[i].number};
         else if (any && !has_volume(tree[i].volume))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/judge/node_tree.h"
 #include "scb/mesh.h"
 
@@ -31,6 +33,8 @@ struct TreeProblem {
     /// Numbers, as the tree has them; no_index where there is none.
     std::uint32_t node = no_index, other = no_index, item = no_index;
     double amount = 0;  ///< a length
+    /// Of outside: each item that the node does not contain is outside of a node below it, too.
+    bool inherited = false;
 
     friend bool operator==(const TreeProblem&, const TreeProblem&) = default;
 };
@@ -39,10 +43,25 @@ struct TreeProblem {
 std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shape,
                                      const Mesh* mesh);
 
+/// A length up to which the numbers of a node may be off: it grows with them.
+struct NodeTolerance {
+    double least = 0, share = 0;
+
+    NodeTolerance(double length) : least(length) {}  // NOLINT: a length is one for all nodes
+    NodeTolerance(double of_least, double of_reach) : least(of_least), share(of_reach) {}
+    double of(const TreeNode& node) const { return std::max(least, share * node.reach); }
+};
+
 /// What of the volumes of a tree could not be judged.
 struct UnjudgedVolumes {
     /// Leaves of objects whose own extents were not recorded, and how many leaves there are.
     std::uint64_t leaves = 0, of_leaves = 0;
+    /// Boxes along the axes that do not contain what is below them, by more than one unit in the
+    /// last place of 32-bit numbers, but by less than the tolerance; by how much at most.
+    std::uint64_t slightly_open = 0;
+    double open_by = 0;
+    /// Triangles without an area that no leaf has.
+    std::uint64_t dropped = 0;
     /// Triangles in several leaves, see TriangleCover::undecided, and how many are in several.
     std::uint64_t splits = 0, of_splits = 0;
 };
@@ -54,7 +73,7 @@ struct UnjudgedVolumes {
 /// farthest from the root first. O(n) where the box of what is below shows that it is contained,
 /// else O(n depth).
 std::vector<TreeProblem> check_volumes(const NodeTree& tree, const TreeShape& shape,
-                                       const Mesh* mesh, double tolerance,
+                                       const Mesh* mesh, NodeTolerance tolerance,
                                        UnjudgedVolumes* unjudged = nullptr);
 
 /// How far the child reaches beyond the parent, at least.

@@ -7,34 +7,45 @@ namespace scb {
 
 void TreeWatch::look_at_shape(int frame, const WatchedTree& tree) {
     version_ = tree.version;
-    std::vector<TreeProblem> found = check_shape(tree.tree, tree.shape, tree.mesh);
-    if (found != shape_problems_)
-        for (const TreeProblem& problem : found)
+    for (const TreeProblem& problem : check_shape(tree.tree, tree.shape, tree.mesh)) {
+        const auto key = std::tuple(problem.fault, problem.node, problem.other, problem.item);
+        if (known_shapes_.insert(key).second)
             of_shape_.push_back(
                 {problem, words_of(problem, tree.tree), frame, 0, frame, false, frame});
-    shape_problems_ = std::move(found);
+    }
 }
 
 void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& problem) {
-    const int told_at = tree.tree[tree.tree.index_of(problem.node)].told_at;
+    const TreeNode& node = tree.tree[tree.tree.index_of(problem.node)];
     const auto last = amounts_.find(problem.node);
     const double before = last == amounts_.end() ? 0 : last->second;
-    const bool stale = told_at < frame && looked_ >= told_at && 2 * before <= problem.amount;
+    const bool stale =
+        node.told_at < frame && looked_ >= node.told_at && 2 * before <= problem.amount;
     const auto [known, added] = by_node_.try_emplace(problem.node, of_volumes_.size());
     present_.push_back(known->second);
-    if (added) {
-        of_volumes_.push_back(
-            {problem, words_of(problem, tree.tree), frame, problem.amount, frame, stale, told_at});
-        return;
-    }
+    if (added)
+        of_volumes_.push_back({problem, words_of(problem, tree.tree), frame, problem.amount, frame,
+                               stale, node.told_at});
     WatchedProblem& watched = of_volumes_[known->second];
-    watched.frames += frame != looked_;
-    if (!(problem.amount > watched.problem.amount)) return;
-    if (stale) {
-        watched.stale = true;
-        watched.told_at = told_at;
+    if (!added) {
+        watched.frames += frame != looked_;
+        watched.gaps |= frame != looked_ && watched.last != looked_;
     }
+    watched.last = frame;
+    watched.problem.inherited = watched.problem.inherited && problem.inherited;
+    if (watched.links_at < 0 && node.links_at > node.told_at) {
+        watched.links_at = node.links_at;
+        watched.kept_from = node.told_at;
+    }
+    if (added || !(problem.amount > watched.problem.amount)) return;
+    // Another volume than the stale one may be wrong, too.
+    if (stale || node.told_at > watched.told_at) {
+        watched.stale = stale;
+        watched.told_at = node.told_at;
+    }
+    const bool inherited = watched.problem.inherited;
     watched.problem = problem;
+    watched.problem.inherited = inherited;
     watched.words = words_of(problem, tree.tree);
     watched.worst_at = frame;
 }
@@ -45,7 +56,10 @@ void TreeWatch::look(int frame, const WatchedTree& tree) {
     if (tree.version != version_) look_at_shape(frame, tree);
     if (tree.volume_version == volume_version_) {
         if (frame != looked_)
-            for (const std::size_t i : present_) ++of_volumes_[i].frames;
+            for (const std::size_t i : present_) {
+                ++of_volumes_[i].frames;
+                of_volumes_[i].last = frame;
+            }
         looked_ = frame;
         return;
     }
@@ -68,6 +82,9 @@ void TreeWatch::look(int frame, const WatchedTree& tree) {
     }
     unjudged_.leaves = std::max(unjudged_.leaves, unjudged.leaves);
     unjudged_.of_leaves = std::max(unjudged_.of_leaves, unjudged.of_leaves);
+    unjudged_.slightly_open = std::max(unjudged_.slightly_open, unjudged.slightly_open);
+    unjudged_.open_by = std::max(unjudged_.open_by, unjudged.open_by);
+    unjudged_.dropped = std::max(unjudged_.dropped, unjudged.dropped);
     unjudged_.splits = std::max(unjudged_.splits, unjudged.splits);
     unjudged_.of_splits = std::max(unjudged_.of_splits, unjudged.of_splits);
     looked_ = frame;
@@ -78,6 +95,7 @@ std::vector<WatchedProblem> TreeWatch::problems() const {
     // Those of one look stand farthest from the root first.
     std::stable_sort(of_volumes.begin(), of_volumes.end(),
                      [](const WatchedProblem& x, const WatchedProblem& y) {
+                         if (x.problem.inherited != y.problem.inherited) return y.problem.inherited;
                          return x.problem.amount > y.problem.amount;
                      });
     all.insert(all.end(), of_volumes.begin(), of_volumes.end());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "core/judge/tree_check.h"
 
@@ -17,6 +19,11 @@ struct WatchedProblem {
     bool stale = false;
     int told_at = 0;           ///< the frame at which the wrong volume was recorded
     std::uint64_t frames = 1;  ///< in how many of the frames that were looked at
+    int last = 0;              ///< the last of these
+    bool gaps = false;         ///< a frame between the first and the last one is without it
+    /// The node got other children or items at the first of these frames, and kept the volume of
+    /// the second; -1: it did not.
+    int links_at = -1, kept_from = -1;
 };
 
 /// A tree to be checked, and how often what was recorded of it has changed.
@@ -24,7 +31,7 @@ struct WatchedTree {
     const NodeTree& tree;
     const TreeShape& shape;
     const Mesh* mesh = nullptr;
-    double tolerance = 0;
+    NodeTolerance tolerance = 0;
     int version = 0;         ///< counts changes of the shape
     int volume_version = 0;  ///< counts changes of anything that decides what is contained
 };
@@ -34,8 +41,8 @@ class TreeWatch {
   public:
     void look(int frame, const WatchedTree& tree);
 
-    /// Those of the shape, then those of volumes: the largest first; of equally large ones the
-    /// farthest from the root.
+    /// Those of the shape, then those of volumes: the largest first, and those that are inherited
+    /// last; of equally large ones the farthest from the root.
     std::vector<WatchedProblem> problems() const;
     const UnjudgedVolumes& unjudged() const { return unjudged_; }
     /// The most nodes that did not contain what is below them in a frame, and the first such frame.
@@ -47,8 +54,9 @@ class TreeWatch {
     void note(int frame, const WatchedTree& tree, const TreeProblem& problem);
 
     int version_ = -1, volume_version_ = -1;
-    int looked_ = -1;                          ///< frame
-    std::vector<TreeProblem> shape_problems_;  ///< at the last look
+    int looked_ = -1;  ///< frame
+    /// Fault, node, other and item of each problem of the shape.
+    std::set<std::tuple<TreeFault, std::uint32_t, std::uint32_t, std::uint32_t>> known_shapes_;
     std::vector<WatchedProblem> of_shape_, of_volumes_;
     std::map<std::uint32_t, std::size_t> by_node_;  ///< number to index into of_volumes_
     std::vector<std::size_t> present_;              ///< at the last look

@@ -13,6 +13,7 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "rejected at a node that does not contain the triangle",
     "rejected at a node whose volume is none",
     "rejected although the volumes overlap",
+    "rejected by a test that is not proven wrong",
     "what is below two overlapping nodes was never tested",
     "below a node that does not contain the triangle",
     "below a node whose volume is none",
@@ -29,6 +30,22 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "reported twice",
 };
 
+constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
+    "nodes are described twice",
+    "children are not described",
+    "nodes are children of two nodes",
+    "nodes name another parent than the one that lists them",
+    "nodes are not listed by the parent that they name",
+    "nodes are in cycles, or below them",
+    "triangles are in no leaf",
+    "triangles of leaves are none of the mesh",
+    "triangles have vertices that are not finite",
+    "nodes have volumes that are none",
+    "nodes have no volume",
+    "nodes do not contain what is below them",
+    "nodes do not contain their parts of triangles",
+};
+
 /// Of items that are objects.
 std::string for_objects(std::string words) {
     constexpr std::string_view triangle = "triangle", object = "object";
@@ -39,6 +56,8 @@ std::string for_objects(std::string words) {
 }
 
 }  // namespace
+
+std::string fault_words(TreeFault fault) { return std::string(fault_names[fault]); }
 
 std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b) {
     return what + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
@@ -84,7 +103,10 @@ std::string words_of(const EngineQuery& query, const PairProblem& problem, std::
         words += "; at " + pair_words("nodes", problem.nodes.a, problem.nodes.b);
     if (problem.cause == PairCause::not_contained)
         words += ", of which " + of_node + " does not contain " + what + " " +
-                 std::to_string(item) + ", by " + amount_words(problem.amount);
+                 std::to_string(item) + ", by " + amount_words(problem.amount) +
+                 (problem.deepest == no_index
+                      ? ""
+                      : "; nor does node " + std::to_string(problem.deepest) + " below it");
     if (problem.cause == PairCause::below_outside)
         words += "; " + of_node + " does not contain " + what + " " + std::to_string(item) +
                  ", by " + amount_words(problem.amount);

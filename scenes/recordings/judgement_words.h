@@ -14,6 +14,8 @@ namespace scb::scenes {
 using StageNames = std::map<std::uint8_t, std::string>;
 
 /// "nodes 3 of A and 4 of B".
+/// "nodes do not contain what is below them".
+std::string fault_words(TreeFault fault);
 std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b);
 /// "frame 3, left and right".
 std::string query_words(const QueryName& query);

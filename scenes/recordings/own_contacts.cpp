@@ -14,7 +14,8 @@ std::vector<IndexPair> OwnContacts::contacts(const EngineQuery& query, const Mes
     if (!meshes[0] || !meshes[1]) return {};
     std::vector<IndexPair> pairs;
     if (query.self)
-        pairs = SelfPairs(*meshes[0]).all(*hierarchy_of(meshes[0]));
+        pairs = SelfPairs(*meshes[0], query.sides[0].rest ? *query.sides[0].rest : *meshes[0])
+                    .all(*hierarchy_of(meshes[0]));
     else
         pairs = collide(Collider<Obb>{*hierarchy_of(meshes[0]), *meshes[0]},
                         Collider<Obb>{*hierarchy_of(meshes[1]), *meshes[1]}, query.b_to_a)

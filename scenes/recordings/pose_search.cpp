@@ -31,6 +31,19 @@ std::vector<std::pair<std::string, Pose>> other_poses(const EngineQuery& query, 
     return others;
 }
 
+/// Whether some tests say that the two meet, and some that they are apart: many poses explain tests
+/// of one outcome.
+bool has_both_outcomes(const EngineQuery& query) {
+    bool meet = false, apart = false;
+    for (const EngineEvent& event : query.events) {
+        const bool passed = event.kind == EngineEvent::Kind::volumes
+                                ? event.stage == 0
+                                : event.kind != EngineEvent::Kind::items_apart;
+        (passed ? meet : apart) = true;
+    }
+    return meet && apart;
+}
+
 }  // namespace
 
 bool PoseSearch::fits(const EngineQuery& query, const Pose& with, const QueryName& name,
@@ -45,6 +58,7 @@ bool PoseSearch::fits(const EngineQuery& query, const Pose& with, const QueryNam
 
 void PoseSearch::take(const EngineQuery& query, const QueryName& name, const BodyState& a,
                       const BodyState& b) {
+    if (!has_both_outcomes(query)) return;
     ++queries_;
     const PoseFit told = fit_of_pose(query, query.b_to_a);
     const auto others = other_poses(query, a.pose, b.pose);

@@ -27,7 +27,7 @@ struct PoseProblem {
 /// its poses.
 class PoseSearch {
   public:
-    /// Of a query with tests that are wrong.
+    /// Of a query with tests that are wrong. A query whose tests all say the same is left out.
     void take(const EngineQuery& query, const QueryName& name, const BodyState& a,
               const BodyState& b);
     /// What fits in more than half of these queries: what fits only here and there fits by chance.

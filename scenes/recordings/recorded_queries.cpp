@@ -20,7 +20,7 @@ namespace scb::scenes {
 namespace {
 
 /// More are counted.
-constexpr std::size_t most_oddities = 20;
+constexpr std::size_t most_odd = 20;
 /// Shares of the lengths in question, by how exact the engine's numbers are: some units in the last
 /// place of products of a few.
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
@@ -32,7 +32,7 @@ bool is_long(double value) {
     constexpr double short_bits = 0x1p16;
     int exponent = 0;
     const double mantissa = std::frexp(value, &exponent) * short_bits;
-    return std::isfinite(value) && mantissa != std::trunc(mantissa);
+    return std::isfinite(value) && value != std::trunc(value) && mantissa != std::trunc(mantissa);
 }
 
 bool is_of_32_bits(double value) {
@@ -80,7 +80,16 @@ bool has_single_objects(const NodeTree& tree, const TreeShape& shape) {
 std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> items) {
     WordHash hash;
     if (items.empty()) hash.add(number);
-    for (const std::uint32_t item : items) hash.add(std::uint64_t{item} << 32);
+    for (const std::uint32_t item : items) hash.add((std::uint64_t{item} + 1) << 32);
+    return hash.value;
+}
+
+/// Of the children and items of a node.
+std::uint64_t links_hash(const RecordedNode& node) {
+    WordHash hash;
+    hash.add(node.children.size());
+    for (const std::uint32_t child : node.children) hash.add(child);
+    for (const std::uint32_t item : node.items) hash.add(item);
     return hash.value;
 }
 
@@ -117,6 +126,7 @@ RecordedQueries::Step RecordedQueries::next() {
     ended_ = true;
     // What a program that crashed has told of its last query counts as an end ahead of time.
     if (!in_query_) return Step::frame;
+    broke_off_ = true;
     take(RecordedQueryEnd{false, 0});
     ended_ = false;
     return Step::query;
@@ -131,15 +141,15 @@ void RecordedQueries::changed(TreeState& tree) {
 void RecordedQueries::take(const RecordedStage& stage) {
     constexpr std::uint8_t last = 127;
     if (stage.stage == 0 || stage.stage > last)
-        return note_odd("a stage has the number " + std::to_string(stage.stage) +
-                        ", and stages are 1 to 127");
+        return note(unusable_, "a stage has the number " + std::to_string(stage.stage) +
+                                   ", and stages are 1 to 127");
     if (!stages_.contains(stage.stage)) stage_order_.push_back(stage.stage);
     stages_[stage.stage] = shown(stage.name);
 }
 
 void RecordedQueries::take(const RecordedEvent& event) {
     if (!in_query_) {
-        note_odd("a test or pair stands outside of queries");
+        note(unusable_, "a test or pair stands outside of queries");
         return;
     }
     EngineEvent taken{EngineEvent::Kind::volumes, 0, event.a, event.b};
@@ -159,7 +169,7 @@ void RecordedQueries::take(const RecordedEvent& event) {
 
 void RecordedQueries::take(const RecordedSetting& setting) {
     settings_.push_back({shown(setting.key), shown(setting.value)});
-    exact_tests_ |= setting.key == "tests" && setting.value == "exact";
+    if (setting.key == "tests") exact_tests_ = setting.value == "exact";
     if (setting.key != "tolerance") return;
     double told = 0;
     const char* end = setting.value.data() + setting.value.size();
@@ -167,7 +177,7 @@ void RecordedQueries::take(const RecordedSetting& setting) {
     if (error == std::errc() && stop == end && told >= 0 && told <= max_coordinate)
         told_tolerance_ = told;
     else
-        note_odd("the tolerance \"" + settings_.back().value + "\" is no length");
+        note(unusable_, "the tolerance \"" + settings_.back().value + "\" is no length");
 }
 
 void RecordedQueries::take(const RecordedMesh& mesh) {
@@ -190,6 +200,9 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
                          state.mesh->triangles == made->triangles &&
                          state.coordinate_bytes == mesh.coordinate_bytes;
     if (is_same) return;
+    if (!state.rest || state.rest->vertices.size() != finite->vertices.size() ||
+        state.rest->triangles != finite->triangles)
+        state.rest = finite;
     state.mesh = std::move(made);
     state.finite = std::move(finite);
     state.coordinate_bytes = mesh.coordinate_bytes;
@@ -204,10 +217,13 @@ void RecordedQueries::take(const RecordedMesh& mesh) {
 void RecordedQueries::take(const RecordedTree& tree) {
     TreeState& state = trees_[tree.tree];
     const int version = state.version + 1, volume_version = state.volume_version + 1;
-    std::map<std::uint64_t, ToldVolume> before;
-    for (std::uint32_t i = 0; i < state.tree.size(); ++i)
-        before[node_key(state.tree[i].number, state.tree.items(i))] = {state.told_volumes[i],
-                                                                       state.tree[i].told_at};
+    std::map<std::uint64_t, EarlierNode> before;
+    for (std::uint32_t i = 0; i < state.tree.size(); ++i) {
+        const TreeNode& node = state.tree[i];
+        const NodeState& of_node = state.node_states[i];
+        before[node_key(node.number, state.tree.items(i))] = {of_node.volume, node.told_at,
+                                                              of_node.links, node.links_at};
+    }
     state = {};
     state.before = std::move(before);
     state.name = shown(tree.name);
@@ -224,19 +240,34 @@ void RecordedQueries::take(const RecordedNode& node) {
     made.number = node.node;
     made.parent = node.parent;
     made.id = node.id;
+    const std::uint64_t links = links_hash(node);
+    const std::uint32_t known_at = state.tree.index_of(node.node);
+    changed(state);
+    // Since the tree was last used, a node that is recorded again is another one of this number.
+    if (known_at != no_index && state.node_states[known_at].epoch != epoch_) {
+        NodeState& of_node = state.node_states[known_at];
+        of_node.epoch = epoch_;
+        if (std::exchange(of_node.links, links) != links)
+            state.tree.relink(known_at, node.parent, frame_, node.children, node.items);
+        return set_volume(state, known_at, node.volume);
+    }
+    const auto old = state.before.find(node_key(node.node, node.items));
+    made.links_at =
+        old != state.before.end() && old->second.links == links ? old->second.links_at : frame_;
     const std::size_t before = state.tree.size();
     state.tree.add(std::move(made), shown(node.name), node.children, node.items);
-    changed(state);
-    if (state.tree.size() > before)
-        set_volume(state, static_cast<std::uint32_t>(before), node.volume);
+    if (state.tree.size() == before) return;
+    state.node_states.push_back({links, epoch_, 0});
+    set_volume(state, static_cast<std::uint32_t>(before), node.volume);
 }
 
 void RecordedQueries::take(const RecordedRefit& refit) {
     TreeState& state = known(trees_, refit.tree, "tree");
     const std::uint32_t index = state.tree.index_of(refit.node);
     if (index == no_index)
-        return note_odd("node " + std::to_string(refit.node) + ", which tree " +
-                        std::to_string(refit.tree) + " does not have, was refitted");
+        return note(contradictions_, "node " + std::to_string(refit.node) + ", which tree " +
+                                         std::to_string(refit.tree) +
+                                         " does not have, was refitted");
     ++state.volume_version;
     set_volume(state, index, refit.volume);
 }
@@ -248,8 +279,8 @@ void RecordedQueries::take(const RecordedObject& object) {
     const std::string what = "the extent of object " + std::to_string(object.object) + " of tree " +
                              std::to_string(object.tree);
     if (state.mesh != record_none)
-        return note_odd(what + ", whose items are triangles, was recorded");
-    if (!fault.empty()) return note_odd(what + " is none: " + fault);
+        return note(unusable_, what + ", whose items are triangles, was recorded");
+    if (!fault.empty()) return note(unusable_, what + " is none: " + fault);
     ++state.volume_version;
     state.tree.set_object_volume(object.object, std::move(volume));
 }
@@ -263,6 +294,7 @@ void RecordedQueries::take(const RecordedBody& body) {
 }
 
 void RecordedQueries::take(const RecordedFrame& frame) {
+    ++epoch_;
     if (frame.frame >= static_cast<std::uint32_t>(std::numeric_limits<int>::max()))
         fail("frame " + std::to_string(frame.frame) + " is too high a number");
     const int number = static_cast<int>(frame.frame);
@@ -289,6 +321,7 @@ void RecordedQueries::take(const RecordedPose& pose) {
 }
 
 void RecordedQueries::take(const RecordedQuery& query) {
+    ++epoch_;
     if (in_query_)
         fail("a query begins within a query; call scb_record_query_end where a query ends");
     in_query_ = true;
@@ -297,8 +330,8 @@ void RecordedQueries::take(const RecordedQuery& query) {
         const std::uint32_t of = known(bodies_, number, "body").tree;
         const std::uint32_t mesh = trees_.at(of).mesh;
         if (mesh != record_none && !meshes_.contains(mesh) && without_mesh_.insert(of).second)
-            note_odd("tree " + std::to_string(of) + " is of mesh " + std::to_string(mesh) +
-                     ", which was not told, so that results are not judged");
+            note(unusable_, "tree " + std::to_string(of) + " is of mesh " + std::to_string(mesh) +
+                                ", which was not told, so that results are not judged");
     }
     query_.events.clear();
 }
@@ -315,10 +348,11 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
     double length = 0, length_of_meshes = 0, placing = 0, distances = 0, askew = 0;
     query_.single = false;
     query_.placed = true;
-    query_.away = 0;
+    query_.away = query_.reach = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         bodies[k] = &bodies_.at(bodies_of_query_[k]);
         query_.sides[k] = side_of_body(bodies_of_query_[k]);
+        query_.sides[k].stretch = std::sqrt(bodies[k]->stretch.squaredNorm() / 3);
         query_.placed = query_.placed && bodies[k]->pose_fault.empty();
         const TreeState& tree = trees_.at(bodies[k]->tree);
         query_.single = query_.single || is_single(tree) || bodies[k]->has_single_pose;
@@ -330,6 +364,7 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
         placing += placing_share * away;
         distances += std::sqrt(squared_norm(bodies[k]->pose.translation));
         query_.away = std::max(query_.away, away);
+        query_.reach = std::max(query_.reach, of_volumes);
         askew = std::max(askew, bodies[k]->defect);
     }
     const double share = query_.single ? single_tolerance : double_tolerance;
@@ -338,6 +373,13 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
     query_.tolerance = tolerance_of(share, length + placing) + askew * (length + distances);
     query_.triangle_tolerance =
         tolerance_of(share, length_of_meshes + placing) + askew * (length_of_meshes + distances);
+    query_.tolerance_slope = told_tolerance_ ? 0 : share + askew;
+    const double of_numbers = share * (length + placing), of_poses = askew * (length + distances);
+    query_.tolerance_cause = told_tolerance_ && *told_tolerance_ >= of_poses
+                                 ? ToleranceCause::setting
+                             : of_poses > of_numbers ? ToleranceCause::pose
+                             : placing > length      ? ToleranceCause::distance
+                                                     : ToleranceCause::reach;
     query_.b_to_a_before.reset();
     if (query_.placed && bodies[0]->last && bodies[1]->last)
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);
@@ -349,25 +391,26 @@ void RecordedQueries::set_volume(TreeState& tree, std::uint32_t index,
     told.add(static_cast<std::uint64_t>(volume.kind));
     for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
     int told_at = frame_;
-    if (index == tree.told_volumes.size()) {
-        tree.told_volumes.push_back(told.value);
+    const std::uint64_t last = std::exchange(tree.node_states[index].volume, told.value);
+    // An engine may tell all again, also those that it forgot to change.
+    if (last == told.value) return;
+    if (last == 0) {
         // Of a tree that is built anew: the volume may be the one that it had.
         const auto old =
             tree.before.find(node_key(tree.tree[index].number, tree.tree.items(index)));
-        if (old != tree.before.end() && old->second.hash == told.value)
+        if (old != tree.before.end() && old->second.volume == told.value)
             told_at = old->second.told_at;
-    } else if (std::exchange(tree.told_volumes[index], told.value) == told.value) {
-        return;  // an engine may tell all again, also those that it forgot to change
     }
     std::string fault;
     NodeVolume made = node_volume(volume, tree.directions, fault);
+    tree.has_numbers = tree.has_numbers || std::any_of(volume.values.begin(), volume.values.end(),
+                                                       [](double value) { return value != 0; });
     tree.has_long =
         tree.has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
     tree.single =
         tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
-    for (const double value : volume.values)
-        if (std::isfinite(value)) tree.reach = std::max(tree.reach, std::abs(value));
-    tree.tree.set_volume(index, std::move(made), told_at, std::move(fault));
+    tree.tree.set_volume(index, std::move(made), told_at, std::move(fault),
+                         scenes::reach_of(volume, tree.directions));
 }
 
 bool RecordedQueries::is_single(const TreeState& tree) const {
@@ -375,7 +418,7 @@ bool RecordedQueries::is_single(const TreeState& tree) const {
     const bool has_mesh = mesh != meshes_.end();
     if (has_mesh && mesh->second.coordinate_bytes == 4) return true;
     // Numbers that are short in any case say nothing of the engine's.
-    return tree.single && tree.reach > 0 && (tree.has_long || !has_mesh);
+    return tree.single && tree.has_numbers && (tree.has_long || !has_mesh);
 }
 
 double RecordedQueries::mesh_reach(const TreeState& tree) const {
@@ -384,12 +427,23 @@ double RecordedQueries::mesh_reach(const TreeState& tree) const {
 }
 
 double RecordedQueries::reach_of(const TreeState& tree) const {
+    if (tree.reach_version != tree.volume_version) {
+        tree.reach = 0;
+        for (std::size_t i = 0; i < tree.tree.size(); ++i)
+            tree.reach = std::max(tree.reach, tree.tree[i].reach);
+        tree.reach_version = tree.volume_version;
+    }
     return std::max(tree.reach, mesh_reach(tree));
 }
 
 double RecordedQueries::tolerance_of(double share, double length) const {
     // This program's own rounding is not the engine's.
     return told_tolerance_ ? std::max(*told_tolerance_, double_tolerance * length) : share * length;
+}
+
+NodeTolerance RecordedQueries::node_tolerance_of(const TreeState& tree) const {
+    const double share = is_single(tree) ? single_tolerance : double_tolerance;
+    return {tolerance_of(share, mesh_reach(tree)), told_tolerance_ ? double_tolerance : share};
 }
 
 double RecordedQueries::tolerance_of(const TreeState& tree) const {
@@ -405,15 +459,23 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
         state.single_objects = has_single_objects(state.tree, state.shape);
         state.whole = true;
     }
-    return {&state.tree, &state.shape, of, state.mesh == record_none && state.single_objects,
-            state.volume_version};
+    EngineSide side{&state.tree, &state.shape, of};
+    side.rest = mesh == meshes_.end() ? nullptr : mesh->second.rest.get();
+    side.objects_by_volume = state.mesh == record_none && state.single_objects;
+    side.reach = reach_of(state);
+    side.mesh_reach = mesh_reach(state);
+    side.version = state.volume_version;
+    return side;
 }
 
 const StretchedBody& RecordedQueries::stretched(std::uint32_t number) {
     const BodyState& body = bodies_.at(number);
     const TreeState& tree = trees_.at(body.tree);
     StretchedBody& made = stretched_[number];
-    if (made.volume_version == tree.volume_version && made.stretch == body.stretch) return made;
+    if (made.of == body.tree && made.volume_version == tree.volume_version &&
+        made.stretch == body.stretch)
+        return made;
+    made.of = body.tree;
     made.stretch = body.stretch;
     made.volume_version = tree.volume_version;
     ++made.version;
@@ -447,11 +509,9 @@ std::shared_ptr<const Mesh> RecordedQueries::finite_mesh(std::uint32_t number) {
     return mesh == meshes_.end() ? nullptr : mesh->second.finite;
 }
 
-void RecordedQueries::note_odd(const std::string& what) {
-    if (oddities_.size() < most_oddities)
-        oddities_.push_back(what + ", at frame " + std::to_string(frame_));
-    else
-        ++more_oddities_;
+void RecordedQueries::note(OddRecords& records, const std::string& what) const {
+    if (records.count++ < most_odd)
+        records.first.push_back(what + ", at frame " + std::to_string(frame_));
 }
 
 template <class State>

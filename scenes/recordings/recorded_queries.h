@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/judge/engine_query.h"
+#include "core/judge/tree_check.h"
 #include "scenes/recordings/body_pose.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_summary.h"
@@ -23,15 +24,26 @@ struct MeshState {
     /// some other vertex.
     std::shared_ptr<const Mesh> finite;
     int coordinate_bytes = 8;
+    /// All of it finite, as it was recorded first with these triangles: which vertices are one.
+    std::shared_ptr<const Mesh> rest;
     double reach = 0;  ///< the largest |coordinate|
     int told_at = 0;   ///< the frame at which it was told last
     int version = 0;   ///< counts how often it was told
 };
 
-/// What was recorded of the volume of a node.
-struct ToldVolume {
-    std::uint64_t hash = 0;
-    int told_at = 0;  ///< frame
+/// What was recorded last of a node.
+struct NodeState {
+    std::uint64_t links = 0;   ///< hash of its children and items
+    std::uint64_t epoch = 0;   ///< when the node was recorded, see RecordedQueries
+    std::uint64_t volume = 0;  ///< hash; 0 before one was recorded
+};
+
+/// A node of a tree that was built anew.
+struct EarlierNode {
+    std::uint64_t volume = 0;  ///< hash
+    int told_at = 0;           ///< frame
+    std::uint64_t links = 0;   ///< hash
+    int links_at = 0;          ///< frame
 };
 
 /// A tree of a recording, as it is from some frame on.
@@ -41,15 +53,17 @@ struct TreeState {
     NodeTree tree;
     TreeShape shape;
     std::vector<double> directions;
-    std::vector<std::uint64_t> told_volumes;     ///< per node a hash of what was told
-    std::map<std::uint64_t, ToldVolume> before;  ///< of the tree that this one replaces
+    std::vector<NodeState> node_states;
+    std::map<std::uint64_t, EarlierNode> before;  ///< of the tree that this one replaces
     int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
     int volume_version = 0;  ///< counts what was told of it, or of its mesh
     bool whole = false;      ///< `shape` is that of `tree`
     bool single_objects = false;  ///< its items are alone in leaves
     bool single = true;           ///< all numbers of its volumes are such of 32 bits
     bool has_long = false;        ///< and some take most of these bits
-    double reach = 0;             ///< the largest of these
+    bool has_numbers = false;     ///< one of them is not 0
+    mutable double reach = 0;     ///< the largest length of its volumes
+    mutable int reach_version = -1;
 };
 
 struct BodyState : BodyPose {
@@ -63,10 +77,17 @@ struct BodyState : BodyPose {
 /// The tree and the mesh of a body whose pose stretches it.
 struct StretchedBody {
     Mat3 stretch = Mat3::Identity();
-    int volume_version = -1;  ///< of the tree that it was made of
-    int version = 0;          ///< counts how often it was made
+    std::uint32_t of = record_none;  ///< the tree that it was made of
+    int volume_version = -1;         ///< of that tree
+    int version = 0;                 ///< counts how often it was made
     NodeTree tree;
     std::shared_ptr<const Mesh> mesh, finite;  ///< nullptr: items are no triangles
+};
+
+/// Records that an engine would not have written on purpose.
+struct OddRecords {
+    std::vector<std::string> first;  ///< clauses
+    std::uint64_t count = 0;
 };
 
 /// Reads a recording step by step, and knows what there is after each.
@@ -116,15 +137,20 @@ class RecordedQueries {
     /// See EngineQuery::tolerance: of this tree alone. By how exact its numbers are, or what the
     /// setting `tolerance` says.
     double tolerance_of(const TreeState& tree) const;
+    /// The same per node, by its own numbers.
+    NodeTolerance node_tolerance_of(const TreeState& tree) const;
+    /// Whether the file ends within a query.
+    bool broke_off() const { return broke_off_; }
     std::string damage() const { return reader_.damage(); }
     /// The tree that was being told, or refitted, where the file breaks off: it is not whole. Known
     /// at the end.
     std::optional<std::uint32_t> unfinished_tree() const {
         return damage().empty() ? std::nullopt : telling_;
     }
-    /// What was told of nodes that there are not, as sentences: the first, and how many more.
-    const std::vector<std::string>& oddities() const { return oddities_; }
-    std::size_t more_oddities() const { return more_oddities_; }
+    /// Records that contradict the tree that they belong to: refits of nodes that it does not have.
+    const OddRecords& contradictions() const { return contradictions_; }
+    /// Records that say nothing that could be judged, such as a tolerance that is no length.
+    const OddRecords& unusable() const { return unusable_; }
     /// Records of later versions.
     std::uint64_t unknown_records() const { return unknown_records_; }
     /// Whether the setting `tests` says that tests pass no volumes that are apart.
@@ -151,7 +177,7 @@ class RecordedQueries {
     static void changed(TreeState& tree);
     void set_volume(TreeState& tree, std::uint32_t index, const RecordedVolume& volume);
     const StretchedBody& stretched(std::uint32_t body);
-    void note_odd(const std::string& what);
+    void note(OddRecords& records, const std::string& what) const;
     bool is_single(const TreeState& tree) const;
     /// The largest |coordinate| of its mesh, and of its volumes too.
     double mesh_reach(const TreeState& tree) const;
@@ -174,10 +200,10 @@ class RecordedQueries {
     std::optional<double> told_tolerance_;
     EngineQuery query_;
     std::array<std::uint32_t, 2> bodies_of_query_{};
-    std::vector<std::string> oddities_;
-    std::size_t more_oddities_ = 0;
+    OddRecords contradictions_, unusable_;
     std::uint64_t unknown_records_ = 0;
-    bool exact_tests_ = false;
+    bool exact_tests_ = false, broke_off_ = false;
+    std::uint64_t epoch_ = 1;               ///< counts frames and queries
     std::set<std::uint32_t> without_mesh_;  ///< trees of which that was noted
     std::optional<std::uint32_t> telling_;  ///< the tree of the last record
     std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet

@@ -8,6 +8,7 @@
 #include "core/judge/engine_tree.h"
 #include "core/judge/query_attribution.h"
 #include "core/judge/query_overlaps.h"
+#include "core/judge/test_links.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -20,10 +21,27 @@ bool are_objects(const std::array<BodyAtFrame, 2>& bodies) {
     return bodies[0].mesh->triangles.empty() || bodies[1].mesh->triangles.empty();
 }
 
-bool tests_nodes(const EngineQuery& query, IndexPair nodes) {
-    return std::any_of(query.events.begin(), query.events.end(), [&](const EngineEvent& event) {
-        return event.kind == EngineEvent::Kind::volumes && event.a == nodes.a && event.b == nodes.b;
-    });
+/// Whether the query tested the nodes, and whether it rejected them although their volumes overlap.
+struct NodesTested {
+    bool any = false, wrong = false;
+};
+
+NodesTested tested(const EngineQuery& query, IndexPair numbers) {
+    NodesTested result;
+    for (const EngineEvent& event : query.events) {
+        if (event.kind != EngineEvent::Kind::volumes || event.a != numbers.a ||
+            event.b != numbers.b)
+            continue;
+        result.any = true;
+        const IndexPair nodes = nodes_of(query, event);
+        result.wrong =
+            event.stage != 0 && query.placed && nodes.a != no_index && nodes.b != no_index &&
+            exact_verdict((*query.sides[0].tree)[nodes.a].volume,
+                          (*query.sides[1].tree)[nodes.b].volume, query.b_to_a, query.tolerance)
+                    .contact == Contact::overlapping;
+        if (result.wrong) break;
+    }
+    return result;
 }
 
 }  // namespace
@@ -168,16 +186,19 @@ const TraceFrame& RecordedTrace::frame(int number) {
     return frame_;
 }
 
-std::optional<int> RecordedTrace::frame_with_test(IndexPair nodes) const {
+int RecordedTrace::frame_of_test(IndexPair nodes, int usual) const {
     RecordedQueries queries(*recording_->file);
     std::optional<int> seen;  // of several queries in a frame, the first counts
+    std::optional<int> first;
     for (Step step = queries.next(); step != Step::end; step = queries.next()) {
         if (step != Step::query || queries.query_bodies() != numbers_ || seen == queries.frame())
             continue;
         seen = queries.frame();
-        if (tests_nodes(queries.query(), nodes)) return seen;
+        const NodesTested found = tested(queries.query(), nodes);
+        if (found.wrong) return *seen;
+        if (found.any && (!first || *seen == usual)) first = seen;
     }
-    return std::nullopt;
+    return first.value_or(usual);
 }
 
 Attribution RecordedTrace::attribution(const TraversalTree& tree) {

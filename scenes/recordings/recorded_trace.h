@@ -55,9 +55,10 @@ class RecordedTrace {
     const TraceFrame& frame(int number);
     /// The same query as its engine tells of it; valid as long.
     const EngineQuery& query() const { return queries_->query(); }
-    /// The first of all frames whose query tested these nodes, by their numbers; nothing where none
-    /// did.
-    std::optional<int> frame_with_test(IndexPair nodes) const;
+    /// The frame that shows most of a test of these nodes, by their numbers: the first in which the
+    /// test rejected volumes that overlap; else `usual`, if its query tested the nodes; else the
+    /// first whose query did; else `usual`.
+    int frame_of_test(IndexPair nodes, int usual) const;
     /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
     /// nothing where a body has no pose.
     Attribution attribution(const TraversalTree& tree);

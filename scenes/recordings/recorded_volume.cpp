@@ -165,4 +165,34 @@ NodeVolume node_volume(const RecordedVolume& recorded, std::span<const double> d
     }
 }
 
+double reach_of(const RecordedVolume& recorded, std::span<const double> directions) {
+    const std::span<const double> v = recorded.values;
+    double reach = 0;
+    const auto take = [&](std::size_t at, std::size_t count, double scale = 1) {
+        for (std::size_t i = at; i < at + count && i < v.size(); ++i)
+            if (std::isfinite(v[i])) reach = std::max(reach, std::abs(v[i]) * scale);
+    };
+    switch (recorded.kind) {
+        case RecordedKind::obb:
+            take(0, 3);
+            take(12, 3);
+            break;
+        case RecordedKind::scb:
+        case RecordedKind::scb2:
+            take(0, 4);
+            take(7, 2);
+            take(12, 2);
+            break;
+        case RecordedKind::kdop:
+            for (std::size_t i = 0; 3 * i + 2 < directions.size(); ++i)
+                if (const double length = std::sqrt(squared_norm(vector_at(directions, 3 * i)));
+                    length > 0)
+                    take(2 * i, 2, 1 / length);
+            break;
+        default:
+            take(0, v.size());
+    }
+    return reach;
+}
+
 }  // namespace scb::scenes

@@ -16,4 +16,7 @@ inline constexpr double axes_tolerance = 1e-4;
 NodeVolume node_volume(const RecordedVolume& recorded, std::span<const double> directions,
                        std::string& fault);
 
+/// The largest |number| of the volume that is a length, not a direction; 0 where there is none.
+double reach_of(const RecordedVolume& recorded, std::span<const double> directions);
+
 }  // namespace scb::scenes

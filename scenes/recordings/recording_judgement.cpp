@@ -19,7 +19,8 @@ namespace {
 /// Adds query after query.
 class RecordingJudge {
   public:
-    explicit RecordingJudge(const RecordingFile& file) : recording_(file), trees_(recording_) {
+    RecordingJudge(const RecordingFile& file, const std::function<bool()>& go_on)
+        : recording_(file), trees_(recording_), go_on_(go_on) {
         result_.summary = file.summary;
     }
 
@@ -37,7 +38,7 @@ class RecordingJudge {
             if (!want) continue;
             for (const auto& [number, tree] : recording_.trees())
                 trees_.look(number, result_.summary.body_names);
-            frame();
+            tolerances_.take_trees(recording_, frame().tolerance);
             if (!done(true)) break;
         }
         finish();
@@ -70,16 +71,24 @@ class RecordingJudge {
         result_.unknown_items += !known;
         note_moves(query, name);
         const QueryJudgement judged =
-            judge_query(query, own_.contacts(query, recording_.finite_meshes()));
+            judge_query(query, own_.contacts(query, recording_.finite_meshes()), go_on_);
+        if (judged.interrupted) return;
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         take_tests(query, judged, name, row);
         take_pairs(query, judged, name, row);
         costs_.take(recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
+        unknown_objects_ = std::max(unknown_objects_, judged.unknown_objects);
+        objects_ = std::max(objects_, judged.objects);
+        if (judged.grazing_missed > 0 && grazing_missed_ == 0)
+            first_grazing_ = query_words(name) + ", " +
+                             pair_words(query.sides[0].mesh ? "triangles" : "objects",
+                                        judged.first_grazing.a, judged.first_grazing.b);
+        grazing_missed_ += judged.grazing_missed;
         const bool errs =
             std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
                         [](const WrongItemTest& test) { return !test.unknown; });
-        if (judged.count(TestVerdict::wrong) > 0 || errs)
+        if (!query.self && (judged.count(TestVerdict::wrong) > 0 || errs))
             poses_.take(query, name, recording_.bodies().at(bodies[0]),
                         recording_.bodies().at(bodies[1]));
     }
@@ -128,7 +137,7 @@ class RecordingJudge {
                      {no_index, no_index},
                      number});
             };
-            if (test.nodes.a == no_index || test.nodes.b == no_index)
+            if (names_unknown_node(query, test.nodes))
                 note("a test of a node that its tree does not have");
             if (test.repeated && repeated_++ == 0)
                 first_repeated_ = query_words(name) + ": " + pair_words("nodes", event.a, event.b) +
@@ -164,9 +173,13 @@ class RecordingJudge {
             ++row.wrong;
             const bool meet = event.kind == EngineEvent::Kind::items_meet;
             if (unknown) {
-                add(tests_, "a test of a triangle that its mesh does not have",
+                const bool objects = !query.sides[0].mesh;
+                add(tests_,
+                    objects ? "a test of an object that its tree does not have"
+                            : "a test of a triangle that its mesh does not have",
                     {name,
-                     pair_words("triangles", event.a, event.b) + test_words(number),
+                     pair_words(objects ? "objects" : "triangles", event.a, event.b) +
+                         test_words(number),
                      {no_index, no_index},
                      {no_index, no_index},
                      number});
@@ -202,6 +215,12 @@ class RecordingJudge {
         result_.wasted_weak += judged.wasted_weak;
         result_.wasted_loose += judged.wasted_loose;
         result_.grazing += judged.grazing;
+    }
+
+    /// Of a tree without nodes nothing is known.
+    static bool names_unknown_node(const EngineQuery& query, IndexPair nodes) {
+        return (nodes.a == no_index && query.sides[0].tree->size() > 0) ||
+               (nodes.b == no_index && query.sides[1].tree->size() > 0);
     }
 
     void take_divisions(const EngineQuery& query, const QueryJudgement& judged,
@@ -283,26 +302,37 @@ class RecordingJudge {
     }
 
     void list_not_judged() {
-        not_judged(tolerances_.hidden(), queries_, "queries", tolerances_.why());
+        not_judged(tolerances_.hidden(), tolerances_.of(), "triangles or leaf volumes",
+                   tolerances_.why());
         not_judged(unplaced_, queries_, "queries", unplaced_why_);
-        not_judged(result_.unknown_items, queries_, "queries, of which the pairs",
-                   "objects share leaves, have numbers above 999,999, or were queried with "
-                   "triangles");
+        not_judged(result_.unknown_items, queries_, "queries",
+                   "their pairs are of objects that share leaves, have numbers above 999,999, or "
+                   "were queried with triangles");
         not_judged(without_result_, queries_, "queries", "they ended early without a pair");
         for (const auto& [number, watch] : trees_.watches()) {
             const UnjudgedVolumes& of = watch.unjudged();
             not_judged(of.leaves, of.of_leaves, "leaf volumes of " + tree_words(recording_, number),
                        "the extents of their objects were not recorded (scb_record_object)");
+            not_judged(of.slightly_open, recording_.trees().at(number).tree.size(),
+                       "nodes of " + tree_words(recording_, number),
+                       "their boxes do not contain what is below them, by up to " +
+                           format("%.3g", of.open_by) +
+                           ", which is within the tolerance; the setting `tolerance` says up to "
+                           "which length the engine's numbers may be off");
+            not_judged(of.dropped, 0, "triangles of " + tree_words(recording_, number),
+                       "they have no area, and no leaf has them");
             not_judged(of.splits, of.of_splits,
                        "triangles in several leaves of " + tree_words(recording_, number),
-                       "the surfaces of these leaves run along each other");
+                       "the curved surfaces of their leaves nearly coincide");
             const TreeState& tree = recording_.trees().at(number);
             if (tree.tree.size() == 0)
                 not_judged(1, trees_.watches().size(), "trees",
                            tree_words(recording_, number) + " was recorded without nodes");
         }
         not_judged(result_.unjudged, tests_of_all_, "tests of volumes",
-                   "a node has no volume, or one that is none");
+                   "a node has no volume, one that is smaller than the tolerance, or one of a kind "
+                   "that has "
+                   "no exact test");
         not_judged(lacks_, divided_, "divisions of nodes",
                    "a child that overlaps the other node was not tested; the first: " + lacking_ +
                        (lacks_alike_ && lacks_ > 1
@@ -313,7 +343,16 @@ class RecordingJudge {
         for (const FrameJudgement& row : result_.frames) reported += row.pairs;
         const std::uint64_t pairs = std::max(reported, result_.exact_pairs);
         not_judged(result_.grazing, std::max(pairs, result_.grazing), "pairs",
-                   "they touch, or miss each other, by less than the tolerance");
+                   "their distance or depth is within the tolerance" +
+                       (grazing_missed_ == 0
+                            ? ""
+                            : "; of these, " + std::to_string(grazing_missed_) +
+                                  " touch or intersect and were not reported, the first: " +
+                                  first_grazing_));
+        not_judged(unknown_objects_, objects_, "objects",
+                   "they have no extent, and their leaf has no volume that can be judged");
+        not_judged(recording_.broke_off() ? 1 : 0, queries_, "queries",
+                   "the file breaks off in the last one");
         not_judged(result_.not_looked_into, pairs, "pairs",
                    "they were not reported, and of a query the first 100,000 are looked into");
         not_judged(broken_pairs_, reported, "pairs", "their triangles are not finite");
@@ -323,6 +362,8 @@ class RecordingJudge {
             not_judged(
                 1, trees_.watches().size(), "trees",
                 "the file breaks off in " + tree_words(recording_, *recording_.unfinished_tree()));
+        if (recording_.unusable().count > 0)
+            not_judged(recording_.unusable().count, 0, "records", recording_.unusable().first[0]);
         not_judged(recording_.unknown_records(), 0, "records",
                    "this version does not know their kind");
     }
@@ -350,8 +391,8 @@ class RecordingJudge {
         result_.missed = sorted(std::move(missed_));
         result_.false_pairs = sorted(std::move(false_));
         result_.test_problems = sorted(std::move(tests_));
-        result_.odd = recording_.oddities();
-        result_.more_odd = recording_.more_oddities();
+        result_.odd = recording_.contradictions();
+        result_.unusable = recording_.unusable();
         result_.damage = recording_.damage();
         list_not_judged();
         if (repeated_ > 0)
@@ -376,6 +417,10 @@ class RecordingJudge {
                   broken_pairs_ = 0, tests_of_all_ = 0;
     std::string unplaced_why_;
     std::set<std::uint32_t> stretched_;  ///< bodies of which that was noted
+    const std::function<bool()> go_on_;
+    std::uint64_t grazing_missed_ = 0;  ///< see QueryJudgement
+    std::string first_grazing_;
+    std::uint64_t unknown_objects_ = 0, objects_ = 0;  ///< the most of any query
     // What costs.
     std::uint64_t repeated_ = 0;
     std::string first_repeated_;
@@ -400,7 +445,7 @@ Verdict RecordingJudgement::verdict() const {
         return !judged.problems.empty();
     });
     if (tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
-        !poses.empty() || !odd.empty())
+        !poses.empty() || odd.count > 0)
         return Verdict::wrong;
     return not_judged.empty() && damage.empty() ? Verdict::sound : Verdict::partly_judged;
 }
@@ -408,7 +453,7 @@ Verdict RecordingJudgement::verdict() const {
 RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int)>& wanted,
                                    const std::function<bool(bool)>& done) {
-    return RecordingJudge(file).judged(wanted, done);
+    return RecordingJudge(file, [&done] { return done(false); }).judged(wanted, done);
 }
 
 }  // namespace scb::scenes

@@ -113,9 +113,9 @@ struct RecordingJudgement {
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
     std::vector<std::string> stretches;  ///< bodies whose poses scale or mirror them: clauses
-    std::vector<std::string> odd;        ///< sentences without a full stop
+    OddRecords odd;                      ///< they contradict the trees
+    OddRecords unusable;                 ///< they say nothing that could be judged
     std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
-    std::size_t more_odd = 0;
     std::string damage;
     std::vector<NotJudged> not_judged;
     std::vector<CostFinding> costs;

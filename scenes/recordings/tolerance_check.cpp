@@ -2,19 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/text_format.h"
 #include "scb/triangle_overlap.h"
+#include "scenes/recordings/judgement_words.h"
 
 namespace scb::scenes {
 namespace {
 
+std::string step_words(double at, bool single) {
+    return std::string("where ") + (single ? "32" : "64") + "-bit numbers are up to " +
+           format("%.2g", at * (single ? 0x1p-23 : 0x1p-52)) + " apart";
+}
+
+/// A clause that begins with "; ".
 std::string cause_of_tolerance(const EngineQuery& query) {
-    if (!(query.away > 0)) return "";
-    const double step = query.away * (query.single ? 0x1p-23 : 0x1p-52);
-    return "; bodies stand " + format("%.3g", query.away) + " from the origin, where " +
-           (query.single ? "32" : "64") + "-bit numbers are up to " + format("%.2g", step) +
-           " apart";
+    switch (query.tolerance_cause) {
+        case ToleranceCause::setting:
+            return "; the setting `tolerance` of the recording says so";
+        case ToleranceCause::pose:
+            return "; the rotation of a body is not exact";
+        case ToleranceCause::distance:
+            return "; bodies stand " + format("%.3g", query.away) + " from the origin, " +
+                   step_words(query.away, query.single);
+        case ToleranceCause::reach:
+            break;
+    }
+    return "; coordinates reach " + format("%.3g", query.reach) + ", " +
+           step_words(query.reach, query.single);
+}
+
+std::vector<std::pair<double, double>> sizes_of(const EngineSide& side) {
+    std::vector<std::pair<double, double>> sizes;
+    if (side.mesh) {
+        for (std::uint32_t i = 0; i < side.mesh->triangles.size(); ++i) {
+            if (!has_finite_corners(*side.mesh, i)) continue;
+            const TriangleCorners t = corners(*side.mesh, i);
+            sizes.emplace_back(std::sqrt(std::max({squared_norm(Vec3(t[1] - t[0])),
+                                                   squared_norm(Vec3(t[2] - t[1])),
+                                                   squared_norm(Vec3(t[0] - t[2]))})),
+                               0);
+        }
+    } else {
+        for (const std::uint32_t node : side.shape->order)
+            if (side.shape->is_leaf(node) && has_volume((*side.tree)[node].volume))
+                sizes.emplace_back(diameter(convex_shape((*side.tree)[node].volume)),
+                                   (*side.tree)[node].reach);
+    }
+    // A single point has no extent that a tolerance could hide.
+    std::erase_if(sizes, [](const auto& size) { return !(size.first > 0); });
+    std::sort(sizes.begin(), sizes.end());
+    return sizes;
 }
 
 }  // namespace
@@ -27,48 +66,77 @@ void ToleranceCheck::take(const RecordedQueries& recording, const EngineQuery& q
     tolerance.away = std::max(tolerance.away, query.away);
     tolerance.single |= query.single;
     const auto bodies = recording.query_bodies();
-    for (std::size_t side = 0; side < 2; ++side) {
-        const double size = size_of_items(bodies[side], query.sides[side]);
-        const bool has_mesh = query.sides[side].mesh;
-        const double within = has_mesh ? query.triangle_tolerance : query.tolerance;
-        if (!(size > 0) || within < size) continue;
-        ++hidden_;
-        if (tolerance.hides.empty())
-            tolerance.hides =
-                (has_mesh ? "half of the triangles of " : "half of the leaf volumes of ") +
-                body_names.at(bodies[side]) + " are smaller than " + format("%.3g", size);
-        if (hidden_why_.empty())
-            hidden_why_ = "at frame " + std::to_string(query.frame) + " the tolerance is " +
-                          format("%.3g", within) + ", and " + tolerance.hides +
-                          cause_of_tolerance(query);
-        return;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const EngineSide& side = query.sides[k];
+        const double slope = query.tolerance_slope * side.stretch;
+        look(items_of(of_bodies_, bodies[k], side), side, body_names.at(bodies[k]),
+             side.mesh ? NodeTolerance(query.triangle_tolerance)
+                       : NodeTolerance(query.tolerance - slope * side.reach, slope),
+             query.frame, cause_of_tolerance(query), tolerance);
     }
 }
 
-/// Half of the triangles, or of the volumes of leaves, of a body are smaller.
-double ToleranceCheck::size_of_items(std::uint32_t body, const EngineSide& side) {
-    SizeOfItems& known = sizes_[body];
-    if (known.tree == side.tree && known.version == side.version) return known.size;
+void ToleranceCheck::take_trees(RecordedQueries& recording, FrameTolerance& tolerance) {
+    std::set<std::uint32_t> of_bodies;
+    for (const auto& [number, body] : recording.bodies()) of_bodies.insert(body.tree);
+    for (const auto& [number, tree] : recording.trees()) {
+        if (of_bodies.contains(number)) continue;
+        const EngineSide side = recording.side_of(number);
+        tolerance.volumes = std::max(tolerance.volumes, recording.tolerance_of(tree));
+        look(items_of(of_trees_, number, side), side, tree_words(recording, number),
+             recording.node_tolerance_of(tree), recording.frame(), "", tolerance);
+    }
+}
+
+void ToleranceCheck::look(Items& items, const EngineSide& side, const std::string& name,
+                          NodeTolerance allowed, int frame, const std::string& cause,
+                          FrameTolerance& tolerance) {
+    // Of triangles the tolerance is one for all.
+    const auto is_hidden = [&](const std::pair<double, double>& item) {
+        return item.first <= allowed.least + (side.mesh ? 0 : allowed.share * item.second);
+    };
+    const auto hidden = static_cast<std::uint64_t>(
+        side.mesh ? std::partition_point(items.sizes.begin(), items.sizes.end(), is_hidden) -
+                        items.sizes.begin()
+                  : std::count_if(items.sizes.begin(), items.sizes.end(), is_hidden));
+    if (hidden == 0) return;
+    double within = allowed.least;
+    if (!side.mesh)
+        for (const auto& item : items.sizes)
+            if (is_hidden(item))
+                within = std::max(within, allowed.least + allowed.share * item.second);
+    items.hidden = std::max(items.hidden, hidden);
+    if (tolerance.hides.empty())
+        tolerance.hides = std::to_string(hidden) + " of " + std::to_string(items.sizes.size()) +
+                          (side.mesh ? " triangles of " : " leaf volumes of ") + name +
+                          " are not larger";
+    if (why_.empty())
+        why_ = "at frame " + std::to_string(frame) + " the tolerance is " + format("%.3g", within) +
+               ", and " + tolerance.hides + cause;
+}
+
+ToleranceCheck::Items& ToleranceCheck::items_of(std::map<std::uint32_t, Items>& all,
+                                                std::uint32_t number, const EngineSide& side) {
+    Items& known = all[number];
+    if (known.tree == side.tree && known.version == side.version) return known;
     known.tree = side.tree;
     known.version = side.version;
-    std::vector<double> sizes;
-    if (side.mesh) {
-        for (std::uint32_t i = 0; i < side.mesh->triangles.size(); ++i) {
-            if (!has_finite_corners(*side.mesh, i)) continue;
-            const TriangleCorners t = corners(*side.mesh, i);
-            sizes.push_back(std::sqrt(
-                std::max({squared_norm(Vec3(t[1] - t[0])), squared_norm(Vec3(t[2] - t[1])),
-                          squared_norm(Vec3(t[0] - t[2]))})));
-        }
-    } else {
-        for (const std::uint32_t node : side.shape->order)
-            if (side.shape->is_leaf(node) && has_volume((*side.tree)[node].volume))
-                sizes.push_back(diameter(convex_shape((*side.tree)[node].volume)));
-    }
-    if (sizes.empty()) return known.size = 0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return known.size = *middle;
+    known.sizes = sizes_of(side);
+    return known;
+}
+
+std::uint64_t ToleranceCheck::hidden() const {
+    std::uint64_t count = 0;
+    for (const auto* all : {&of_bodies_, &of_trees_})
+        for (const auto& [number, items] : *all) count += items.hidden;
+    return count;
+}
+
+std::uint64_t ToleranceCheck::of() const {
+    std::uint64_t count = 0;
+    for (const auto* all : {&of_bodies_, &of_trees_})
+        for (const auto& [number, items] : *all) count += items.sizes.size();
+    return count;
 }
 
 }  // namespace scb::scenes

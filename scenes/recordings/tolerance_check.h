@@ -2,32 +2,45 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scenes/recordings/recording_judgement.h"
 
 namespace scb::scenes {
 
-/// Finds the queries whose tolerance is larger than what is to be judged.
+/// Counts the triangles, and the leaf volumes of objects, that are smaller than the tolerance: what
+/// an engine says of these is not judged.
 class ToleranceCheck {
   public:
     /// Takes a query into the tolerance of its frame. `recording` is at that query.
     void take(const RecordedQueries& recording, const EngineQuery& query,
               const std::map<std::uint32_t, std::string>& body_names, FrameTolerance& tolerance);
+    /// The same of the trees that no body has, at the end of a frame.
+    void take_trees(RecordedQueries& recording, FrameTolerance& tolerance);
 
-    std::uint64_t hidden() const { return hidden_; }        ///< such queries
-    const std::string& why() const { return hidden_why_; }  ///< of the first, a clause
+    /// The most that were hidden in any frame, of how many, and why: a clause on the first.
+    std::uint64_t hidden() const;
+    std::uint64_t of() const;
+    const std::string& why() const { return why_; }
 
   private:
-    struct SizeOfItems {
+    struct Items {
         const NodeTree* tree = nullptr;
         int version = -1;
-        double size = 0;
+        /// Of triangles, or of leaf volumes of objects, that are no points: the size, ascending,
+        /// and the reach of the leaf, on which its tolerance depends.
+        std::vector<std::pair<double, double>> sizes;
+        std::uint64_t hidden = 0;
     };
-    double size_of_items(std::uint32_t body, const EngineSide& side);
+    Items& items_of(std::map<std::uint32_t, Items>& all, std::uint32_t number,
+                    const EngineSide& side);
+    void look(Items& items, const EngineSide& side, const std::string& name,
+              NodeTolerance tolerance, int frame, const std::string& cause,
+              FrameTolerance& of_frame);
 
-    std::uint64_t hidden_ = 0;
-    std::string hidden_why_;
-    std::map<std::uint32_t, SizeOfItems> sizes_;  ///< by body
+    std::string why_;
+    std::map<std::uint32_t, Items> of_bodies_, of_trees_;  ///< by number
 };
 
 }  // namespace scb::scenes

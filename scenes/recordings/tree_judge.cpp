@@ -12,8 +12,8 @@ void TreeJudge::look(std::uint32_t number, const std::map<std::uint32_t, std::st
     const EngineSide side = recording_.side_of(number);
     const TreeState& tree = recording_.trees().at(number);
     watch.look(recording_.frame(),
-               {*side.tree, *side.shape, side.mesh, recording_.tolerance_of(tree), tree.version,
-                tree.volume_version});
+               {*side.tree, *side.shape, side.mesh, recording_.node_tolerance_of(tree),
+                tree.version, tree.volume_version});
     const auto mesh = recording_.meshes().find(tree.mesh);
     if (mesh == recording_.meshes().end()) return;
     keep_mesh(tree.mesh, mesh->second);
@@ -36,7 +36,10 @@ void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const Mes
     const TreeWatch& watch = watches_[number];
     TreeFitting& fitting = fits_[number];
     constexpr int most_tries = 3;
-    if (watch.most_outside() == 0 || watch.most_outside_at() != recording_.frame() || fitting.fit ||
+    // A few nodes fit another mesh by chance.
+    constexpr std::size_t least_share = 10;
+    if (least_share * watch.most_outside() < side.tree->size() || watch.most_outside() == 0 ||
+        watch.most_outside_at() != recording_.frame() || fitting.fit ||
         fitting.tries >= most_tries || watch.most_outside() < 2 * fitting.outside)
         return;
     ++fitting.tries;

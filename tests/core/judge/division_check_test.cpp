@@ -67,5 +67,29 @@ TEST(DivisionCheck, LacksAreAlikeInTheSamePlaceOfTheSameSide) {
     EXPECT_EQ(divisions({{0, 0}, {1, 0}, {4, 0}}).first.child, 2u);
 }
 
+TEST(DivisionCheck, ATraversalThatBeginsAgainComesToOneChildAtATime) {
+    EXPECT_EQ(divisions({{0, 0}, {1, 0}, {0, 0}, {2, 0}}).lacking, 0u);
+    EXPECT_EQ(divisions({{0, 0}, {1, 0}, {0, 0}, {1, 0}}).lacking, 1u);
+}
+
+/// The same of a row against itself.
+DivisionCounts own_divisions(const std::vector<IndexPair>& tests) {
+    Rows rows;
+    rows.query.sides[1] = rows.query.sides[0];
+    rows.query.self = true;
+    rows.query.b_to_a = Pose{};
+    rows.query.events.clear();
+    for (const IndexPair nodes : tests)
+        rows.query.events.push_back({Kind::volumes, 0, nodes.a, nodes.b});
+    return check_divisions(rows.query, rows.judged().tests);
+}
+
+TEST(DivisionCheck, OfABodyAgainstItselfTheOrderOfTheNodesDoesNotMatter) {
+    // Leaves are not tested against themselves.
+    EXPECT_EQ(own_divisions({{0, 0}, {1, 1}, {1, 2}, {2, 2}, {3, 4}, {5, 6}}).lacking, 0u);
+    EXPECT_EQ(own_divisions({{0, 0}, {1, 1}, {2, 1}, {2, 2}, {4, 3}, {6, 5}}).lacking, 0u);
+    EXPECT_EQ(own_divisions({{0, 0}, {1, 1}}).lacking, 1u) << "what is below node 2";
+}
+
 }  // namespace
 }  // namespace scb

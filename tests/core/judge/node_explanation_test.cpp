@@ -37,9 +37,9 @@ TEST(NodeExplanation, ProvesWhatExactVerdictSays) {
                 const ContactCertificate verdict = exact_verdict(a, b, pose, 1e-9);
                 const PairExplanation found = explain_nodes(a, b, pose, 1e-9, Stage::overlapping);
                 ASSERT_EQ(found.certificate.contact, verdict.contact);
-                EXPECT_EQ(has_exact_verdict(a, b),
+                EXPECT_EQ(proven_verdict(a, b, pose, 1e-9).has_value(),
                           std::holds_alternative<Scb2>(a) == std::holds_alternative<Scb2>(b));
-                if (!has_exact_verdict(a, b)) {
+                if (!proven_verdict(a, b, pose, 1e-9).has_value()) {
                     EXPECT_EQ(verdict.contact, Contact::touching);
                     continue;
                 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/judge/tree_check.h"
 #include "scb/error.h"
 #include "scb/kdop.h"
 
@@ -202,6 +203,50 @@ TEST(NodeVolume, WithinTheToleranceVolumesTouch) {
                   gap > 0 ? Contact::disjoint : Contact::overlapping);
     }
     EXPECT_EQ(exact_verdict(NodeVolume{}, some_box, {}, 0).contact, Contact::touching);
+}
+
+// Along the normal, what is left of the direction across it is rounding.
+TEST(NodeVolume, ASlabCutBallEndsAtItsPlanes) {
+    Random random(3);
+    for (int n = 0; n < 1000; ++n) {
+        const Vec3 normal = random_direction(random);
+        const NodeVolume scb = Scb{Vec3(1, 2, 3), 10, normal, 1, -2};
+        const ConvexShape shape = convex_shape(scb);
+        for (const Vec3& d : {normal, Vec3(1e-3 * normal), Vec3(normal + 1e-16 * Vec3(1, -1, 1))})
+            EXPECT_NEAR(dot(shape.support_point(d), normal), 1, 1e-12);
+        EXPECT_NEAR(dot(shape.support_point(Vec3(-normal)), normal), -2, 1e-12);
+        // A ball half a unit beyond the plane.
+        const NodeVolume ball = Ball{Vec3(1, 2, 3) + 1.75 * normal, 0.25};
+        EXPECT_EQ(exact_verdict(scb, ball, Pose{}, 1e-9).contact, Contact::disjoint);
+    }
+}
+
+TEST(NodeVolume, AnOpenBoxKeepsItsFiniteSides) {
+    const NodeVolume open = OpenBox{Vec3::Zero(), Vec3::Constant(HUGE_VAL)},
+                     floor = OpenBox{Vec3::Constant(-HUGE_VAL), Vec3(HUGE_VAL, HUGE_VAL, 3)};
+    const ConvexShape box = convex_shape(box_between(Vec3::Constant(-5), Vec3::Constant(-4)));
+    EXPECT_NEAR(reach_beyond(convex_shape(open), box), 5, 1e-9);
+    EXPECT_NEAR(box_about(convex_shape(open)).lower[0], 0, 1e-9);
+    EXPECT_NEAR(box_about(convex_shape(floor)).upper[2], 3, 1e-9);
+}
+
+TEST(NodeVolume, WhereThereIsNoExactTestThereIsNoVerdict) {
+    Scb2 scb;
+    scb.c = Vec3::Zero();
+    scb.r = 1;
+    scb.slabs = {Slab{Vec3::UnitX(), 0.5, -0.5}, Slab{Vec3::UnitY(), 0.5, -0.5}};
+    const NodeVolume lens = scb, ball = Ball{Vec3::Zero(), 1};
+    EXPECT_TRUE(proven_verdict(lens, lens, Pose{}, 0));
+    EXPECT_FALSE(proven_verdict(lens, ball, Pose{}, 0));
+    EXPECT_FALSE(proven_verdict(ball, NodeVolume{}, Pose{}, 0));
+    // Half spaces that are not parallel meet somewhere, however far away.
+    const NodeVolume below = OpenBox{Vec3::Constant(-HUGE_VAL), Vec3(HUGE_VAL, HUGE_VAL, 0)},
+                     above = OpenBox{Vec3(-HUGE_VAL, -HUGE_VAL, 10), Vec3::Constant(HUGE_VAL)};
+    const double sine = 1.0 / 64, cosine = std::sqrt(1 - sine * sine);
+    Pose leaning;
+    leaning.rotation << cosine, 0, sine, 0, 1, 0, -sine, 0, cosine;
+    EXPECT_FALSE(proven_verdict(below, above, leaning, 0));
+    EXPECT_EQ(proven_verdict(below, above, Pose{}, 0)->contact, Contact::disjoint);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct ObjectSets {
                 trees[side].set_volume(i + 1, std::move(volume), 0, "");
             }
             shapes[side] = tree_shape(trees[side], 7 + 2 * count);
-            query.sides[side] = {&trees[side], &shapes[side], nullptr, true};
+            query.sides[side] = {&trees[side], &shapes[side]};
+            query.sides[side].objects_by_volume = true;
         }
         query.b_to_a.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
         query.b_to_a.translation = Vec3(0.1, 0, -0.2);
@@ -104,7 +105,8 @@ std::size_t contacts_of_two(const Vec3& b, double tolerance) {
         trees[side].add({}, "", {}, std::span(&object, 1));
         trees[side].set_volume(0, Obb{Vec3::Zero(), Mat3::Identity(), Vec3(0.5, 0.5, 0.5)}, 0, "");
         shapes[side] = tree_shape(trees[side], 1);
-        query.sides[side] = {&trees[side], &shapes[side], nullptr, true};
+        query.sides[side] = {&trees[side], &shapes[side]};
+        query.sides[side].objects_by_volume = true;
     }
     query.b_to_a.translation = b;
     query.tolerance = tolerance;

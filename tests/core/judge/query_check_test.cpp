@@ -259,7 +259,7 @@ TEST(QueryCheck, EachTriangleIsLookedForInTheNodeOfItsOwnSide) {
     Rows rows;
     rows.contacts = {{0, 2}};
     rows.query.events = {{Kind::volumes, 5, 1, 5}};
-    EXPECT_EQ(rows.problem().cause, PairCause::rejected);
+    EXPECT_EQ(rows.problem().cause, PairCause::rejected_unproven) << "their volumes do not overlap";
     EXPECT_EQ(rows.problem().nodes, (IndexPair{1, 5}));
 }
 
@@ -270,7 +270,7 @@ TEST(QueryCheck, ATriangleOutsideByLessThanTheToleranceIsNoCause) {
     rows.contacts = {{0, 0}};
     rows.query.events = {{Kind::volumes, 5, 3, 3}};
     rows.query.tolerance = 0.25;
-    EXPECT_EQ(rows.problem().cause, PairCause::rejected);
+    EXPECT_EQ(rows.problem().cause, PairCause::rejected_unproven);
     rows.query.tolerance = 0.0625;
     EXPECT_EQ(rows.problem().cause, PairCause::not_contained);
     EXPECT_NEAR(rows.problem().amount, 0.125, 1e-12);

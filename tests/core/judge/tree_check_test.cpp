@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/judge/tree_watch.h"
 #include "tests/core/judge/judged_tree.h"
 
@@ -11,7 +13,8 @@ namespace {
 std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool with_mesh = true,
                                      double tolerance = 1e-9) {
     const Mesh mesh = row_of_triangles();
-    const NodeTree tree = tree_of(nodes);
+    NodeTree tree = tree_of(nodes);
+    tree.has_objects = !with_mesh;
     const TreeShape shape = tree_shape(tree, with_mesh ? mesh.triangles.size() : 0);
     std::vector<std::string> words;
     for (const auto& problems :
@@ -169,17 +172,154 @@ TEST(TreeCheck, WhatIsOutsideByLittleMoreThanTheToleranceIsTold) {
     }
 }
 
+/// Of a node of objects, one child, which has an object with this extent, where there is one.
+Words words_of_objects(const NodeVolume& parent, const NodeVolume& child,
+                       const NodeVolume& extent) {
+    NodeTree tree = tree_of({{0, no_index, {1}, {}, parent}, {1, 0, {}, {0}, child}});
+    tree.has_objects = true;
+    if (has_volume(extent)) tree.set_object_volume(0, extent);
+    Words words;
+    for (const TreeProblem& problem : check_volumes(tree, tree_shape(tree, 1), nullptr, 1e-9))
+        words.push_back(words_of(problem, tree));
+    return words;
+}
+
 // A ball has no faces along which one could look.
-TEST(TreeCheck, TellsHowFarAChildReachesBeyondABall) {
-    const auto words = [](const NodeVolume& parent, const NodeVolume& child) {
-        return problems_of({{0, no_index, {1}, {}, parent}, {1, 0, {}, {}, child}}, false);
+TEST(TreeCheck, TellsHowFarAnObjectReachesBeyondABall) {
+    const auto words = [](const NodeVolume& ball, const NodeVolume& extent) {
+        return words_of_objects(ball, Ball{Vec3::Zero(), 100}, extent);
     };
     const Vec3 odd = Vec3(1, 2, 3) / std::sqrt(14.0);
     EXPECT_EQ(words(Ball{Vec3(1, 1, 1), 1}, Ball{Vec3(1, 1, 1) + odd, 0.5}),
-              Words{"node 0 does not contain the volume of node 1, by 0.5"});
-    EXPECT_EQ(words(Ball{Vec3(1, 1, 1), 1}, Ball{Vec3(1, 1, 1) + 0.5 * odd, 0.5}), Words{});
+              Words{"node 0 does not contain object 0, by 0.5"});
+    EXPECT_EQ(words(Ball{Vec3(1, 1, 1), 1}, Ball{Vec3(1, 1, 1) + 0.5 * odd, 0.5}), Words{})
+        << "the ball of the child may be larger than its object";
     EXPECT_EQ(words(Ball{Vec3::Zero(), 1}, Obb{Vec3(2, 0, 0), Mat3::Identity(), Vec3(1, 4, 0)}),
-              Words{"node 0 does not contain the volume of node 1, by 4"});
+              Words{"node 0 does not contain object 0, by 4"});
+}
+
+TEST(TreeCheck, WhereExtentsAreNotKnownABoxContainsTheBoxesOfItsChildren) {
+    const Obb parent = box_between(Vec3::Zero(), Vec3::Ones()),
+              child = box_between(Vec3::Zero(), Vec3(1, 1, 2));
+    EXPECT_EQ(words_of_objects(parent, child, {}),
+              Words{"node 0 does not contain the volume of node 1, by 1"});
+    EXPECT_EQ(words_of_objects(parent, child, parent), Words{});
+    // A ball about objects need not contain the balls about these.
+    EXPECT_EQ(words_of_objects(Ball{Vec3::Zero(), 1}, Ball{Vec3(0, 0, 1), 1}, {}), Words{});
+}
+
+TEST(TreeCheck, ALeafWithoutItemsNeedsNoVolume) {
+    auto nodes = nodes_of_row();
+    nodes.push_back({7, 2, {}, {}, {}});
+    nodes[2].children.push_back(7);
+    EXPECT_EQ(problems_of(nodes), Words{});
+    nodes.back().items = {3};
+    nodes[6].items = {};
+    EXPECT_EQ(problems_of(nodes), Words{"node 7 has no volume"});
+}
+
+TEST(TreeCheck, ANodeAboveOneThatMissesATriangleInheritsThat) {
+    auto nodes = nodes_of_row();
+    nodes[3].volume = box_of_row(0, -0.5);
+    nodes[1].volume = box_of_row(0, -0.25);
+    const Mesh mesh = row_of_triangles();
+    const NodeTree tree = tree_of(nodes);
+    const auto problems = check_volumes(tree, tree_shape(tree, 4), &mesh, 1e-9);
+    ASSERT_EQ(problems.size(), 2u);
+    EXPECT_EQ(problems[0].node, 3u);
+    EXPECT_FALSE(problems[0].inherited);
+    EXPECT_EQ(problems[1].node, 1u);
+    EXPECT_EQ(problems[1].inherited, false) << "triangle 1 is in its leaf";
+    nodes[1].volume = Obb{Vec3(1, 0.25, 0), Mat3::Identity(), Vec3(0.75, 0.25, 0)};
+    const NodeTree above = tree_of(nodes);
+    const auto inherited = check_volumes(above, tree_shape(above, 4), &mesh, 1e-9);
+    ASSERT_EQ(inherited.size(), 2u);
+    EXPECT_TRUE(inherited[1].inherited);
+}
+
+TEST(TreeCheck, TheToleranceOfANodeFollowsItsOwnNumbers) {
+    auto nodes = nodes_of_row();
+    nodes[3].volume = box_of_row(0, -0.125);
+    NodeTree tree = tree_of(nodes);
+    tree[0].reach = 1e13;
+    const Mesh mesh = row_of_triangles();
+    const auto found = [&] {
+        return check_volumes(tree, tree_shape(tree, 4), &mesh, NodeTolerance(1e-9, 1e-6)).size();
+    };
+    EXPECT_EQ(found(), 1u) << "the root is huge, and the leaf is not";
+    tree[3].reach = 1e6;
+    EXPECT_EQ(found(), 0u);
+}
+
+TEST(TreeCheck, ABoxThatMissesALittleWithinTheToleranceIsCounted) {
+    auto nodes = nodes_of_row();
+    nodes[3].volume = box_of_row(0, -1e-5);
+    NodeTree tree = tree_of(nodes);
+    for (std::uint32_t i = 0; i < tree.size(); ++i) tree[i].reach = 4;
+    const Mesh mesh = row_of_triangles();
+    UnjudgedVolumes unjudged;
+    EXPECT_TRUE(check_volumes(tree, tree_shape(tree, 4), &mesh, 1e-4, &unjudged).empty());
+    EXPECT_EQ(unjudged.slightly_open, 1u);
+    EXPECT_NEAR(unjudged.open_by, 1e-5, 1e-9);
+    // By less than a unit of 32-bit numbers.
+    tree.set_volume(3, box_of_row(0, -1e-7), 0, "", 4);
+    check_volumes(tree, tree_shape(tree, 4), &mesh, 1e-4, &unjudged);
+    EXPECT_EQ(unjudged.slightly_open, 0u);
+}
+
+TEST(TreeCheck, ATriangleWithoutAreaMayBeInNoLeaf) {
+    auto nodes = nodes_of_row();
+    nodes[6].items = {};
+    Mesh mesh = row_of_triangles();
+    const NodeTree tree = tree_of(nodes);
+    const TreeShape shape = tree_shape(tree, 4);
+    EXPECT_EQ(check_shape(tree, shape, &mesh).size(), 1u);
+    mesh.vertices[mesh.triangles[3][2]] = mesh.vertices[mesh.triangles[3][1]];
+    EXPECT_EQ(check_shape(tree, shape, &mesh).size(), 0u);
+    UnjudgedVolumes unjudged;
+    check_volumes(tree, shape, &mesh, 1e-9, &unjudged);
+    EXPECT_EQ(unjudged.dropped, 1u);
+}
+
+TEST(TreeWatch, NamesANodeThatGotOtherChildrenAndKeptItsVolume) {
+    NodeTree tree = tree_of(nodes_of_row());
+    const Mesh mesh = row_of_triangles();
+    TreeWatch watch;
+    TreeShape shape = tree_shape(tree, 4);
+    watch.look(0, {tree, shape, &mesh, 1e-9, 1, 1});
+    // A rotation: leaf 6 changes places with leaf 3; the box of node 2 is mended, that of node 1 is
+    // not.
+    const std::array<std::uint32_t, 2> of_1{6, 4}, of_2{5, 3};
+    tree.relink(1, 0, 1, of_1, {});
+    tree.relink(2, 0, 1, of_2, {});
+    tree.relink(6, 1, 0, {}, std::array<std::uint32_t, 1>{3});
+    tree.relink(3, 2, 0, {}, std::array<std::uint32_t, 1>{0});
+    tree.set_volume(2, box_of_row(0, 3), 1, "");
+    shape = tree_shape(tree, 4);
+    watch.look(1, {tree, shape, &mesh, 1e-9, 2, 2});
+    const auto problems = watch.problems();
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].problem.node, 1u);
+    EXPECT_EQ(problems[0].links_at, 1);
+    EXPECT_EQ(problems[0].kept_from, 0);
+}
+
+TEST(TreeWatch, AProblemThatGoesAndComesAgainHasGaps) {
+    for (const bool comes_again : {false, true}) {
+        NodeTree tree = tree_of(nodes_of_row());
+        const Mesh mesh = row_of_triangles();
+        const TreeShape shape = tree_shape(tree, 4);
+        TreeWatch watch;
+        int version = 0;
+        for (const double last : {0.75, comes_again ? 1.75 : 0.75, 0.5}) {
+            tree.set_volume(1, box_of_row(0, last), version, "");
+            watch.look(version, {tree, shape, &mesh, 1e-9, 1, version + 1});
+            ++version;
+        }
+        ASSERT_EQ(watch.problems().size(), 1u);
+        EXPECT_EQ(watch.problems()[0].gaps, comes_again);
+        EXPECT_EQ(watch.problems()[0].frames, comes_again ? 2u : 3u);
+    }
 }
 
 TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
@@ -200,12 +340,14 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
     const auto problems = watch.problems();
     ASSERT_EQ(problems.size(), 3u);
     EXPECT_EQ(problems[0].words, "node 2 does not contain triangle 3, by 1");
-    EXPECT_EQ(problems[1].words, "node 0 does not contain triangle 3, by 1");
-    EXPECT_EQ(problems[2].words, "node 1 does not contain triangle 1, by 0.25")
+    EXPECT_EQ(problems[1].words, "node 1 does not contain triangle 1, by 0.25")
         << "the worst first";
-    EXPECT_FALSE(problems[2].stale);
-    EXPECT_EQ(problems[2].frames, 4u);
-    for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(problems[2].words, "node 0 does not contain triangle 3, by 1")
+        << "nor do the nodes below it contain their triangles";
+    EXPECT_FALSE(problems[1].stale);
+    EXPECT_EQ(problems[1].frames, 4u);
+    for (const std::size_t i : {0u, 2u}) {
+        EXPECT_EQ(problems[i].problem.inherited, i == 2);
         EXPECT_TRUE(problems[i].stale);
         EXPECT_EQ(problems[i].since, 2);
         EXPECT_EQ(problems[i].told_at, 0);

@@ -226,11 +226,11 @@ TEST(RecordedQueries, TheToleranceOfAQueryIsThatOfAllItsLengths) {
     }
 }
 
-TEST(RecordedQueries, AToleranceThatIsNoLengthIsOdd) {
+TEST(RecordedQueries, AToleranceThatIsNoLengthIsUnusable) {
     for (const char* value : {"", "x", "1e-6 m", " 1", "-1e-6", "1e200", "nan", "inf"}) {
         ReadSteps read(std::vector<Record>{RecordedSetting{"tolerance", value}});
         read.read_all();
-        EXPECT_EQ(read.queries.oddities().size(), 1u) << value;
+        EXPECT_EQ(read.queries.unusable().count, 1u) << value;
     }
 }
 
@@ -242,14 +242,14 @@ TEST(RecordedQueries, NamesStagesOneTo127InTheOrderInWhichTheyAreTold) {
     EXPECT_EQ(read.queries.stages(),
               (std::map<std::uint8_t, std::string>{{1, "first"}, {127, "last"}}));
     EXPECT_EQ(read.queries.stage_order(), (std::vector<std::uint8_t>{127, 1}));
-    EXPECT_EQ(read.queries.oddities().size(), 2u);
+    EXPECT_EQ(read.queries.unusable().count, 2u);
 }
 
-TEST(RecordedQueries, CountsOdditiesBeyondTheFirstTwenty) {
+TEST(RecordedQueries, CountsUnusableRecordsBeyondTheFirstTwenty) {
     ReadSteps read(std::vector<Record>(23, RecordedStage{0, ""}));
     read.read_all();
-    EXPECT_EQ(read.queries.oddities().size(), 20u);
-    EXPECT_EQ(read.queries.more_oddities(), 3u);
+    EXPECT_EQ(read.queries.unusable().first.size(), 20u);
+    EXPECT_EQ(read.queries.unusable().count, 23u);
 }
 
 TEST(RecordedQueries, AMeshThatIsToldAgainAlikeDidNotChange) {
@@ -305,6 +305,95 @@ TEST(RecordedQueries, RefusesFramesBeyondWholeNumbers) {
     constexpr std::uint32_t most = INT32_MAX;
     ReadSteps(std::vector<Record>{RecordedFrame{most - 1}}).read_all();
     EXPECT_THROW(ReadSteps(std::vector<Record>{RecordedFrame{most}}).read_all(), InputError);
+}
+
+RecordedNode node_of(std::uint32_t node, std::vector<std::uint32_t> children,
+                     std::vector<std::uint32_t> items, double radius) {
+    return {
+        0, node, record_none, 0, "", std::move(children), std::move(items), ball_volume(radius)};
+}
+
+// An engine that rotates its tree records the nodes that changed.
+TEST(RecordedQueries, ANodeThatIsRecordedInALaterFrameIsAnotherOne) {
+    const std::vector<Record> tree = {RecordedTree{0, record_none, "", {}},
+                                      node_of(0, {1, 2}, {}, 3), node_of(1, {}, {0}, 1),
+                                      node_of(2, {}, {1}, 1), RecordedFrame{0}};
+    std::vector<Record> records = tree;
+    append(records, {RecordedFrame{1}, node_of(0, {2, 1}, {}, 3), node_of(1, {}, {0}, 2)});
+    ReadSteps read(records);
+    read.read_all();
+    const NodeTree& rotated = read.queries.trees().at(0).tree;
+    EXPECT_TRUE(rotated.told_twice().empty());
+    EXPECT_EQ(rotated.children(0)[0], 2u);
+    EXPECT_EQ(rotated[0].links_at, 1);
+    EXPECT_EQ(rotated[0].told_at, 0) << "it kept its volume";
+    EXPECT_EQ(rotated[1].links_at, 0);
+    EXPECT_EQ(rotated[1].told_at, 1);
+    EXPECT_EQ(std::get<Ball>(rotated[1].volume).radius, 2);
+    // In one go, the second node of a number is a fault.
+    append(records, {node_of(1, {}, {0}, 2)});
+    ReadSteps twice(records);
+    twice.read_all();
+    EXPECT_EQ(twice.queries.trees().at(0).tree.told_twice(), std::vector{1u});
+}
+
+TEST(RecordedQueries, ATreeThatIsBuiltAnewKnowsWhichNodesAreTheSame) {
+    std::vector<Record> records = {RecordedTree{0, record_none, "", {}},
+                                   node_of(0, {1, 2}, {}, 3),
+                                   node_of(1, {}, {0}, 1),
+                                   node_of(2, {}, {1}, 1),
+                                   RecordedFrame{0},
+                                   RecordedFrame{1},
+                                   RecordedTree{0, record_none, "", {}},
+                                   node_of(0, {2, 1}, {}, 3),
+                                   node_of(1, {}, {0}, 2),
+                                   node_of(2, {}, {1}, 1)};
+    ReadSteps read(records);
+    read.read_all();
+    const NodeTree& tree = read.queries.trees().at(0).tree;
+    EXPECT_EQ(tree[0].links_at, 1);
+    EXPECT_EQ(tree[0].told_at, 0);
+    EXPECT_EQ(tree[1].links_at, 0);
+    EXPECT_EQ(tree[1].told_at, 1);
+}
+
+TEST(RecordedQueries, TheReachOfATreeIsThatOfItsVolumesNow) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedRefit{0, 0, ball_volume(1e9)}, RecordedQuery{0, 1}, RecordedQueryEnd{},
+                     RecordedRefit{0, 0, ball_volume(1)}, RecordedQuery{0, 1}, RecordedQueryEnd{}});
+    EXPECT_NEAR(ReadSteps(records).query(0).tolerance, (1e9 + 1) * 1e-6, 1e-6);
+    EXPECT_NEAR(ReadSteps(records).query(1).tolerance, 2e-6, 1e-15);
+}
+
+TEST(RecordedQueries, DirectionsAreNoLengths) {
+    std::vector<Record> records = two_balls();
+    append(records,
+           {RecordedRefit{
+                0, 0, {RecordedKind::obb, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1e-7, 1e-7, 1e-7}}},
+            RecordedRefit{1, 0, ball_volume(1e-7)}, RecordedQuery{0, 1}, RecordedQueryEnd{}});
+    EXPECT_LT(ReadSteps(records).query(0).tolerance, 1e-12);
+}
+
+TEST(RecordedQueries, TheLastSettingOfExactTestsHolds) {
+    ReadSteps read(std::vector<Record>{RecordedSetting{"tests", "exact"},
+                                       RecordedSetting{"tests", "conservative"}});
+    read.read_all();
+    EXPECT_FALSE(read.queries.has_exact_tests());
+}
+
+TEST(RecordedQueries, ABodyThatGetsAnotherTreeIsStretchedAnew) {
+    std::vector<Record> records = two_balls();
+    RecordedPose twice = pose_at(1, 0);
+    for (const std::size_t i : {0u, 5u, 10u}) twice.rows[i] = 2;
+    append(records,
+           {twice, RecordedQuery{0, 1}, RecordedQueryEnd{}, RecordedTree{2, record_none, "", {}},
+            RecordedNode{2, 7, record_none, 0, "", {}, {0}, ball_volume(3)},
+            RecordedBody{1, 2, "B"}, RecordedQuery{0, 1}, RecordedQueryEnd{}});
+    ReadSteps read(records);
+    EXPECT_EQ((*read.query(0).sides[1].tree)[0].number, 0u);
+    const EngineQuery& second = read.query(0);
+    EXPECT_EQ((*second.sides[1].tree)[0].number, 7u);
+    EXPECT_EQ(std::get<Ball>((*second.sides[1].tree)[0].volume).radius, 6);
 }
 
 }  // namespace

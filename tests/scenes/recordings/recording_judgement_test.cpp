@@ -88,16 +88,17 @@ TEST(RecordingJudgement, OfMeshesThatAreToldAnewTheNewOnesHold) {
     EXPECT_EQ(judged.exact_pairs, judge(recording_of(trace_of(VolumeKind::obb))).exact_pairs);
 }
 
-TEST(RecordingJudgement, AMeshThatWasNotToldIsOdd) {
+TEST(RecordingJudgement, ATreeOfAMeshThatWasNotRecordedIsNotJudged) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
     std::erase_if(records, [](const Record& record) {
         const auto* mesh = std::get_if<RecordedMesh>(&record);
         return mesh != nullptr && mesh->mesh == 1;
     });
     const RecordingJudgement judged = judge(records);
-    EXPECT_TRUE(judged.wrong());
-    ASSERT_EQ(judged.odd.size(), 1u);
-    EXPECT_NE(judged.odd[0].find("tree 1 is of mesh 1, which was not told"), std::string::npos);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    ASSERT_EQ(judged.unusable.count, 1u);
+    EXPECT_NE(judged.unusable.first[0].find("tree 1 is of mesh 1, which was not told"),
+              std::string::npos);
 }
 
 TEST(RecordingJudgement, NamesNodesOfBThatStandBeforeThoseOfA) {
@@ -753,11 +754,197 @@ TEST(RecordingJudgement, WhatIsOddIsSaid) {
     const RecordingJudgement judged =
         judge({RecordedTree{0, record_none, "", {}}, RecordedRefit{0, 5, {}},
                RecordedEvent{0, 1, 2}, RecordedSetting{"tolerance", "wide"}});
-    EXPECT_EQ(judged.odd, (std::vector<std::string>{
-                              "node 5, which tree 0 does not have, was refitted, at frame 0",
-                              "a test or pair stands outside of queries, at frame 0",
-                              "the tolerance \"wide\" is no length, at frame 0"}));
+    EXPECT_EQ(
+        judged.odd.first,
+        (std::vector<std::string>{"node 5, which tree 0 does not have, was refitted, at frame 0"}));
+    EXPECT_EQ(judged.unusable.first,
+              (std::vector<std::string>{"a test or pair stands outside of queries, at frame 0",
+                                        "the tolerance \"wide\" is no length, at frame 0"}));
     EXPECT_TRUE(judged.wrong());
+}
+
+/// The reasons why parts are not judged.
+std::string not_judged(const RecordingJudgement& judged) {
+    std::string all;
+    for (const NotJudged& part : judged.not_judged)
+        all += std::to_string(part.count) + " " + part.what + ": " + part.why + "\n";
+    return all;
+}
+
+/// A triangle that reaches from 0 to 1, of which a leaf has this box.
+std::vector<Record> triangle_in_box(std::vector<double> box, std::vector<double> root = {}) {
+    std::vector<Record> records = {
+        RecordedMesh{0, "m", 4, {0, 0, 0, 1, 0, 0, 0, 1, 0.1f}, {0, 1, 2}},
+        RecordedTree{0, 0, "t", {}}};
+    if (!root.empty())
+        records.emplace_back(
+            RecordedNode{0, 1, record_none, 0, "", {0}, {}, {RecordedKind::aabb, root}});
+    records.emplace_back(RecordedNode{0,
+                                      0,
+                                      root.empty() ? record_none : 1,
+                                      0,
+                                      "",
+                                      {},
+                                      {0},
+                                      {RecordedKind::aabb, std::move(box)}});
+    append(records, {RecordedFrame{0}, RecordedEnd{}});
+    return records;
+}
+
+TEST(RecordingJudgement, AHugeRootDoesNotHideALeaf) {
+    const std::vector<double> huge = {-1e13, -1e13, -1e13, 1e13, 1e13, 1e13};
+    EXPECT_EQ(judge(triangle_in_box({0, 0, 0, 1, 1, 1}, huge)).verdict(), Verdict::sound);
+    const RecordingJudgement beside = judge(triangle_in_box({170, 0, 0, 171, 1, 1}, huge));
+    ASSERT_EQ(beside.trees[0].problems.size(), 1u);
+    EXPECT_EQ(beside.trees[0].problems[0].problem.node, 0u);
+}
+
+// A recording of trees alone has a tolerance, too.
+TEST(RecordingJudgement, TreesWhoseToleranceHidesTheirTrianglesAreNotJudged) {
+    std::vector<Record> records = triangle_in_box({2e6, 0, 0, 2e6 + 1, 1, 1});
+    std::get<RecordedMesh>(records[0]).coordinates = {2e6, 0, 0, 2e6 + 1, 0, 0, 2e6, 1, 0.125};
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    EXPECT_NE(not_judged(judged).find("1 triangles or leaf volumes: at frame 0 the tolerance is 2"),
+              std::string::npos)
+        << not_judged(judged);
+}
+
+TEST(RecordingJudgement, NamesTheSettingAsTheCauseOfAWideTolerance) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedSetting{"tolerance", "4"}});
+    append(records, query_with({{0, 0, 0}}));
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    EXPECT_NE(not_judged(judged).find("the setting `tolerance` of the recording says so"),
+              std::string::npos)
+        << not_judged(judged);
+}
+
+TEST(RecordingJudgement, ATestOfVolumesWithoutAnExactTestIsNotJudged) {
+    std::vector<Record> records = two_balls();
+    append(records,
+           {RecordedRefit{
+               0, 0, {RecordedKind::scb2, {0, 0, 0, 1, 1, 0, 0, 0.5, -0.5, 0, 1, 0, 0.5, -0.5}}}});
+    append(records, query_with({{1, 0, 0}}));
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    EXPECT_EQ(judged.unjudged, 1u);
+}
+
+TEST(RecordingJudgement, ATreeThatWasRecordedWithoutNodesHasNoUnknownOnes) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedTree{1, record_none, "", {}}});
+    append(records, query_with({{1, 0, 5}}));
+    EXPECT_EQ(judge(records).verdict(), Verdict::partly_judged);
+}
+
+// Each pose that moves the two apart explains that one test.
+TEST(RecordingJudgement, APoseIsNotNamedForTestsOfOneOutcome) {
+    std::vector<Record> records = two_balls();
+    append(records, {pose_at(0, 0), pose_at(1, 1.5)});
+    append(records, query_with({{1, 0, 0}}));
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.test_problems.size(), 1u);
+    EXPECT_TRUE(judged.poses.empty());
+}
+
+TEST(RecordingJudgement, WithoutPairsATestOfTwoTrianglesMayBeRepeated) {
+    std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
+    std::erase_if(records, [](const Record& record) {
+        const auto* event = std::get_if<RecordedEvent>(&record);
+        const auto* setting = std::get_if<RecordedSetting>(&record);
+        return (event && event->tag == a_pair) || (setting && setting->key == "results");
+    });
+    const auto meets = [](const Record& record) {
+        const auto* event = std::get_if<RecordedEvent>(&record);
+        return event && event->tag == items_meet;
+    };
+    const auto first = std::find_if(records.begin(), records.end(), meets);
+    ASSERT_NE(first, records.end());
+    records.insert(first, Record(*first));
+    const RecordingJudgement judged = judge(records);
+    EXPECT_TRUE(judged.false_pairs.empty());
+    EXPECT_FALSE(judged.wrong());
+}
+
+/// A cloth of two triangles with a common edge, and one above them. `gap`: how far the upper one is
+/// from a vertex of the lower ones at the second frame.
+std::vector<Record> folding_cloth(double gap) {
+    const auto mesh = [](double x, double z) {
+        return RecordedMesh{
+            0,
+            "cloth",
+            8,
+            {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, x, 0, z, x + 1, 0, z + 1, x, 1, z + 1},
+            {0, 1, 2, 1, 3, 2, 4, 5, 6}};
+    };
+    std::vector<Record> records = {mesh(0, 5),
+                                   RecordedTree{0, 0, "t", {}},
+                                   RecordedNode{0,
+                                                0,
+                                                record_none,
+                                                0,
+                                                "",
+                                                {},
+                                                {0, 1, 2},
+                                                {RecordedKind::aabb, {-10, -10, -10, 10, 10, 10}}},
+                                   RecordedBody{0, 0, "cloth"},
+                                   RecordedSetting{"results", "pairs"},
+                                   RecordedFrame{0}};
+    append(records, {RecordedQuery{0, 0}, RecordedQueryEnd{}, RecordedFrame{1}, mesh(0, gap),
+                     RecordedQuery{0, 0}, RecordedEvent{a_pair, 0, 2}, RecordedQueryEnd{}});
+    return records;
+}
+
+// A vertex of the upper layer comes to lie on one of the lower layer, which is another vertex.
+TEST(RecordingJudgement, VerticesThatMeetLaterAreNotJoined) {
+    const RecordingJudgement touching = judge(folding_cloth(0));
+    EXPECT_FALSE(touching.wrong()) << not_judged(touching);
+    const RecordingJudgement apart = judge(folding_cloth(0.5));
+    ASSERT_EQ(apart.false_pairs.size(), 1u);
+    EXPECT_EQ(apart.false_pairs[0].what, "reported without a test of the two triangles");
+}
+
+TEST(RecordingJudgement, TheTrianglesOfALeafAreTestedWithEachOther) {
+    std::vector<Record> records = folding_cloth(-0.25);
+    const auto end = records.end() - 2;
+    records.insert(end, RecordedEvent{items_meet, 0, 2});
+    const RecordingJudgement judged = judge(records);
+    EXPECT_TRUE(judged.test_problems.empty());
+    EXPECT_FALSE(judged.wrong());
+}
+
+TEST(RecordingJudgement, AnObjectThatItsTreeDoesNotHaveIsUnknown) {
+    std::vector<Record> records = two_balls();
+    append(records, query_with({{0, 0, 0}, {a_pair, 77, 99}}));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.false_pairs.size(), 1u);
+    EXPECT_EQ(judged.false_pairs[0].what, "one of the two does not exist");
+}
+
+TEST(RecordingJudgement, AnObjectsOwnTestMayFindThatItIsApart) {
+    const auto judged_with = [](std::uint8_t tag, double x) {
+        std::vector<Record> records = two_balls();
+        append(records, {RecordedObject{0, 0, ball_volume(1)}, RecordedObject{1, 0, ball_volume(1)},
+                         RecordedSetting{"results", "pairs"}, pose_at(0, 0), pose_at(1, x)});
+        append(records,
+               query_with({{static_cast<std::uint8_t>(x > 2 ? 1 : 0), 0, 0}, {tag, 0, 0}}));
+        records.emplace_back(RecordedEnd{});
+        return judge(records);
+    };
+    EXPECT_EQ(judged_with(items_apart, 1.5).verdict(), Verdict::sound)
+        << "extents are larger than their objects";
+    const RecordingJudgement meet = judged_with(items_meet, 5);
+    ASSERT_EQ(meet.test_problems.size(), 1u) << "objects whose extents are apart do not meet";
+}
+
+TEST(RecordingJudgement, AQueryThatTheFileBreaksOffInIsNotJudgedWhole) {
+    std::vector<Record> records = two_balls();
+    append(records, {RecordedQuery{0, 1}, RecordedEvent{0, 0, 0}});
+    const RecordingJudgement judged = judge(records);
+    EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
+    EXPECT_NE(not_judged(judged).find("the file breaks off in the last one"), std::string::npos);
 }
 
 }  // namespace
