@@ -48,13 +48,21 @@ std::array<TriangleCorners, 2> triangles_of(const EngineQuery& query, const Pose
             transform_corners(b_to_a, corners(*query.sides[1].mesh, items.b))};
 }
 
+double tolerance_of_objects(const EngineQuery& query, IndexPair objects) {
+    const IndexPair leaves{query.sides[0].shape->holder_of(objects.a),
+                           query.sides[1].shape->holder_of(objects.b)};
+    return leaves.a == no_index || leaves.b == no_index ? query.tolerance
+                                                        : tolerance_of(query, leaves);
+}
+
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items) {
     if (has_object_volumes(query)) {
         const NodeVolume *a = volume_of_object(query.sides[0], items.a),
                          *b = volume_of_object(query.sides[1], items.b);
         // An object without a volume touches all, which claims nothing.
         const ContactCertificate found =
-            a && b ? exact_verdict(*a, *b, b_to_a, query.tolerance) : ContactCertificate{};
+            a && b ? exact_verdict(*a, *b, b_to_a, tolerance_of_objects(query, items))
+                   : ContactCertificate{};
         return {found.contact == Contact::overlapping, found.contact == Contact::touching,
                 found.margin};
     }
@@ -290,7 +298,9 @@ class Judge {
                     tested != item_tests_.end() &&
                     query_.events[tested->second.event].kind == Kind::items_apart)
                     continue;
-            if (is_hidden(contact) || contact_of(query_, query_.b_to_a, contact).grazing) {
+            const ItemContact exact = contact_of(query_, query_.b_to_a, contact);
+            if (!exact.meet && !exact.grazing) continue;
+            if (is_hidden(contact) || exact.grazing) {
                 ++result_.grazing;
                 if (result_.grazing_missed++ == 0) result_.first_grazing = contact;
                 continue;
