@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/explain/explain_report.h"
+#include "app/inspect/judgement_json.h"
 #include "app/inspect/recording_pictures.h"
 #include "app/inspect/recording_report.h"
 #include "app/inspect/recording_settings.h"

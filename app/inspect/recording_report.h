@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -15,9 +14,5 @@ namespace scb::app {
 std::string recording_text(const scenes::RecordingJudgement& judged,
                            const std::optional<RecordingSettings>& settings,
                            const std::string& file, std::size_t top, std::size_t cases);
-
-/// The same, all of it.
-nlohmann::ordered_json recording_json(const scenes::RecordingJudgement& judged,
-                                      const std::string& file);
 
 }  // namespace scb::app

@@ -50,6 +50,25 @@ std::string not_judged_words(const scenes::NotJudged& part) {
 
 }  // namespace
 
+std::string cost_finding_words(const scenes::CostFinding& cost) {
+    using Kind = scenes::CostFinding::Kind;
+    switch (cost.kind) {
+        case Kind::repeated:
+            return count_text(cost.count) + " of " + count_text(cost.of) +
+                   " tests of volumes repeat an earlier one of their query; the first: " +
+                   cost.where;
+        case Kind::deep:
+            return cost.where + " is " + count_text(cost.count) + " deep, where " +
+                   count_text(cost.of) + " would do";
+        case Kind::loose:
+            return count_text(cost.count) + " of " + count_text(cost.of) + " boxes of " +
+                   cost.where + " are much larger than what is below them; with boxes that fit, " +
+                   count_text(cost.tests_if_tight) + " of " + count_text(cost.tests) +
+                   " tests of volumes would be made";
+    }
+    return {};
+}
+
 std::vector<std::string> verdict_lines(const RecordingJudgement& judged) {
     std::vector<std::string> lines;
     lines.push_back(verdict_words(judged) + ".");

@@ -11,4 +11,7 @@ namespace scb::app {
 /// and pages begin with them.
 std::vector<std::string> verdict_lines(const scenes::RecordingJudgement& judged);
 
+/// "tree 0 is 199 deep, where 8 would do".
+std::string cost_finding_words(const scenes::CostFinding& cost);
+
 }  // namespace scb::app

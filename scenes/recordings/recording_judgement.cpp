@@ -11,6 +11,7 @@
 #include "scenes/recordings/judgement_words.h"
 #include "scenes/recordings/own_contacts.h"
 #include "scenes/recordings/query_costs.h"
+#include "scenes/recordings/test_findings.h"
 #include "scenes/recordings/tolerance_check.h"
 
 namespace scb::scenes {
@@ -74,7 +75,11 @@ class RecordingJudge {
             judge_query(query, own_.contacts(query, recording_.finite_meshes()), go_on_);
         if (judged.interrupted) return;
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
-        take_tests(query, judged, name, row);
+        tests_.take(recording_, query, judged, name, row);
+        row.wasted += judged.wasted_weak + judged.wasted_loose;
+        result_.wasted_weak += judged.wasted_weak;
+        result_.wasted_loose += judged.wasted_loose;
+        result_.grazing += judged.grazing;
         take_pairs(query, judged, name, row);
         costs_.take(recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
@@ -100,7 +105,7 @@ class RecordingJudge {
             const BodyState& body = recording_.bodies().at(number);
             if (body.pose_fault.empty()) continue;
             if (!body.is_finite) {
-                add(tests_, "a query's pose is not finite", {name, "it is not judged"});
+                tests_.add("a query's pose is not finite", {name, "it is not judged"});
             } else if (unplaced_++ == 0) {
                 unplaced_why_ = "the pose of " + name_of(number) + " at frame " +
                                 std::to_string(name.frame) + " " + body.pose_fault;
@@ -119,130 +124,6 @@ class RecordingJudge {
         }
     }
 
-    void take_tests(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
-                    FrameJudgement& row) {
-        for (std::uint32_t number = 0; number < judged.tests.size(); ++number) {
-            const JudgedTest& test = judged.tests[number];
-            const EngineEvent& event = query.events[test.event];
-            StageJudgement& stage = stages_[event.stage];
-            ++stage.tests;
-            ++row.volume_tests;
-            result_.unjudged += test.verdict == TestVerdict::unjudged;
-            tests_of_all_ += 1;
-            const auto note = [&](const std::string& what, const std::string& more = {}) {
-                add(tests_, what,
-                    {name,
-                     pair_words("nodes", event.a, event.b) + test_words(number) + more,
-                     {event.a, event.b},
-                     {no_index, no_index},
-                     number});
-            };
-            if (names_unknown_node(query, test.nodes))
-                note("a test of a node that its tree does not have");
-            if (test.repeated && repeated_++ == 0)
-                first_repeated_ = query_words(name) + ": " + pair_words("nodes", event.a, event.b) +
-                                  test_words(number);
-            if (test.verdict == TestVerdict::false_positive) {
-                ++stage.false_positives;
-                if (test.margin > stage.most_apart) {
-                    stage.most_apart = test.margin;
-                    stage.farthest = query_words(name) + ": " +
-                                     pair_words("nodes", event.a, event.b) + test_words(number) +
-                                     ", " + format("%.6g", test.margin) + " apart";
-                }
-                // Else a test may pass too many.
-                if (recording_.has_exact_tests()) {
-                    ++row.wrong;
-                    note("a test of an engine whose tests are exact passed volumes that are apart",
-                         ", " + format("%.6g", test.margin) + " apart");
-                }
-            }
-            if (test.verdict != TestVerdict::wrong) continue;
-            ++row.wrong;
-            stage.least_depth =
-                stage.wrong == 0 ? test.margin : std::min(stage.least_depth, test.margin);
-            stage.most_depth = std::max(stage.most_depth, test.margin);
-            ++stage.wrong;
-            note("a test that rejected volumes which overlap, at stage \"" +
-                     stage_words(recording_.stages(), event.stage) + "\"",
-                 ", " + format("%.6g", test.margin) + " deep in each other");
-        }
-        row.item_tests += judged.item_tests;
-        for (const auto& [i, number, margin, strayed, unknown] : judged.wrong_item_tests) {
-            const EngineEvent& event = query.events[i];
-            ++row.wrong;
-            const bool meet = event.kind == EngineEvent::Kind::items_meet;
-            if (unknown) {
-                const bool objects = !query.sides[0].mesh;
-                add(tests_,
-                    objects ? "a test of an object that its tree does not have"
-                            : "a test of a triangle that its mesh does not have",
-                    {name,
-                     pair_words(objects ? "objects" : "triangles", event.a, event.b) +
-                         test_words(number),
-                     {no_index, no_index},
-                     {no_index, no_index},
-                     number});
-                continue;
-            }
-            add(tests_,
-                meet ? "a test said that two triangles meet which do not"
-                     : "a test said that two triangles are apart which intersect",
-                {name,
-                 pair_words("triangles", event.a, event.b) + test_words(number) + ", " +
-                     format("%.6g", margin) + (meet ? " apart" : " deep in each other") +
-                     (strayed ? "; the nodes that have them were not tested before, so are these "
-                                "their numbers?"
-                              : ""),
-                 {no_index, no_index},
-                 {event.a, event.b},
-                 number});
-        }
-        for (const WrongItemTest& stray : judged.stray_item_tests) {
-            const EngineEvent& event = query.events[stray.event];
-            const std::uint32_t number = stray.test;
-            ++row.wrong;
-            add(tests_, "a test of triangles that are not in the leaves that were tested before",
-                {name,
-                 pair_words("triangles", event.a, event.b) + test_words(number) +
-                     "; are these their numbers?",
-                 {no_index, no_index},
-                 {event.a, event.b},
-                 number});
-        }
-        take_divisions(query, judged, name);
-        row.wasted += judged.wasted_weak + judged.wasted_loose;
-        result_.wasted_weak += judged.wasted_weak;
-        result_.wasted_loose += judged.wasted_loose;
-        result_.grazing += judged.grazing;
-    }
-
-    /// Of a tree without nodes nothing is known.
-    static bool names_unknown_node(const EngineQuery& query, IndexPair nodes) {
-        return (nodes.a == no_index && query.sides[0].tree->size() > 0) ||
-               (nodes.b == no_index && query.sides[1].tree->size() > 0);
-    }
-
-    void take_divisions(const EngineQuery& query, const QueryJudgement& judged,
-                        const QueryName& name) {
-        const DivisionCounts& here = judged.divisions;
-        if (here.lacking > 0 && lacking_.empty()) {
-            const JudgedTest& test = judged.tests[here.first.test];
-            lacking_ = query_words(name) + ": " +
-                       pair_words("nodes", (*query.sides[0].tree)[test.nodes.a].number,
-                                  (*query.sides[1].tree)[test.nodes.b].number) +
-                       test_words(here.first.test) + ", where node " +
-                       std::to_string(here.first.child) + " of " +
-                       (here.first.side == 0 ? "A" : "B") + " was not tested";
-            first_lack_ = here.first;
-        }
-        if (here.lacking > 0)
-            lacks_alike_ = lacks_alike_ && here.alike && here.first.side == first_lack_.side &&
-                           here.first.place == first_lack_.place;
-        divided_ += here.divided;
-        lacks_ += here.lacking;
-    }
-
     void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
                     FrameJudgement& row) {
         row.pairs += judged.reported;
@@ -253,7 +134,8 @@ class RecordingJudge {
         for (const PairProblem& problem : judged.pairs) {
             const bool missed = is_missed(problem.cause);
             (missed ? row.missed : row.false_pairs) += 1;
-            add(missed ? missed_ : false_, words_of(query, problem.cause),
+            add_case(
+                missed ? missed_ : false_, words_of(query, problem.cause),
                 {name, words_of(query, problem, test_number(judged, problem), recording_.stages()),
                  problem.nodes, problem.items, test_number(judged, problem)});
         }
@@ -285,15 +167,6 @@ class RecordingJudge {
                                     " and " + name.b +
                                     " were queried at several poses, of which other commands show "
                                     "the first; begin a frame for each, with scb_record_frame");
-    }
-
-    using Groups = std::vector<ProblemGroup>;
-    static void add(Groups& groups, const std::string& what, ProblemCase one) {
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&what](const ProblemGroup& g) { return g.what == what; });
-        if (group == groups.end()) group = groups.insert(group, ProblemGroup{what, 0, {}});
-        ++group->count;
-        if (group->cases.size() < ProblemGroup::most_cases) group->cases.push_back(std::move(one));
     }
 
     void not_judged(std::uint64_t count, std::uint64_t of, const std::string& what,
@@ -329,16 +202,7 @@ class RecordingJudge {
                 not_judged(1, trees_.watches().size(), "trees",
                            tree_words(recording_, number) + " was recorded without nodes");
         }
-        not_judged(result_.unjudged, tests_of_all_, "tests of volumes",
-                   "a node has no volume, one that is smaller than the tolerance, or one of a kind "
-                   "that has "
-                   "no exact test");
-        not_judged(lacks_, divided_, "divisions of nodes",
-                   "a child that overlaps the other node was not tested; the first: " + lacking_ +
-                       (lacks_alike_ && lacks_ > 1
-                            ? "; in all of them child " + std::to_string(first_lack_.place + 1) +
-                                  " of the node of " + (first_lack_.side == 0 ? "A" : "B")
-                            : ""));
+        tests_.list_not_judged(result_.not_judged);
         std::uint64_t reported = 0;
         for (const FrameJudgement& row : result_.frames) reported += row.pairs;
         const std::uint64_t pairs = std::max(reported, result_.exact_pairs);
@@ -357,7 +221,8 @@ class RecordingJudge {
                    "they were not reported, and of a query the first 100,000 are looked into");
         not_judged(broken_pairs_, reported, "pairs", "their triangles are not finite");
         not_judged(without_results_, without_results_, "pairs that intersect",
-                   "the results of their queries were not recorded");
+                   "the results of their queries were not recorded; where none was found, the "
+                   "setting `results` with the value `pairs` says so");
         if (recording_.unfinished_tree())
             not_judged(
                 1, trees_.watches().size(), "trees",
@@ -377,27 +242,17 @@ class RecordingJudge {
         for (const RecordedSetting& setting : recording_.settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         result_.trees = trees_.judged();
-        for (const auto& [stage, name] : recording_.stages()) stages_[stage].name = name;
-        for (auto& [stage, judged] : stages_) {
-            judged.name = stage_words(recording_.stages(), stage);
-            result_.stages.push_back(judged);
-        }
-        const auto sorted = [](Groups groups) {
-            std::stable_sort(
-                groups.begin(), groups.end(),
-                [](const ProblemGroup& a, const ProblemGroup& b) { return a.count > b.count; });
-            return groups;
-        };
-        result_.missed = sorted(std::move(missed_));
-        result_.false_pairs = sorted(std::move(false_));
-        result_.test_problems = sorted(std::move(tests_));
+        result_.stages = tests_.stages(recording_.stages());
+        result_.unjudged = tests_.unjudged();
+        result_.missed = by_count(std::move(missed_));
+        result_.false_pairs = by_count(std::move(false_));
+        result_.test_problems = by_count(tests_.problems());
         result_.odd = recording_.contradictions();
         result_.unusable = recording_.unusable();
         result_.damage = recording_.damage();
         list_not_judged();
-        if (repeated_ > 0)
-            result_.costs.push_back(
-                {CostFinding::Kind::repeated, repeated_, tests_of_all_, first_repeated_, 0, 0});
+        if (const std::optional<CostFinding> repeated = tests_.repeated())
+            result_.costs.push_back(*repeated);
         for (CostFinding& cost : costs_.found(recording_, trees_, result_.trees))
             result_.costs.push_back(std::move(cost));
     }
@@ -408,26 +263,19 @@ class RecordingJudge {
     TreeJudge trees_;
     ToleranceCheck tolerances_;
     QueryCosts costs_;
-    std::map<std::uint8_t, StageJudgement> stages_;
-    Groups missed_, false_, tests_;
+    TestFindings tests_;
+    ProblemGroups missed_, false_;
     PoseSearch poses_;
     bool moves_noted_ = false;
     // What was not judged, and why.
     std::uint64_t queries_ = 0, unplaced_ = 0, without_result_ = 0, without_results_ = 0,
-                  broken_pairs_ = 0, tests_of_all_ = 0;
+                  broken_pairs_ = 0;
     std::string unplaced_why_;
     std::set<std::uint32_t> stretched_;  ///< bodies of which that was noted
     const std::function<bool()> go_on_;
     std::uint64_t grazing_missed_ = 0;  ///< see QueryJudgement
     std::string first_grazing_;
     std::uint64_t unknown_objects_ = 0, objects_ = 0;  ///< the most of any query
-    // What costs.
-    std::uint64_t repeated_ = 0;
-    std::string first_repeated_;
-    std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
-    DivisionCounts::Lack first_lack_;
-    std::string lacking_;  ///< which that is
-    bool lacks_alike_ = true;
     /// Of two bodies the frame of the last query, and its pose.
     std::map<std::array<std::uint32_t, 2>, std::pair<int, Pose>> last_queries_;
 };
