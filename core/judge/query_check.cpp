@@ -222,7 +222,8 @@ class Judge {
                     query_.events[tested->second.event].kind == Kind::items_apart)
                     continue;
             const ItemContact exact = contact_of(query_, query_.b_to_a, contact);
-            if (!exact.meet && !exact.grazing) continue;
+            // Their sweep has the tolerance of the largest object.
+            if (has_object_volumes(query_) && !exact.meet && !exact.grazing) continue;
             if (is_hidden(contact) || exact.grazing) {
                 ++result_.grazing;
                 if (result_.grazing_missed++ == 0) result_.first_grazing = contact;

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "core/base/text_format.h"
-#include "core/base/word_hash.h"
 #include "core/judge/mapped_volume.h"
 #include "scb/error.h"
+#include "scenes/recordings/number_bits.h"
 #include "scenes/recordings/recorded_volume.h"
 #include "scenes/scene/pose_rows.h"
 
@@ -26,73 +24,6 @@ constexpr std::size_t most_odd = 20;
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
 /// Where a body stands, each coordinate is rounded once: of this share of the lengths above.
 constexpr double placing_share = 0.125;
-/// A number that says that its engine computes in 32 bits: one that takes most of these. Whole
-/// numbers and short fractions do not.
-bool is_long(double value) {
-    constexpr double short_bits = 0x1p16;
-    int exponent = 0;
-    const double mantissa = std::frexp(value, &exponent) * short_bits;
-    return std::isfinite(value) && value != std::trunc(value) && mantissa != std::trunc(mantissa);
-}
-
-bool is_of_32_bits(double value) {
-    return static_cast<double>(static_cast<float>(value)) == value || !std::isfinite(value);
-}
-
-/// See MeshState::finite.
-Mesh made_finite(Mesh mesh) {
-    const auto some = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), is_usable);
-    const Vec3 place = some == mesh.vertices.end() ? Vec3(Vec3::Zero()) : *some;
-    for (Triangle& triangle : mesh.triangles) {
-        // A vertex that there is not is an error, which check_mesh reports.
-        const auto is_known = [&mesh](std::uint32_t v) { return v < mesh.vertices.size(); };
-        if (!std::all_of(triangle.begin(), triangle.end(), is_known)) continue;
-        const auto broken =
-            std::find_if(triangle.begin(), triangle.end(),
-                         [&mesh](std::uint32_t v) { return !is_usable(mesh.vertices[v]); });
-        if (broken == triangle.end()) continue;
-        const std::uint32_t v = *broken;
-        triangle = {v, v, v};
-    }
-    for (Vec3& vertex : mesh.vertices)
-        if (!is_usable(vertex)) vertex = place;
-    return mesh;
-}
-
-/// Above the numbers of a tree's objects; 0 where these are so large that they are no numbers.
-std::size_t objects_of(const NodeTree& tree) {
-    constexpr std::size_t most = 1'000'000;
-    std::size_t end = 0;
-    for (std::size_t node = 0; node < tree.size(); ++node)
-        for (const std::uint32_t item : tree.items(node))
-            end = std::max(end, std::size_t{item} + 1);
-    return end <= most ? end : 0;
-}
-
-/// Whether items are alone in leaves.
-bool has_single_objects(const NodeTree& tree, const TreeShape& shape) {
-    for (std::uint32_t node = 0; node < shape.size(); ++node)
-        if (tree.items(node).size() > (shape.is_leaf(node) ? 1 : 0)) return false;
-    return !shape.holder.empty();
-}
-
-/// What a node is known by in a tree that is built anew: a leaf by its items, others by number.
-std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> items) {
-    WordHash hash;
-    if (items.empty()) hash.add(number);
-    for (const std::uint32_t item : items) hash.add((std::uint64_t{item} + 1) << 32);
-    return hash.value;
-}
-
-/// Of the children and items of a node.
-std::uint64_t links_hash(const RecordedNode& node) {
-    WordHash hash;
-    hash.add(node.children.size());
-    for (const std::uint32_t child : node.children) hash.add(child);
-    for (const std::uint32_t item : node.items) hash.add(item);
-    return hash.value;
-}
-
 /// The tree that the record is about.
 std::optional<std::uint32_t> tree_told_by(const Record& record) {
     if (const auto* tree = std::get_if<RecordedTree>(&record)) return tree->tree;
@@ -130,12 +61,6 @@ RecordedQueries::Step RecordedQueries::next() {
     take(RecordedQueryEnd{false, 0});
     ended_ = false;
     return Step::query;
-}
-
-void RecordedQueries::changed(TreeState& tree) {
-    tree.whole = false;
-    ++tree.version;
-    ++tree.volume_version;
 }
 
 void RecordedQueries::take(const RecordedStage& stage) {
@@ -181,84 +106,17 @@ void RecordedQueries::take(const RecordedSetting& setting) {
 }
 
 void RecordedQueries::take(const RecordedMesh& mesh) {
-    MeshState& state = meshes_[mesh.mesh];
-    auto made = std::make_shared<Mesh>();
-    made->vertices.reserve(mesh.coordinates.size() / 3);
-    for (std::size_t i = 0; i + 2 < mesh.coordinates.size(); i += 3)
-        made->vertices.emplace_back(mesh.coordinates[i], mesh.coordinates[i + 1],
-                                    mesh.coordinates[i + 2]);
-    made->triangles.reserve(mesh.indices.size() / 3);
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-        made->triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    std::shared_ptr<const Mesh> finite = made;
-    if (!std::all_of(made->vertices.begin(), made->vertices.end(), is_usable))
-        finite = std::make_shared<const Mesh>(made_finite(*made));
-    check_mesh(*finite, name_ + ": mesh " + std::to_string(mesh.mesh));
-    const Box box = bounding_box(*finite);
-    state.name = shown(mesh.name);
-    const bool is_same = state.mesh && finite == made && state.mesh->vertices == made->vertices &&
-                         state.mesh->triangles == made->triangles &&
-                         state.coordinate_bytes == mesh.coordinate_bytes;
-    if (is_same) return;
-    if (!state.rest || state.rest->vertices.size() != finite->vertices.size() ||
-        state.rest->triangles != finite->triangles)
-        state.rest = finite;
-    state.mesh = std::move(made);
-    state.finite = std::move(finite);
-    state.coordinate_bytes = mesh.coordinate_bytes;
-    state.reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-    state.told_at = frame_;
-    ++state.version;
+    if (!meshes_[mesh.mesh].take(mesh, frame_, name_ + ": mesh " + std::to_string(mesh.mesh)))
+        return;
     // Which triangles there are is in the shape.
     for (auto& [number, tree] : trees_)
-        if (tree.mesh == mesh.mesh) changed(tree);
+        if (tree.mesh == mesh.mesh) tree.change();
 }
 
-void RecordedQueries::take(const RecordedTree& tree) {
-    TreeState& state = trees_[tree.tree];
-    const int version = state.version + 1, volume_version = state.volume_version + 1;
-    std::map<std::uint64_t, EarlierNode> before;
-    for (std::uint32_t i = 0; i < state.tree.size(); ++i) {
-        const TreeNode& node = state.tree[i];
-        const NodeState& of_node = state.node_states[i];
-        before[node_key(node.number, state.tree.items(i))] = {of_node.volume, node.told_at,
-                                                              of_node.links, node.links_at};
-    }
-    state = {};
-    state.before = std::move(before);
-    state.name = shown(tree.name);
-    state.mesh = tree.mesh;
-    state.tree.has_objects = tree.mesh == record_none;
-    state.directions = tree.directions;
-    state.version = version;
-    state.volume_version = volume_version;
-}
+void RecordedQueries::take(const RecordedTree& tree) { trees_[tree.tree].begin(tree); }
 
 void RecordedQueries::take(const RecordedNode& node) {
-    TreeState& state = known(trees_, node.tree, "tree");
-    TreeNode made;
-    made.number = node.node;
-    made.parent = node.parent;
-    made.id = node.id;
-    const std::uint64_t links = links_hash(node);
-    const std::uint32_t known_at = state.tree.index_of(node.node);
-    changed(state);
-    // Since the tree was last used, a node that is recorded again is another one of this number.
-    if (known_at != no_index && state.node_states[known_at].epoch != epoch_) {
-        NodeState& of_node = state.node_states[known_at];
-        of_node.epoch = epoch_;
-        if (std::exchange(of_node.links, links) != links)
-            state.tree.relink(known_at, node.parent, frame_, node.children, node.items);
-        return set_volume(state, known_at, node.volume);
-    }
-    const auto old = state.before.find(node_key(node.node, node.items));
-    made.links_at =
-        old != state.before.end() && old->second.links == links ? old->second.links_at : frame_;
-    const std::size_t before = state.tree.size();
-    state.tree.add(std::move(made), shown(node.name), node.children, node.items);
-    if (state.tree.size() == before) return;
-    state.node_states.push_back({links, epoch_, 0});
-    set_volume(state, static_cast<std::uint32_t>(before), node.volume);
+    known(trees_, node.tree, "tree").take(node, frame_, epoch_);
 }
 
 void RecordedQueries::take(const RecordedRefit& refit) {
@@ -269,7 +127,7 @@ void RecordedQueries::take(const RecordedRefit& refit) {
                                          std::to_string(refit.tree) +
                                          " does not have, was refitted");
     ++state.volume_version;
-    set_volume(state, index, refit.volume);
+    state.set_volume(index, refit.volume, frame_);
 }
 
 void RecordedQueries::take(const RecordedObject& object) {
@@ -385,34 +243,6 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);
 }
 
-void RecordedQueries::set_volume(TreeState& tree, std::uint32_t index,
-                                 const RecordedVolume& volume) {
-    WordHash told;
-    told.add(static_cast<std::uint64_t>(volume.kind));
-    for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
-    int told_at = frame_;
-    const std::uint64_t last = std::exchange(tree.node_states[index].volume, told.value);
-    // An engine may tell all again, also those that it forgot to change.
-    if (last == told.value) return;
-    if (last == 0) {
-        // Of a tree that is built anew: the volume may be the one that it had.
-        const auto old =
-            tree.before.find(node_key(tree.tree[index].number, tree.tree.items(index)));
-        if (old != tree.before.end() && old->second.volume == told.value)
-            told_at = old->second.told_at;
-    }
-    std::string fault;
-    NodeVolume made = node_volume(volume, tree.directions, fault);
-    tree.has_numbers = tree.has_numbers || std::any_of(volume.values.begin(), volume.values.end(),
-                                                       [](double value) { return value != 0; });
-    tree.has_long =
-        tree.has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
-    tree.single =
-        tree.single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
-    tree.tree.set_volume(index, std::move(made), told_at, std::move(fault),
-                         scenes::reach_of(volume, tree.directions));
-}
-
 bool RecordedQueries::is_single(const TreeState& tree) const {
     const auto mesh = meshes_.find(tree.mesh);
     const bool has_mesh = mesh != meshes_.end();
@@ -427,13 +257,7 @@ double RecordedQueries::mesh_reach(const TreeState& tree) const {
 }
 
 double RecordedQueries::reach_of(const TreeState& tree) const {
-    if (tree.reach_version != tree.volume_version) {
-        tree.reach = 0;
-        for (std::size_t i = 0; i < tree.tree.size(); ++i)
-            tree.reach = std::max(tree.reach, tree.tree[i].reach);
-        tree.reach_version = tree.volume_version;
-    }
-    return std::max(tree.reach, mesh_reach(tree));
+    return std::max(tree.reach(), mesh_reach(tree));
 }
 
 double RecordedQueries::tolerance_of(double share, double length) const {
@@ -454,11 +278,7 @@ EngineSide RecordedQueries::side_of(std::uint32_t tree) {
     TreeState& state = trees_.at(tree);
     const auto mesh = meshes_.find(state.mesh);
     const Mesh* of = mesh == meshes_.end() ? nullptr : mesh->second.mesh.get();
-    if (!state.whole) {
-        state.shape = tree_shape(state.tree, of ? of->triangles.size() : objects_of(state.tree));
-        state.single_objects = has_single_objects(state.tree, state.shape);
-        state.whole = true;
-    }
+    state.complete(of);
     EngineSide side{&state.tree, &state.shape, of};
     side.rest = mesh == meshes_.end() ? nullptr : mesh->second.rest.get();
     side.objects_by_volume = state.mesh == record_none && state.single_objects;

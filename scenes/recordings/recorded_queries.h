@@ -11,60 +11,12 @@
 #include "core/judge/engine_query.h"
 #include "core/judge/tree_check.h"
 #include "scenes/recordings/body_pose.h"
+#include "scenes/recordings/mesh_state.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_summary.h"
+#include "scenes/recordings/tree_state.h"
 
 namespace scb::scenes {
-
-/// A mesh of a recording, as it is from some frame on.
-struct MeshState {
-    std::string name;
-    std::shared_ptr<const Mesh> mesh;  ///< as it was told: vertices need not be finite
-    /// The same where all are. Else each triangle that has one that is not is a single point, at
-    /// some other vertex.
-    std::shared_ptr<const Mesh> finite;
-    int coordinate_bytes = 8;
-    /// All of it finite, as it was recorded first with these triangles: which vertices are one.
-    std::shared_ptr<const Mesh> rest;
-    double reach = 0;  ///< the largest |coordinate|
-    int told_at = 0;   ///< the frame at which it was told last
-    int version = 0;   ///< counts how often it was told
-};
-
-/// What was recorded last of a node.
-struct NodeState {
-    std::uint64_t links = 0;   ///< hash of its children and items
-    std::uint64_t epoch = 0;   ///< when the node was recorded, see RecordedQueries
-    std::uint64_t volume = 0;  ///< hash; 0 before one was recorded
-};
-
-/// A node of a tree that was built anew.
-struct EarlierNode {
-    std::uint64_t volume = 0;  ///< hash
-    int told_at = 0;           ///< frame
-    std::uint64_t links = 0;   ///< hash
-    int links_at = 0;          ///< frame
-};
-
-/// A tree of a recording, as it is from some frame on.
-struct TreeState {
-    std::string name;
-    std::uint32_t mesh = record_none;  ///< number
-    NodeTree tree;
-    TreeShape shape;
-    std::vector<double> directions;
-    std::vector<NodeState> node_states;
-    std::map<std::uint64_t, EarlierNode> before;  ///< of the tree that this one replaces
-    int version = 0;         ///< counts what was told of its shape, or of how many triangles it has
-    int volume_version = 0;  ///< counts what was told of it, or of its mesh
-    bool whole = false;      ///< `shape` is that of `tree`
-    bool single_objects = false;  ///< its items are alone in leaves
-    bool single = true;           ///< all numbers of its volumes are such of 32 bits
-    bool has_long = false;        ///< and some take most of these bits
-    bool has_numbers = false;     ///< one of them is not 0
-    mutable double reach = 0;     ///< the largest length of its volumes
-    mutable int reach_version = -1;
-};
 
 struct BodyState : BodyPose {
     std::string name;
@@ -174,8 +126,6 @@ class RecordedQueries {
     void take(const RecordedEnd&) {}
     void take(const RecordedUnknown&) { ++unknown_records_; }
 
-    static void changed(TreeState& tree);
-    void set_volume(TreeState& tree, std::uint32_t index, const RecordedVolume& volume);
     const StretchedBody& stretched(std::uint32_t body);
     void note(OddRecords& records, const std::string& what) const;
     bool is_single(const TreeState& tree) const;
