@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/pictures/picture_run.h"
+#include "scenes/recordings/recording.h"
 #include "scenes/recordings/recording_judgement.h"
 
 namespace scb::app {

@@ -1,4 +1,5 @@
 #include "core/judge/tight_tests.h"
+#include "scb/triangle_overlap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,6 +20,7 @@
 #include "scenes/meshes/gltf_plain.h"
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/tds_check.h"
+#include "scenes/meshes/three_mf_check.h"
 #include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
@@ -89,6 +90,7 @@ AssimpMesh checked_mesh(const std::string& path) {
     if (extension == ".stlb") ending = ".stl";
     if (extension == ".3ds" || extension == ".prj" || start.starts_with("MM"))
         check_3ds(file_bytes(path), path);
+    if (extension == ".3mf" || start.starts_with("PK")) check_3mf(path);
     return assimp_mesh(path, plain, ending);
 }
 

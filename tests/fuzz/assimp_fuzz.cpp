@@ -4,6 +4,7 @@
 #include "scenes/meshes/collada_plain.h"
 #include "scenes/meshes/gltf_plain.h"
 #include "scenes/meshes/isolated_mesh.h"
+#include "scenes/meshes/three_mf_check.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/stored_zip.h"
 #include "tests/temporary_folder.h"
@@ -40,6 +41,7 @@ SCB_FUZZ(input) {
         if (is_gltf) {
             scenes::plain_gltf(bytes, file);
         } else if (bytes.find("<model") != bytes.npos) {
+            scenes::check_3mf_model(bytes, file);
             file = folder / "input.3mf";
             bytes = package_3mf(bytes);
         } else {

@@ -213,6 +213,24 @@ TEST(MeshFile, KeepsUnusedVerticesOutOfTheBox) {
 }
 
 // assimp frees the picture of the package twice, once the mesh was read.
+// assimp takes foreign memory for numbers that are missing.
+TEST(MeshFile, RefusesA3mfTransformWithoutTwelveNumbers) {
+    const TemporaryFolder folder;
+    const auto with = [&](const std::string& transform) {
+        std::string model = model_of_3mf;
+        const std::string item = "<item objectid=\"1\"";
+        model.insert(model.find(item) + item.size(), " transform=\"" + transform + "\"");
+        return folder.write("a.3mf", package_3mf(model));
+    };
+    EXPECT_EQ(bounding_box(load_mesh(with("2 0 0  0 2 0 0 0 2 1 0 0"))).upper, Vec3(3, 2, 2));
+    for (const char* transform : {"", "1 0 0 0 1 0 0 01  5 0 0", "1 0 0 0 1 0 0 0 1 0 0 0 0"})
+        EXPECT_NE(refusal([&] { load_mesh(with(transform)); }).find("in place of 12 numbers"),
+                  std::string::npos)
+            << transform;
+    EXPECT_NE(refusal([&] { load_mesh(with("1 0 0 0 1 0 0 0 1 0 0 x")); }).find("12 words"),
+              std::string::npos);
+}
+
 TEST(MeshFile, ReadsA3mfPackageWithAThumbnail) {
     const TemporaryFolder folder;
     for (const bool with_thumbnail : {false, true}) {
