@@ -241,7 +241,7 @@ std::string tolerance_text(const RecordingJudgement& judged) {
     text += most->tolerance.single ? ", of 32-bit numbers" : ", of 64-bit numbers";
     if (most->tolerance.away > 0)
         text += format(", up to %.3g from the origin", most->tolerance.away);
-    return text + ". Results are not judged within it.\n\n";
+    return text + ". What is closer than that to touching is not judged.\n\n";
 }
 
 std::string frames_text(const RecordingJudgement& judged, std::size_t top) {

@@ -480,5 +480,17 @@ TEST(QueryCheck, APoseThatIsFarOffFitsNoTestThatPassed) {
     EXPECT_EQ(fit_of_pose(rows.query, rows.query.b_to_a).wrong, 1u);
 }
 
+TEST(QueryCheck, EndsWhereItIsInterrupted) {
+    Rows rows;
+    for (std::uint32_t i = 0; i < 1000; ++i) rows.query.events.push_back({Kind::volumes, 0, 0, 0});
+    int asked = 0;
+    const QueryJudgement judged =
+        judge_query(rows.query, rows.contacts, [&asked] { return ++asked < 3; });
+    EXPECT_TRUE(judged.interrupted);
+    EXPECT_EQ(asked, 3);
+    EXPECT_LT(judged.tests.size(), rows.query.events.size());
+    EXPECT_FALSE(judge_query(rows.query, rows.contacts, [] { return true; }).interrupted);
+}
+
 }  // namespace
 }  // namespace scb
