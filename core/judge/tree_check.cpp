@@ -115,7 +115,7 @@ void note_slight(const TreeNode& node, const Box& below, NodeTolerance tolerance
     const Vec3 lower = box->center - box->half, upper = box->center + box->half;
     const double by = std::max((lower - below.lower).maxCoeff(), (below.upper - upper).maxCoeff());
     const double unit = std::ldexp(1.0, std::ilogb(std::max(node.reach, 1e-300)) - 23);
-    if (!(by > 1.5 * unit) || by > tolerance.of(node)) return;
+    if (!(by > unit) || by > tolerance.of(node)) return;
     ++unjudged.slightly_open;
     unjudged.open_by = std::max(unjudged.open_by, by);
 }

@@ -74,6 +74,11 @@ void TreeState::take(const RecordedNode& node, int frame, std::uint64_t epoch) {
     const std::uint64_t links = links_hash(node);
     const std::uint32_t known_at = tree.index_of(node.node);
     change();
+    // A child that was recorded earlier may have had another parent then.
+    for (const std::uint32_t child : node.children)
+        if (const std::uint32_t known = tree.index_of(child);
+            known != no_index && node_states[known].epoch != epoch)
+            tree[known].parent = node.node;
     // Since the tree was last used, a node that is recorded again is another one of this number.
     if (known_at != no_index && node_states[known_at].epoch != epoch) {
         NodeState& of_node = node_states[known_at];

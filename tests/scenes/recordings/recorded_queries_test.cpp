@@ -337,6 +337,26 @@ TEST(RecordedQueries, ANodeThatIsRecordedInALaterFrameIsAnotherOne) {
     EXPECT_EQ(twice.queries.trees().at(0).tree.told_twice(), std::vector{1u});
 }
 
+TEST(RecordedQueries, ANodeThatListsAnEarlierOneBecomesItsParent) {
+    const auto node = [](std::uint32_t number, std::uint32_t parent,
+                         std::vector<std::uint32_t> children) {
+        RecordedNode made = node_of(number, std::move(children), {}, 1);
+        made.parent = parent;
+        return made;
+    };
+    ReadSteps read({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}),
+                    node(1, 0, {3}), node(2, 0, {}), node(3, 1, {}), RecordedFrame{0},
+                    RecordedFrame{1}, node(1, 0, {}), node(2, 0, {3})});
+    read.read_all();
+    const NodeTree& tree = read.queries.trees().at(0).tree;
+    EXPECT_EQ(tree.parent(tree.index_of(3)), 2u);
+    // What a node says in the same frame counts.
+    ReadSteps wrong({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}),
+                     node(1, 0, {}), node(2, 1, {})});
+    wrong.read_all();
+    EXPECT_EQ(wrong.queries.trees().at(0).tree.parent(2), 1u);
+}
+
 TEST(RecordedQueries, ATreeThatIsBuiltAnewKnowsWhichNodesAreTheSame) {
     std::vector<Record> records = {RecordedTree{0, record_none, "", {}},
                                    node_of(0, {1, 2}, {}, 3),
