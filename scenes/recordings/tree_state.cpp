@@ -83,6 +83,7 @@ void TreeState::take(const RecordedNode& node, int frame, std::uint64_t epoch) {
     if (known_at != no_index && node_states[known_at].epoch != epoch) {
         NodeState& of_node = node_states[known_at];
         of_node.epoch = epoch;
+        tree[known_at].parent = node.parent;
         if (std::exchange(of_node.links, links) != links)
             tree.relink(known_at, node.parent, frame, node.children, node.items);
         return set_volume(known_at, node.volume, frame);

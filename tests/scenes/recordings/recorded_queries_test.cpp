@@ -350,6 +350,12 @@ TEST(RecordedQueries, ANodeThatListsAnEarlierOneBecomesItsParent) {
     read.read_all();
     const NodeTree& tree = read.queries.trees().at(0).tree;
     EXPECT_EQ(tree.parent(tree.index_of(3)), 2u);
+    // A leaf that says so itself.
+    ReadSteps moved({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}),
+                     node(1, 0, {3}), node(2, 0, {}), node(3, 1, {}), RecordedFrame{0},
+                     RecordedFrame{1}, node(3, 2, {}), node(1, 0, {}), node(2, 0, {3})});
+    moved.read_all();
+    EXPECT_EQ(moved.queries.trees().at(0).tree.parent(3), 2u);
     // What a node says in the same frame counts.
     ReadSteps wrong({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}),
                      node(1, 0, {}), node(2, 1, {})});
