@@ -395,7 +395,8 @@ static inline void scb_record_tree(scb_recorder* r, uint32_t tree, const char* n
     scb_rec_end(r);
 }
 
-/** A node of a tree, whole. */
+/** A node of a tree, whole. In a later frame, or after a query, it replaces the node of this
+ *  number. */
 static inline void scb_record_node(scb_recorder* r, uint32_t tree, uint32_t node,
                                    const scb_record_node_data* n) {
     scb_rec_begin(r, 196,
