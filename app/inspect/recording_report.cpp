@@ -62,8 +62,8 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
         if (most > 0) text += ", by up to " + amount_words(most);
         text += ", the first since frame " + std::to_string(first);
         if (inherited > 0)
-            text += "; of these, " + count_text(inherited) +
-                    " are above others and miss the same items";
+            text += "; " + count_text(inherited) +
+                    " of these nodes stand above others that miss the same items";
         text += most > 0 ? "; the worst:\n" : "; the first:\n";
     }
     for (std::size_t i = 0; i < std::min(top, problems.size()); ++i)

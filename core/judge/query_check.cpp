@@ -121,7 +121,7 @@ class Judge {
             if (const auto margin = error_of(query_, query_.b_to_a, event))
                 result_.wrong_item_tests.push_back(
                     {i, led_by, *margin, !result_.tests.empty() && !links_.tested_nodes_of(items)});
-            else if (have_meshes(query_) && !in_one_leaf(items) && links_.strays(items))
+            else if (have_meshes(query_) && links_.strays(items) && !in_one_leaf(items))
                 result_.stray_item_tests.push_back({i, led_by, 0, true});
         }
         if (event.kind == Kind::items_meet) mark_above(led_by);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 
 namespace scb {
 IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
@@ -15,7 +16,7 @@ TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
         link.led_by = led_to(nodes);
         const auto [known, added] = tests_.try_emplace(pair_key(query_, nodes.a, nodes.b), index);
         link.repeated = !added;
-        if (added) against_[nodes.a].push_back(nodes.b);
+        if (added && has_against_) against_[nodes.a].push_back(nodes.b);
         known->second = index;
     }
     if (overlap) {
@@ -70,6 +71,10 @@ std::optional<std::uint32_t> TestLinks::test_of_items(IndexPair items) const {
             for (const std::uint32_t b : of_b) take({a, b});
     } else {
         // Of items in many leaves, only the tests that were made are looked at.
+        if (!std::exchange(has_against_, true))
+            for (const auto& [key, index] : tests_)
+                against_[static_cast<std::uint32_t>(key >> 32)].push_back(
+                    static_cast<std::uint32_t>(key));
         const std::unordered_set<std::uint32_t> has_b(of_b.begin(), of_b.end());  // lookups only
         for (const std::uint32_t a : of_a)
             if (const auto against = against_.find(a); against != against_.end())

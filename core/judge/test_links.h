@@ -42,8 +42,10 @@ class TestLinks {
 
     const EngineQuery& query_;
     std::unordered_map<std::uint64_t, std::uint32_t> tests_;  ///< by nodes: lookups only
-    /// By a node of A: the nodes of B that were tested against it. Lookups only.
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> against_;
+    /// By a node of A: the nodes of B that were tested against it, from the first item on that is
+    /// in many leaves. Their order does not matter.
+    mutable std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> against_;
+    mutable bool has_against_ = false;
     std::uint32_t taken_ = 0, last_overlap_ = no_index;
     IndexPair last_nodes_{no_index, no_index};  ///< those of last_overlap_
     // The last answer of test_of_items, and how many tests there were: it is asked for repeatedly.
