@@ -25,21 +25,33 @@ class DivisionCheck {
         : query_(query), tests_(tests) {}
 
     DivisionCounts counted() {
-        // A query may come to the same two nodes several times: together they lead to all children.
-        std::unordered_map<std::uint64_t, std::uint32_t> first;  // lookups only
-        for (std::uint32_t i = 0; i < tests_.size(); ++i)
-            first.try_emplace(key_of(tests_[i].nodes), i);
         std::vector<Division> divisions(tests_.size());
-        for (const JudgedTest& test : tests_)
-            if (test.parent != no_index)
-                add(divisions[first.at(key_of(tests_[test.parent].nodes))], test.nodes,
-                    tests_[first.at(key_of(tests_[test.parent].nodes))].nodes);
+        const std::vector<std::uint32_t> first = first_of_repeated();
+        for (const JudgedTest& test : tests_) {
+            if (test.parent == no_index) continue;
+            const std::uint32_t parent = first.empty() ? test.parent : first[test.parent];
+            add(divisions[parent], test.nodes, tests_[parent].nodes);
+        }
         for (std::uint32_t i = 0; i < tests_.size(); ++i) check(divisions[i], i);
         return counts_;
     }
 
   private:
-    std::uint64_t key_of(IndexPair nodes) const { return pair_key(query_, nodes.a, nodes.b); }
+    /// Per test the first of the same two nodes: a query may come to these several times, and
+    /// together the tests lead to all children. Empty where none is repeated.
+    std::vector<std::uint32_t> first_of_repeated() const {
+        std::vector<std::uint32_t> result;
+        if (std::none_of(tests_.begin(), tests_.end(),
+                         [](const JudgedTest& test) { return test.repeated; }))
+            return result;
+        std::unordered_map<std::uint64_t, std::uint32_t> first;  // lookups only
+        for (std::uint32_t i = 0; i < tests_.size(); ++i)
+            result.push_back(
+                first.try_emplace(pair_key(query_, tests_[i].nodes.a, tests_[i].nodes.b), i)
+                    .first->second);
+        return result;
+    }
+
     const TreeShape& shape(std::uint32_t side) const { return *query_.sides[side].shape; }
 
     bool is_below(std::uint32_t side, std::uint32_t node, std::uint32_t above) const {
@@ -113,8 +125,11 @@ class DivisionCheck {
         ++counts_.divided;
         const IndexPair nodes = tests_[i].nodes;
         const bool against_itself = query_.self && nodes.a == nodes.b;
-        std::set<std::uint32_t> all = division.of_a;
-        all.insert(division.of_b.begin(), division.of_b.end());
+        std::set<std::uint32_t> all;
+        if (against_itself) {
+            all = division.of_a;
+            all.insert(division.of_b.begin(), division.of_b.end());
+        }
         for (const std::uint32_t side : {0u, 1u}) {
             const std::set<std::uint32_t>& tested = against_itself ? all
                                                     : side == 0    ? division.of_a
