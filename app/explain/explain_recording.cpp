@@ -50,7 +50,8 @@ struct RecordedPair {
     }
 };
 
-/// At the frame that the options name; without one, at that of RecordedTrace::frame_of_test.
+/// The trace at the frame that the options name. Without --frames, RecordedTrace::frame_of_test
+/// chooses the frame.
 std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
     const std::string& path = options.scene.names[0];
     const auto open = [&](const std::string& frames) {
@@ -135,17 +136,17 @@ RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::s
     const Stage ended = found.tests.empty() ? Stage::overlapping : found.tests[0].stage;
     Placement placed;
     placed.b_to_a = query.b_to_a;
-    placed.margin = query.tolerance;
+    placed.margin = tolerance_of(query, found.nodes);
     // A convex kind: the symbols of a picture are then those of any volumes.
     found.pair = {VolumeKind::capsule,
                   body_a.tree->volume(found.nodes.a),
                   body_b.tree->volume(found.nodes.b),
                   placed,
                   {},
-                  explain_nodes(of_a, of_b, query.b_to_a, query.tolerance, ended),
+                  explain_nodes(of_a, of_b, query.b_to_a, placed.margin, ended),
                   {},
                   {{described(body_a, a, found.nodes.a), described(body_b, b, found.nodes.b)}}};
-    found.has_verdict = proven_verdict(of_a, of_b, query.b_to_a, query.tolerance).has_value();
+    found.has_verdict = proven_verdict(of_a, of_b, query.b_to_a, placed.margin).has_value();
     for (FoundTest& test : found.tests)
         test.answer = judged(test.stage, found.pair.found.certificate.contact);
     return found;
@@ -187,7 +188,7 @@ std::string verdict_text(const RecordedPair& found) {
     if (!found.has_verdict) return "not judged: there is no exact test of volumes of these types";
     if (certificate.contact == Contact::touching)
         return "touching: neither apart nor in each other by more than " +
-               format("%.6g", found.trace->query().tolerance) + ", the engine's tolerance";
+               format("%.6g", found.pair.placed.margin) + ", the engine's tolerance";
     if (certificate.contact == Contact::overlapping) return exact_text(found.pair);
     const Extents extents(found);
     return exact_text(found.pair) + "\n" + std::string(12, ' ') +
@@ -254,7 +255,7 @@ Json report_json(const RecordedPair& found) {
         json["certificate"]["end_of_a"] = extents.end_of_a;
         json["certificate"]["start_of_b"] = extents.start_of_b;
     }
-    json["tolerance"] = query.tolerance;
+    json["tolerance"] = found.pair.placed.margin;
     add_volumes_json(json, found.pair);
     return json;
 }

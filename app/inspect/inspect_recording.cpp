@@ -111,10 +111,10 @@ int inspect_recording(InspectOptions& options, const Console& console) {
         console.note("scb: `scb inspect " + file_word(path) +
                      " -o out` draws the first of each kind of what is wrong.");
     if (const std::string next = explain_command(judged, path); !next.empty())
-        console.note("scb: `" + next + "` shows the first of these tests step by step.");
+        console.note("scb: `" + next + "` explains the first test at fault, step by step.");
     if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(judged.frames.size()) + " of " +
-                     std::to_string(frames.size()) + " frames were inspected.");
+        console.note("scb: interrupted; " + std::to_string(frames.size() - judged.frames_left) +
+                     " of " + std::to_string(frames.size()) + " frames were inspected.");
         return exit_interrupted(watch.signal());
     }
     switch (judged.verdict()) {

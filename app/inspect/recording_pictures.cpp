@@ -27,6 +27,7 @@ struct Problem {
     std::vector<std::string> bodies;
     std::vector<std::uint32_t> nodes, triangles;  ///< of the first body, and of the second
     std::uint32_t tree = no_index;                ///< in place of bodies
+    bool is_worst = false;                        ///< of the faults of a tree that have an amount
 };
 
 Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
@@ -66,7 +67,8 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
                                 {},
                                 {p.node, other},
                                 {p.item},
-                                tree.number});
+                                tree.number,
+                                p.amount > 0});
         }
     }
     for (const scenes::ProblemGroup& group : judged.test_problems)
@@ -180,11 +182,13 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         figure.center = render::center_of(support);
         figure.panel = render::problem_keys(parts, *figure.theme);
         figure.panel.emplace_back(render::PanelHeading{""});
-        if (!problem.what.empty()) figure.panel.emplace_back(render::PanelNote{problem.what});
+        // Of a fault of a tree, the first case says it all.
+        if (problem.tree == no_index) figure.panel.emplace_back(render::PanelNote{problem.what});
         figure.panel.emplace_back(render::PanelNote{problem.first});
         if (problem.count > 1)
             figure.panel.emplace_back(
-                render::PanelNote{"one of " + render::count_text(problem.count) + " of the kind"});
+                render::PanelNote{(problem.is_worst ? "the worst of " : "the first of ") +
+                                  render::count_text(problem.count) + " of the kind"});
         const std::string name =
             picture_name(stem,
                          scenes::file_name_of(recording.engine) + "_problem-" +
@@ -195,7 +199,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
                             pictures.overlay());
         pictures.draw(name, picture,
                       {{"frame", problem.frame}, {"what", problem.what}, {"first", problem.first}});
-        drawn.push_back({problem.what.empty() ? problem.first : problem.what, name + ".png"});
+        drawn.push_back({problem.tree == no_index ? problem.what : problem.first, name + ".png"});
         release();
     }
     return drawn;

@@ -45,12 +45,12 @@ struct EngineSide {
     int version = 0;  ///< another one whenever anything of this tree, or of its mesh, has changed
 };
 
-/// Which part of a tolerance is the largest.
+/// The largest part of a tolerance.
 enum class ToleranceCause {
-    setting,   ///< the recording says what it is
-    pose,      ///< a body's rotation is not exact
-    distance,  ///< a body stands far from the origin
-    reach,     ///< coordinates of volumes and meshes are large
+    setting,   ///< the setting `tolerance` of the recording
+    pose,      ///< the error of a body's rotation
+    distance,  ///< the distance of a body from the origin
+    reach,     ///< the coordinates of volumes and meshes
 };
 
 /// A query of two trees, as its engine tells of it.
@@ -66,8 +66,8 @@ struct EngineQuery {
     bool tells_items = false, tells_pairs = false;
     bool complete = true;           ///< false: it ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
-    /// Lengths up to which the engine's arithmetic may differ from exact one: of the largest
-    /// volumes, and of triangles.
+    /// Lengths up to which the engine's arithmetic may differ from exact one: of the volumes that
+    /// reach farthest, see tolerance_of, and of triangles.
     double tolerance = 0, triangle_tolerance = 0;
     double tolerance_slope = 0;  ///< by how much `tolerance` grows with the reach of a volume
     ToleranceCause tolerance_cause = ToleranceCause::reach;
@@ -82,16 +82,21 @@ inline std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::ui
     return std::uint64_t{a} << 32 | b;
 }
 
-/// The tolerance of a test of these nodes: that of the query would be the tolerance of the largest.
-inline double tolerance_of(const EngineQuery& query, IndexPair nodes) {
+/// The tolerance of volumes that reach so far, before the stretch of the bodies.
+inline double tolerance_at(const EngineQuery& query, double reach_a, double reach_b) {
     double tolerance = query.tolerance;
     for (std::size_t k = 0; k < 2; ++k) {
         const EngineSide& side = query.sides[k];
-        const double reach = (*side.tree)[k == 0 ? nodes.a : nodes.b].reach;
-        tolerance -= query.tolerance_slope * side.stretch *
-                     std::max(0.0, side.reach - std::max(reach, side.mesh_reach));
+        const double reach = std::max(k == 0 ? reach_a : reach_b, side.mesh_reach);
+        tolerance -= query.tolerance_slope * side.stretch * std::max(0.0, side.reach - reach);
     }
     return std::max(tolerance, query.triangle_tolerance);
+}
+
+/// The tolerance of a test of these nodes.
+inline double tolerance_of(const EngineQuery& query, IndexPair nodes) {
+    return tolerance_at(query, (*query.sides[0].tree)[nodes.a].reach,
+                        (*query.sides[1].tree)[nodes.b].reach);
 }
 
 /// Whether all coordinates are numbers of at most max_coordinate.

@@ -97,10 +97,9 @@ double MissedPairs::computed_outside(std::size_t side, std::uint32_t node,
     const NodeVolume& volume = (*of.tree)[node].volume;
     // Of a triangle that is split between leaves, a node need contain a part alone.
     if (!has_volume(volume) || of.shape->holders_of(item).size() > 1) return 0;
-    const double tolerance =
-        query_.tolerance -
-        query_.tolerance_slope * of.stretch *
-            std::max(0.0, of.reach - std::max((*of.tree)[node].reach, of.mesh_reach));
+    // The other body has no part in it.
+    const double reach = (*of.tree)[node].reach;
+    const double tolerance = tolerance_at(query_, side == 0 ? reach : 0, side == 0 ? 0 : reach);
     if (!of.mesh) {
         const NodeVolume* object = of.tree->object_volume(item);
         if (!object) return 0;

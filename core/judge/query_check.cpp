@@ -81,7 +81,7 @@ class Judge {
         return result_.interrupted;
     }
 
-    /// Objects of which nothing is known that contains them.
+    /// Counts the objects that have neither an extent nor a leaf with a volume.
     void count_objects() {
         if (!has_object_volumes(query_)) return;
         for (const EngineSide& side : query_.sides)
@@ -150,7 +150,8 @@ class Judge {
         const double unit = query_.single ? 0x1p-22 : 0x1p-51;
         return self_ && self_->may_share_vertex(
                             items.a, items.b,
-                            std::max(query_.triangle_tolerance, unit * query_.sides[0].mesh_reach));
+                            std::max(query_.triangle_tolerance,
+                                     unit * query_.sides[0].stretch * query_.sides[0].mesh_reach));
     }
 
     /// There is a pair below this test.

@@ -11,7 +11,7 @@ std::vector<std::size_t> level_overlaps(const EngineQuery& query, std::size_t mo
         *a.shape, *b.shape,
         [&](std::uint32_t x, std::uint32_t y) {
             return exact_verdict((*a.tree)[x].volume, (*b.tree)[y].volume, query.b_to_a,
-                                 query.tolerance)
+                                 tolerance_of(query, {x, y}))
                        .contact != Contact::disjoint;
         },
         most);

@@ -116,7 +116,7 @@ std::uint64_t tests_with(const EngineQuery& query, std::span<const JudgedTest> t
         if (query.events[test.event].stage != 0) continue;
         passes[i] = test.nodes.a == no_index || test.nodes.b == no_index ||
                     exact_verdict(of_a.volumes[test.nodes.a], of_b.volumes[test.nodes.b],
-                                  query.b_to_a, query.tolerance)
+                                  query.b_to_a, tolerance_of(query, test.nodes))
                             .contact != Contact::disjoint;
     }
     return made;

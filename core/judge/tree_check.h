@@ -43,13 +43,14 @@ struct TreeProblem {
 std::vector<TreeProblem> check_shape(const NodeTree& tree, const TreeShape& shape,
                                      const Mesh* mesh);
 
-/// A length up to which the numbers of a node may be off: it grows with them.
+/// The length up to which an engine's arithmetic may be off, by the reach of a node's volume.
 struct NodeTolerance {
     double least = 0, share = 0;
 
-    NodeTolerance(double length) : least(length) {}  // NOLINT: a length is one for all nodes
+    NodeTolerance(double length) : least(length) {}  // NOLINT: the same length for all nodes
     NodeTolerance(double of_least, double of_reach) : least(of_least), share(of_reach) {}
-    double of(const TreeNode& node) const { return std::max(least, share * node.reach); }
+    double of(double reach) const { return std::max(least, share * reach); }
+    double of(const TreeNode& node) const { return of(node.reach); }
 };
 
 /// What of the volumes of a tree could not be judged.

@@ -34,11 +34,12 @@ NodesTested tested(const EngineQuery& query, IndexPair numbers) {
             continue;
         result.any = true;
         const IndexPair nodes = nodes_of(query, event);
-        result.wrong =
-            event.stage != 0 && query.placed && nodes.a != no_index && nodes.b != no_index &&
-            exact_verdict((*query.sides[0].tree)[nodes.a].volume,
-                          (*query.sides[1].tree)[nodes.b].volume, query.b_to_a, query.tolerance)
-                    .contact == Contact::overlapping;
+        result.wrong = event.stage != 0 && query.placed && nodes.a != no_index &&
+                       nodes.b != no_index &&
+                       exact_verdict((*query.sides[0].tree)[nodes.a].volume,
+                                     (*query.sides[1].tree)[nodes.b].volume, query.b_to_a,
+                                     tolerance_of(query, nodes))
+                               .contact == Contact::overlapping;
         if (result.wrong) break;
     }
     return result;

@@ -33,20 +33,32 @@ class RecordingJudge {
             const bool want = wanted(recording_.frame());
             if (step == RecordedQueries::Step::query) {
                 if (want) take_query(recording_.query());
-                if (want && !done(false)) break;
+                if (want && !done(false)) {
+                    note_left(wanted, recording_.frame());
+                    break;
+                }
                 continue;
             }
             if (!want) continue;
             for (const auto& [number, tree] : recording_.trees())
                 trees_.look(number, result_.summary.body_names);
             tolerances_.take_trees(recording_, frame().tolerance);
-            if (!done(true)) break;
+            if (!done(true)) {
+                note_left(wanted, recording_.frame() + 1);
+                break;
+            }
         }
         finish();
         return std::move(result_);
     }
 
   private:
+    /// The work ends before these frames were judged, from this one on.
+    void note_left(const std::function<bool(int)>& wanted, int from) {
+        for (const int frame : result_.summary.frames)
+            if (wanted(frame)) ++(frame < from ? frames_judged_ : result_.frames_left);
+    }
+
     FrameJudgement& frame() {
         if (result_.frames.empty() || result_.frames.back().frame != recording_.frame())
             result_.frames.emplace_back().frame = recording_.frame();
@@ -177,6 +189,8 @@ class RecordingJudge {
     void list_not_judged() {
         not_judged(tolerances_.hidden(), tolerances_.of(), "triangles or leaf volumes",
                    tolerances_.why());
+        not_judged(result_.frames_left, frames_judged_ + result_.frames_left, "frames",
+                   "the judgement was interrupted");
         not_judged(unplaced_, queries_, "queries", unplaced_why_);
         not_judged(result_.unknown_items, queries_, "queries",
                    "their pairs are of objects that share leaves, have numbers above 999,999, or "
@@ -273,6 +287,7 @@ class RecordingJudge {
     std::string unplaced_why_;
     std::set<std::uint32_t> stretched_;  ///< bodies of which that was noted
     const std::function<bool()> go_on_;
+    std::uint64_t frames_judged_ = 0;   ///< of an interrupted judgement
     std::uint64_t grazing_missed_ = 0;  ///< see QueryJudgement
     std::string first_grazing_;
     std::uint64_t unknown_objects_ = 0, objects_ = 0;  ///< the most of any query

@@ -123,6 +123,7 @@ struct RecordingJudgement {
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
     std::uint64_t unjudged = 0;         ///< tests of volumes of nodes without one that is known
     std::uint64_t ended_early = 0;      ///< queries, of which nothing is said to be missed
+    std::uint64_t frames_left = 0;      ///< of a judgement that was interrupted
     /// Queries of whose items too little is known, see has_known_items.
     std::uint64_t unknown_items = 0;
 

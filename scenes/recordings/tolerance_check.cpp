@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 
 #include "core/base/text_format.h"
 #include "scb/triangle_overlap.h"
@@ -68,11 +68,14 @@ void ToleranceCheck::take(const RecordedQueries& recording, const EngineQuery& q
     const auto bodies = recording.query_bodies();
     for (std::size_t k = 0; k < 2; ++k) {
         const EngineSide& side = query.sides[k];
-        const double slope = query.tolerance_slope * side.stretch;
-        look(items_of(of_bodies_, bodies[k], side), side, body_names.at(bodies[k]),
-             side.mesh ? NodeTolerance(query.triangle_tolerance)
-                       : NodeTolerance(query.tolerance - slope * side.reach, slope),
-             query.frame, cause_of_tolerance(query), tolerance);
+        const double other = query.sides[1 - k].reach;
+        look(
+            items_of(of_bodies_, bodies[k], side), side, body_names.at(bodies[k]),
+            [&](double reach) {
+                if (side.mesh) return query.triangle_tolerance;
+                return tolerance_at(query, k == 0 ? reach : other, k == 0 ? other : reach);
+            },
+            query.frame, cause_of_tolerance(query), tolerance);
     }
 }
 
@@ -83,28 +86,33 @@ void ToleranceCheck::take_trees(RecordedQueries& recording, FrameTolerance& tole
         if (of_bodies.contains(number)) continue;
         const EngineSide side = recording.side_of(number);
         tolerance.volumes = std::max(tolerance.volumes, recording.tolerance_of(tree));
-        look(items_of(of_trees_, number, side), side, tree_words(recording, number),
-             recording.node_tolerance_of(tree), recording.frame(), "", tolerance);
+        const NodeTolerance of_nodes = recording.node_tolerance_of(tree);
+        look(
+            items_of(of_trees_, number, side), side, tree_words(recording, number),
+            [&](double reach) { return of_nodes.of(reach); }, recording.frame(), "", tolerance);
     }
 }
 
 void ToleranceCheck::look(Items& items, const EngineSide& side, const std::string& name,
-                          NodeTolerance allowed, int frame, const std::string& cause,
-                          FrameTolerance& tolerance) {
-    // Of triangles the tolerance is one for all.
-    const auto is_hidden = [&](const std::pair<double, double>& item) {
-        return item.first <= allowed.least + (side.mesh ? 0 : allowed.share * item.second);
-    };
-    const auto hidden = static_cast<std::uint64_t>(
-        side.mesh ? std::partition_point(items.sizes.begin(), items.sizes.end(), is_hidden) -
-                        items.sizes.begin()
-                  : std::count_if(items.sizes.begin(), items.sizes.end(), is_hidden));
+                          const std::function<double(double)>& tolerance_at, int frame,
+                          const std::string& cause, FrameTolerance& tolerance) {
+    std::uint64_t hidden = 0;
+    double within = 0;
+    if (side.mesh) {
+        within = tolerance_at(0);
+        hidden = static_cast<std::uint64_t>(
+            std::partition_point(items.sizes.begin(), items.sizes.end(),
+                                 [within](const auto& item) { return item.first <= within; }) -
+            items.sizes.begin());
+    } else {
+        for (const auto& [size, reach] : items.sizes) {
+            const double of_leaf = tolerance_at(reach);
+            if (size > of_leaf) continue;
+            ++hidden;
+            within = std::max(within, of_leaf);
+        }
+    }
     if (hidden == 0) return;
-    double within = allowed.least;
-    if (!side.mesh)
-        for (const auto& item : items.sizes)
-            if (is_hidden(item))
-                within = std::max(within, allowed.least + allowed.share * item.second);
     items.hidden = std::max(items.hidden, hidden);
     if (tolerance.hides.empty())
         tolerance.hides = std::to_string(hidden) + " of " + std::to_string(items.sizes.size()) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,16 +29,17 @@ class ToleranceCheck {
     struct Items {
         const NodeTree* tree = nullptr;
         int version = -1;
-        /// Of triangles, or of leaf volumes of objects, that are no points: the size, ascending,
-        /// and the reach of the leaf, on which its tolerance depends.
+        /// Size and reach of each triangle or, of objects, of each leaf volume; points are left
+        /// out. Ascending by size. All triangles have the reach 0: their tolerance is the same.
         std::vector<std::pair<double, double>> sizes;
         std::uint64_t hidden = 0;
     };
     Items& items_of(std::map<std::uint32_t, Items>& all, std::uint32_t number,
                     const EngineSide& side);
+    /// `tolerance_at` gives the tolerance of an item by its reach.
     void look(Items& items, const EngineSide& side, const std::string& name,
-              NodeTolerance tolerance, int frame, const std::string& cause,
-              FrameTolerance& of_frame);
+              const std::function<double(double)>& tolerance_at, int frame,
+              const std::string& cause, FrameTolerance& of_frame);
 
     std::string why_;
     std::map<std::uint32_t, Items> of_bodies_, of_trees_;  ///< by number

@@ -412,6 +412,8 @@ TEST(RecordingJudgement, JudgesTheFramesThatAreWantedUntilItIsStopped) {
     const RecordingJudgement stopped = judge_recording(
         {bytes, "x"}, [](int) { return true; }, [](bool) { return false; });
     EXPECT_EQ(stopped.frames.size(), 1u);
+    EXPECT_EQ(stopped.frames_left, stopped.summary.frames.size());
+    EXPECT_EQ(stopped.verdict(), Verdict::partly_judged) << "the rest was not judged";
 }
 
 TEST(RecordingJudgement, CountsAllCasesOfAProblemAndKeepsTheFirstHundred) {
