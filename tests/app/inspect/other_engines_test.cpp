@@ -46,7 +46,7 @@ TEST(OtherEngines, ABroadphaseIsSoundWhereItsObjectsAreKnown) {
 
 TEST(OtherEngines, ALeafOfABroadphaseThatWasNotUpdatedIsNamed) {
     expect_says(inspected_broadphase(BroadphaseBug::leaf_not_updated, true), 1,
-                {"does not contain object 5", "stale: the volume is that of frame 1",
+                {"does not contain object 5", "stale: the volume dates from frame 1",
                  "objects 5 of A and"});
     // Without the extents of objects nobody can tell.
     expect_says(inspected_broadphase(BroadphaseBug::leaf_not_updated, false), 4,

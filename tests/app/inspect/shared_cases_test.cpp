@@ -22,13 +22,13 @@ const std::vector<Case>& cases() {
         {"02-quantized-round-trip/02.scbrec", 0, {"\nSound.\n"}},
         {"03-fcl-broadphase-stale/03.scbrec",
          1,
-         {"node 3 does not contain triangle 24, by 3 (since frame 1; stale: the volume is that "
-          "of frame 0)",
+         {"node 3 does not contain triangle 24, by 3 (since frame 1; stale: the volume dates "
+          "from frame 0)",
           "the mesh of frame 0. With it, 11 of 11 nodes",
           "26: below a node that does not contain the triangle"}},
         {"03-fcl-broadphase-stale/03r.scbrec",
          1,
-         {"stale: the volume is that of frame 0",
+         {"stale: the volume dates from frame 0",
           "26: below a node that does not contain the triangle"}},
         {"03-fcl-broadphase-stale/03-opaque.scbrec",
          4,
@@ -94,8 +94,8 @@ const std::vector<Case>& cases() {
         {"23-scaled-pose/23-column.jsonl", 1, {"fit the pose without its rotation"}},
         {"24-late-onset-masked/masked.jsonl",
          1,
-         {"since frame 0, by 1e-05 there; by 4.00001 at frame 1; stale: the volume is that "
-          "of frame 0"}},
+         {"since frame 0, by 1e-05 there; by 4.00001 at frame 1; stale: the volume dates "
+          "from frame 0"}},
         {"24-late-onset-masked/plain.jsonl", 1, {"since frame 1; stale"}},
         {"30-spatial-split/sbvh.scbrec", 0, {"\nSound.\n"}},
         {"30-spatial-split/sbvh.jsonl", 0, {"\nSound.\n"}},
