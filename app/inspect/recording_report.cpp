@@ -36,7 +36,7 @@ std::string when(const WatchedProblem& problem) {
                  " the node got other children or items, and kept its volume of frame " +
                  std::to_string(problem.kept_from);
     else if (problem.stale)
-        words += "; stale: the volume is that of frame " + std::to_string(problem.told_at);
+        words += "; stale: the volume dates from frame " + std::to_string(problem.told_at);
     return words;
 }
 
@@ -159,10 +159,6 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
     return text.empty() ? text : text + "\n";
 }
 
-bool has_results(const RecordingJudgement& judged) {
-    return judged.summary.pairs + judged.summary.item_tests > 0 || judged.summary.tells_pairs;
-}
-
 /// What own hierarchies take of the tests of volumes, where the engine's cost more than they need.
 std::string own_words(const std::optional<RecordingSettings>& settings) {
     if (!settings) return {};
@@ -185,7 +181,7 @@ std::string costs_text(const RecordingJudgement& judged,
 }
 
 std::string results_text(const RecordingJudgement& judged) {
-    if (!has_results(judged)) return "Results: none were recorded.\n\n";
+    if (!judged.summary.tells_results()) return "Results: none were recorded.\n\n";
     const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
     std::string text =
         "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
@@ -209,7 +205,7 @@ std::string waste_text(const RecordingJudgement& judged) {
         judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
-    if (!has_results(judged))
+    if (!judged.summary.tells_results())
         return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
                " tests are below volumes that do not even meet; what else led to nothing, only "
                "results tell.\n";

@@ -202,9 +202,9 @@ bool is_box_along_axes(const NodeVolume& volume) {
     return (box && box->axes == Mat3::Identity()) || std::holds_alternative<OpenBox>(volume);
 }
 
-/// Of a tree whose items are objects: a box contains those of its children where the extents of the
-/// objects below them are not known. Where they are, a child may be larger than its objects; and
-/// volumes of other types need not contain the volumes of their children, but the objects.
+/// Checks boxes of object trees whose objects have no recorded extent: the box of a parent contains
+/// the boxes of its children. Objects with an extent are checked themselves. Other types of volumes
+/// need not contain the volumes of their children.
 void check_children(const NodeTree& tree, const TreeShape& shape, NodeTolerance tolerance,
                     Worst& worst) {
     std::vector<bool> has_items(tree.size()), has_unknown(tree.size());

@@ -33,7 +33,7 @@ struct TreeProblem {
     /// Numbers, as the tree has them; no_index where there is none.
     std::uint32_t node = no_index, other = no_index, item = no_index;
     double amount = 0;  ///< a length
-    /// Of outside: each item that the node does not contain is outside of a node below it, too.
+    /// Of outside: a node below this one misses each of the items, too.
     bool inherited = false;
 
     friend bool operator==(const TreeProblem&, const TreeProblem&) = default;

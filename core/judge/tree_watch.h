@@ -41,8 +41,8 @@ class TreeWatch {
   public:
     void look(int frame, const WatchedTree& tree);
 
-    /// Those of the shape, then those of volumes: the largest first, and those that are inherited
-    /// last; of equally large ones the farthest from the root.
+    /// Problems of the shape come first. Problems of volumes follow by amount, the largest first,
+    /// and inherited problems last. Of equal amounts, the node farthest from the root comes first.
     std::vector<WatchedProblem> problems() const;
     const UnjudgedVolumes& unjudged() const { return unjudged_; }
     /// The most nodes that did not contain what is below them in a frame, and the first such frame.

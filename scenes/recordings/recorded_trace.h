@@ -44,10 +44,7 @@ class RecordedTrace {
     /// One of the two at one of these frames.
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether it tells of pairs, or of tests of items, anywhere.
-    bool tells_results() const {
-        const RecordingSummary& summary = recording_->file->summary;
-        return summary.tells_pairs || summary.pairs + summary.item_tests > 0;
-    }
+    bool tells_results() const { return recording_->file->summary.tells_results(); }
     /// How many tests of volumes there are in it.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
     /// The first query of them at one of these frames; valid until the next call. They must be

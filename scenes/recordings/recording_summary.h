@@ -16,6 +16,8 @@ struct RecordingSummary {
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` says that pairs are recorded, though there may be none.
     bool tells_pairs = false;
+    /// Whether it has pairs, or tests of items, anywhere.
+    bool tells_results() const { return tells_pairs || pairs + item_tests > 0; }
     /// By number. Names differ from each other, and have no comma, which separates two names.
     std::map<std::uint32_t, std::string> body_names;
 };
