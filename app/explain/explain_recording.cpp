@@ -126,12 +126,11 @@ RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::s
                    checked_node(body_b, *b.tree, numbers.b, number, option)};
     const NodeVolume &of_a = (*a.tree)[found.nodes.a].volume,
                      &of_b = (*b.tree)[found.nodes.b].volume;
-    const std::vector<VolumeTest>& tests = found.frame->events.volume_tests;
+    const std::vector<Step>& tests = found.frame->steps.volumes;
     for (std::size_t i = 0; i < tests.size(); ++i) {
         if (tests[i].nodes != found.nodes) continue;
-        const std::uint32_t parent = found.frame->parents[i];
         found.tests.push_back({i, tests[i].stage, std::nullopt});
-        if (parent != TraversalTree::no_parent) found.tests.back().led_by = parent;
+        if (tests[i].parent != no_step) found.tests.back().led_by = tests[i].parent;
     }
     const Stage ended = found.tests.empty() ? Stage::overlapping : found.tests[0].stage;
     Placement placed;
@@ -159,13 +158,12 @@ std::string ending_of(const RecordedPair& found, Stage stage) {
 }
 
 IndexPair numbers_of_test(const RecordedPair& found, std::size_t test) {
-    return numbers_of(*found.frame, found.frame->events.volume_tests[test].nodes);
+    return numbers_of(*found.frame, found.frame->steps.volumes[test].nodes);
 }
 
 std::string test_text(const RecordedPair& found, const FoundTest& test) {
-    std::string text =
-        ending_of(found, test.stage) +
-        format(", test %zu of %zu", test.number, found.frame->events.volume_tests.size());
+    std::string text = ending_of(found, test.stage) +
+                       format(", test %zu of %zu", test.number, found.frame->steps.volumes.size());
     if (!test.led_by) return text;
     const IndexPair nodes = numbers_of_test(found, *test.led_by);
     return text +

@@ -5,7 +5,7 @@
 namespace scb {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IndexPair, a, b)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeTest, nodes, depth_a, depth_b, stage)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Step, nodes, depth_a, depth_b, stage)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Work, volume_tests, triangle_tests, operations)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassCounts, inner, leaves, touching, wrongly_rejected, missed,
                                    all, wasted, wasted_by_tests)
@@ -47,7 +47,7 @@ class Checks {
     }
 
   private:
-    void operator()(int frame, const VolumeTest& test) const {
+    void operator()(int frame, const Step& test) const {
         (*this)(frame == frame_ && test.nodes.a < node_count(query_.a) &&
                 test.nodes.b < node_count(query_.b) &&
                 static_cast<std::size_t>(test.stage) < stage_count);
@@ -76,14 +76,13 @@ void FrameFindings::add(QuerySource& source, const TraceFrame& frame) {
     const SceneQuery& query = source.query();
     const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
     const Mesh &mesh_a = query.mesh(query.a), &mesh_b = query.mesh(query.b);
-    const TraversalTree tree = traversal_tree(source.header(), frame);
-    const Attribution attribution = source.attribution(frame, tree);
-    frames.push_back({frame.frame, inspection(frame, tree, attribution)});
+    const Attribution attribution = source.attribution(frame);
+    frames.push_back({frame.frame, inspection(frame, attribution)});
     complete &= frame.found.complete;
     vain += vain_tests(mesh_a, mesh_b, frame);
     wrong.add(frame, attribution);
-    weak_tests.add(frame, tree, attribution);
-    loose_fits.add(frame, tree, attribution);
+    weak_tests.add(frame, attribution);
+    loose_fits.add(frame, attribution);
     for (AlternativeTest& other : others)
         other.add(try_alternative_test(a, mesh_a, b, mesh_b, source.header(), frame, attribution,
                                        other.overlap));

@@ -17,10 +17,10 @@ constexpr double largest_marked = 0.3;
 
 /// The query at one frame, made again: of a trace only the frames to come can be read.
 TraceFrame frame_of(const SceneQuery& query, int number) {
-    EventRecorder recorder;
+    StepRecorder recorder;
     TraceFrame frame{number, query.b_to_a(number), {}, {}};
     frame.found = query.collide(number, recorder);
-    frame.events = std::move(recorder.events);
+    frame.steps = std::move(recorder.steps);
     return frame;
 }
 

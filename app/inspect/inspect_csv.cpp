@@ -14,7 +14,7 @@ std::string row(std::initializer_list<std::uint64_t> values) {
     return text;
 }
 
-std::string pair_row(int frame, const VolumeTest& test, const char* reason) {
+std::string pair_row(int frame, const Step& test, const char* reason) {
     return std::to_string(frame) + "," +
            row({test.nodes.a, test.nodes.b, test.depth_a, test.depth_b}) + "," + reason;
 }

@@ -146,7 +146,7 @@ class Group {
         group_["words"] = words;
     }
 
-    void add(int frame, const VolumeTest& test, const std::string& detail) {
+    void add(int frame, const Step& test, const std::string& detail) {
         const auto& bodies = report_.header.bodies;
         const std::string nodes = std::to_string(test.nodes.a) + "," + std::to_string(test.nodes.b);
         data pair;

@@ -66,8 +66,8 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
 }
 
 void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
-               const InspectReport& report, int frame, const VolumeTest& test,
-               const std::string& reason, const std::string& detail) {
+               const InspectReport& report, int frame, const Step& test, const std::string& reason,
+               const std::string& detail) {
     const ExplainedPair pair =
         explained_nodes(query, frame, {test.nodes.a, test.nodes.b}, "the report");
     const std::string file = file_of(report, frame, test);

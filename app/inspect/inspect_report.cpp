@@ -204,7 +204,7 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
     return render::share_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
-std::string file_of(const InspectReport& report, int frame, const VolumeTest& test) {
+std::string file_of(const InspectReport& report, int frame, const Step& test) {
     if (!report.drawn) return "";
     return explain_name(report.stem, report.header, report.named, frame,
                         {test.nodes.a, test.nodes.b}) +

@@ -37,7 +37,7 @@ struct InspectReport {
 inline constexpr std::size_t most_frame_rows = 20;
 
 /// The picture of a pair of nodes; empty where none was drawn.
-std::string file_of(const InspectReport& report, int frame, const VolumeTest& test);
+std::string file_of(const InspectReport& report, int frame, const Step& test);
 
 /// So many settings are listed beside that of the queries.
 inline constexpr std::size_t most_settings = 8;

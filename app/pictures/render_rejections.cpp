@@ -38,26 +38,27 @@ struct Shot {
     PictureRun& pictures;
 
     /// `step`: how many tests of `whole` the frame has, where it is an animation's.
-    void draw(const TraceFrame& frame, const TraversalTree& tree, std::optional<std::size_t> step,
+    void draw(const TraceFrame& frame, const Outcomes& outcomes, std::optional<std::size_t> step,
               const TraceFrame& whole) const {
         const QuerySource& source = sources.front();
         const render::QueryBodies bodies = view.bodies(frame.frame);
-        const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
+        const render::EndedNodes ended = render::ended_nodes(bodies, frame, outcomes, style);
         render::SceneFigure figure;
         figure.title = view.title(options.title());
         figure.subtitle = options.filtered(view.subtitle(frame.frame));
-        figure.pane = render::rejections_pane(bodies, frame, tree, ended, style);
+        figure.pane = render::rejections_pane(bodies, frame, outcomes, ended, style);
         const std::vector<render::AnyVolume> region =
             render::contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
-        figure.panel = render::rejections_panel(bodies, source.header(), frame, tree, ended, style);
+        figure.panel =
+            render::rejections_panel(bodies, source.header(), frame, outcomes, ended, style);
         view.show_small_contact(figure, region);
-        figure.chart = render::endings_chart(source.header(), frame, tree, style);
+        figure.chart = render::endings_chart(source.header(), frame, outcomes, style);
         figure.theme = style.theme;
         figure.with_panel = !options.picture.no_panel;
         if (step) {
-            show_current_pair(figure, bodies, frame, tree, whole.found.n_v);
+            show_current_pair(figure, bodies, frame, outcomes, whole.found.n_v);
         } else if (frame.found.n_v == 0) {
             figure.remark = "no tests of volumes were recorded";
         } else if (ended[0].empty() && ended[1].empty()) {
@@ -84,19 +85,19 @@ struct Shot {
     void draw_whole(const QueryFrames& frames) const {
         if (view.compares()) return draw_compared(frames);
         const TraceFrame& frame = *frames.front();
-        draw(frame, traversal_tree(sources.front().header(), frame), std::nullopt, frame);
+        draw(frame, outcomes_of(sources.front().header(), frame), std::nullopt, frame);
     }
 
     /// The animation of a query, or a part of it where it is interrupted: then false.
     bool draw_steps(const TraceFrame& frame, const InterruptWatch& watch) const {
         const TraceHeader& header = sources.front().header();
-        const TraversalTree tree = traversal_tree(header, frame);
-        const std::size_t all = frame.events.volume_tests.size(),
+        const Outcomes outcomes = outcomes_of(header, frame);
+        const std::size_t all = frame.steps.volumes.size(),
                           each = static_cast<std::size_t>(*options.steps);
         for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
             const auto draw_step = [&] {
-                const TraceFrame part = trace_prefix(header, frame, tree, count);
-                draw(part, traversal_tree(header, part), count, frame);
+                const TraceFrame part = trace_prefix(header, frame, count);
+                draw(part, outcomes_of(header, part), count, frame);
                 return Json();
             };
             if (!pictures.part(draw_step, take_nothing)) return false;
@@ -123,13 +124,13 @@ struct Shot {
 
     /// The pair that was tested last, and what its test gave.
     void show_current_pair(render::SceneFigure& figure, const render::QueryBodies& bodies,
-                           const TraceFrame& frame, const TraversalTree& tree,
+                           const TraceFrame& frame, const Outcomes& outcomes,
                            std::uint64_t all) const {
         const QuerySource& source = sources.front();
-        const std::size_t last = frame.events.volume_tests.size() - 1;
-        const TracedTest test = traced_test(source.header(), frame, tree, last);
+        const std::size_t last = frame.steps.volumes.size() - 1;
+        const TracedTest test = traced_test(source.header(), frame, outcomes, last);
         for (std::size_t side = 0; side < 2; ++side) {
-            const IndexPair nodes = frame.events.volume_tests[last].nodes;
+            const IndexPair nodes = frame.steps.volumes[last].nodes;
             const std::uint32_t node = side == 0 ? nodes.a : nodes.b;
             if (!bodies[side].tree->has_volume(node)) continue;
             figure.markers.push_back({center(render::volume_of(bodies[side], node)),
@@ -216,7 +217,7 @@ int run(RejectionsOptions& options, const Console& console) {
         Json kept = {{"frame", frames[0]->frame}, {"counts", Json::array()}};
         for (std::size_t i = 0; i < sources.size(); ++i)
             kept["counts"].push_back(
-                ending_counts(*frames[i], traversal_tree(sources[i].header(), *frames[i])));
+                ending_counts(*frames[i], outcomes_of(sources[i].header(), *frames[i])));
         return kept;
     };
     const auto take = [&](const Json& kept) {

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_index.h"
+#include "core/analysis/costly_tests.h"
 #include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
 #include "render/figures/traversal_figure.h"
@@ -34,7 +35,7 @@ std::string pair_text(IndexPair numbers) {
 
 /// The numbers of the nodes of a test: "5,7".
 std::string nodes_text(const TraceFrame& frame, std::uint32_t test) {
-    return pair_text(numbers_of(frame, frame.events.volume_tests[test].nodes));
+    return pair_text(numbers_of(frame, frame.steps.volumes[test].nodes));
 }
 
 /// "I,J": two numbers.
@@ -61,12 +62,11 @@ std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>
 }
 
 /// The part of the frame that begins with the test of these nodes.
-TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
-                   IndexPair root) {
+TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, IndexPair root) {
     if (const std::optional<IndexPair> nodes = nodes_of(frame, root))
-        if (const std::optional<std::uint32_t> test = test_of(frame.events, *nodes))
-            return traversal_part(header, frame, tree, *test);
-    const std::string parts = parts_text(frame, largest_parts(tree, most_parts));
+        if (const std::optional<std::uint32_t> test = test_of(frame.steps, *nodes))
+            return traversal_part(header, frame, *test);
+    const std::string parts = parts_text(frame, largest_parts(frame.steps, most_parts));
     throw InputError(
         "--root " + pair_text(root) + ": frame " + std::to_string(frame.frame) +
         " has no test of these nodes; " +
@@ -74,10 +74,10 @@ TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, const Tra
 }
 
 /// The largest parts by their roots, with their tests: {"5,7": 1234}.
-nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& tree) {
-    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+nlohmann::ordered_json parts_json(const TraceFrame& frame) {
+    const std::vector<std::uint32_t> sizes = subtree_sizes(frame.steps);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const std::uint32_t part : largest_parts(tree, most_parts))
+    for (const std::uint32_t part : largest_parts(frame.steps, most_parts))
         json[nodes_text(frame, part)] = sizes[part];
     return json;
 }
@@ -86,7 +86,7 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame, const TraversalTree& 
 void check_depths(const TraceHeader& header, const TraceFrame& frame) {
     if (!header.engine) return;
     std::size_t deepest = 0;
-    for (const VolumeTest& test : frame.events.volume_tests)
+    for (const Step& test : frame.steps.volumes)
         deepest = std::max<std::size_t>({deepest, test.depth_a, test.depth_b});
     constexpr std::size_t most = 2000;
     if (deepest > most)
@@ -122,9 +122,8 @@ int run(TraversalOptions& options, const Console& console) {
         [&](const QueryFrames& frames) {
             const TraceFrame& whole = *frames.front();
             check_depths(header, whole);
-            const TraversalTree tree = traversal_tree(header, whole);
             std::optional<TraceFrame> part;
-            if (root) part = part_of(header, whole, tree, *root);
+            if (root) part = part_of(header, whole, *root);
             const TraceFrame& frame = root ? *part : whole;
             figure.subtitle = view.subtitle(frame.frame);
             if (root)
@@ -138,7 +137,7 @@ int run(TraversalOptions& options, const Console& console) {
                 render::compose(figure, header, frame, options.picture.width(),
                                 options.picture.height(), pictures.overlay());
             nlohmann::ordered_json entry = query_index_entry(view, {&frame});
-            entry["parts"] = parts_json(frame, root ? traversal_tree(header, frame) : tree);
+            entry["parts"] = parts_json(frame);
             pictures.draw(view.picture_name("traversal", frame.frame), picture, std::move(entry));
             return nlohmann::ordered_json();
         },

@@ -51,9 +51,9 @@ void mutate(Mutation mutation, Collision& found, VolumeKind kind, const OverlapO
     found.n_u = transform_count(kind, found.stages, options);
 }
 
-void mutate(Mutation mutation, Events& events) {
+void mutate(Mutation mutation, Steps& steps) {
     if (mutation != Mutation::swap_stages) return;
-    for (VolumeTest& test : events.volume_tests) {
+    for (Step& test : steps.volumes) {
         if (test.stage == Stage::slab_ball)
             test.stage = Stage::ball_slab;
         else if (test.stage == Stage::ball_slab)

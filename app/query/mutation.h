@@ -23,6 +23,6 @@ inline constexpr EnumNames<Mutation, 5> mutation_names = {"none", "drop-node", "
 void mutate(Mutation mutation, AnyHierarchy& hierarchy);
 void mutate(Mutation mutation, OverlapOptions& options);
 void mutate(Mutation mutation, Collision& found, VolumeKind kind, const OverlapOptions& options);
-void mutate(Mutation mutation, Events& events);
+void mutate(Mutation mutation, Steps& steps);
 
 }  // namespace scb::app

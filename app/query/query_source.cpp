@@ -182,13 +182,13 @@ std::uint64_t QuerySource::test_count(int frame) const {
 const TraceFrame& QuerySource::frame(int number) {
     if (recorded_) return recorded_->frame(number);
     if (!trace_) {
-        recorder_.events = std::move(made_.events);
-        recorder_.events.volume_tests.clear();
-        recorder_.events.triangle_tests.clear();
+        recorder_.steps = std::move(made_.steps);
+        recorder_.steps.volumes.clear();
+        recorder_.steps.items.clear();
         made_.frame = number;
         made_.b_to_a = query_.b_to_a(number);
         made_.found = query_.collide(number, recorder_);
-        made_.events = std::move(recorder_.events);
+        made_.steps = std::move(recorder_.steps);
         return made_;
     }
     const TraceFrame* frame = trace_->reader.next();
@@ -204,11 +204,11 @@ const TraceFrame& QuerySource::frame(int number) {
     return *frame;
 }
 
-Attribution QuerySource::attribution(const TraceFrame& frame, const TraversalTree& tree) {
-    if (recorded_) return recorded_->attribution(tree);
+Attribution QuerySource::attribution(const TraceFrame& frame) {
+    if (recorded_) return recorded_->attribution();
     const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
     return attribute(
-        a, b, header_, frame, tree,
+        a, b, header_, frame,
         all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header_, frame));
 }
 

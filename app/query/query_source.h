@@ -44,8 +44,8 @@ class QuerySource {
     /// The query of one of these frames; valid until the next call. They must be asked for
     /// ascending. Throws InputError where a trace says that the bodies were elsewhere.
     const TraceFrame& frame(int number);
-    /// What the tests of the query that was asked for last are worth. `tree` is its traversal_tree.
-    Attribution attribution(const TraceFrame& frame, const TraversalTree& tree);
+    /// The verdicts on the tests of the query that was asked for last.
+    Attribution attribution(const TraceFrame& frame);
     /// Of its two bodies, see core/analysis/level_overlaps.h: by the query's own test, or, of a
     /// recording, by the exact verdict on its volumes.
     std::vector<std::size_t> level_overlaps(const TraceFrame& frame, std::size_t most);
@@ -58,7 +58,7 @@ class QuerySource {
     std::unique_ptr<scenes::TraceInput> trace_;  ///< null where queries are made now
     std::string trace_path_;
     TraceFrame made_;
-    EventRecorder recorder_;
+    StepRecorder recorder_;
     /// Of the two bodies, where they were asked for.
     mutable std::array<std::shared_ptr<const VolumeTree>, 2> trees_;
     std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null but of a recording

@@ -37,11 +37,11 @@ Collision SceneQuery::collide(int frame) const {
     return found;
 }
 
-Collision SceneQuery::collide(int frame, EventRecorder& recorder) const {
+Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
     Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
                                    mutated_options(), recorder);
     mutate(mutation, found, kind, options.overlap);
-    mutate(mutation, recorder.events);
+    mutate(mutation, recorder.steps);
     return found;
 }
 

@@ -26,7 +26,7 @@ struct SceneQuery {
     /// The pose of B as A sees it.
     Pose b_to_a(int frame) const;
     Collision collide(int frame) const;
-    Collision collide(int frame, EventRecorder& recorder) const;
+    Collision collide(int frame, StepRecorder& recorder) const;
 
   private:
     /// What is asked, which pictures and tables say, with the error that the mutation puts into it.

@@ -59,19 +59,19 @@ int record(const TraceOptions& options, const Console& console) {
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
-    EventRecorder recorder;
+    StepRecorder recorder;
     for (; done < query.frames.size() && watch.signal() == 0; ++done) {
-        recorder.events.volume_tests.clear();
-        recorder.events.triangle_tests.clear();
+        recorder.steps.volumes.clear();
+        recorder.steps.items.clear();
         TraceFrame frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
         frame.found = query.collide(frame.frame, recorder);
-        std::swap(frame.events, recorder.events);
+        std::swap(frame.steps, recorder.steps);
         if (recording)
             recording->add(frame, query.poses(frame.frame));
         else
             trace->add(frame);
         tests += frame.found.n_v;
-        std::swap(frame.events, recorder.events);
+        std::swap(frame.steps, recorder.steps);
         progress.step("frames");
     }
     if (done > 0) {

@@ -83,15 +83,15 @@ Json trace_header_json(const TraceHeader& header) {
 }
 
 Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
-    const auto nodes = [](const VolumeTest& t) -> Json {
+    const auto nodes = [](const Step& t) -> Json {
         return {{"nodes", {t.nodes.a, t.nodes.b}}, {"depths", {t.depth_a, t.depth_b}}};
     };
     Json result = nodes(test.test);
     result["stage"] = test.stage;
     result["outcome"] = words_of(test, bodies);
     if (test.triangles) {
-        result["triangles"] = {test.triangles->triangles.a, test.triangles->triangles.b};
-        result["intersect"] = test.triangles->intersect;
+        result["triangles"] = {test.triangles->items.a, test.triangles->items.b};
+        result["intersect"] = test.triangles->hit;
         if (test.triangle_tests > 1) {
             result["triangle_tests"] = test.triangle_tests;
             result["intersecting"] = test.intersecting;
@@ -108,16 +108,16 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
 }
 
 void print_events(const TraceHeader& header, const TraceFrame& frame) {
-    const TraversalTree tree = traversal_tree(header, frame);
+    const Outcomes outcomes = outcomes_of(header, frame);
     const BodyNames names = body_names(header),
                     bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
     const int width = number_width(frame);
     std::string text =
         format("   test  parent %*s %*s  depths  outcome\n", width, "node A", width, "node B");
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        const TracedTest test = traced_test(header, frame, tree, i);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const TracedTest test = traced_test(header, frame, outcomes, i);
         const std::string parent =
-            tree.parents[i] == TraversalTree::no_parent ? "-" : std::to_string(tree.parents[i]);
+            test.test.parent == no_step ? "-" : std::to_string(test.test.parent);
         text += format("%7zu %7s %*u %*u %3d %3d  ", i, parent.c_str(), width, test.test.nodes.a,
                        width, test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
                 words_of(test, bodies) + "\n";
@@ -128,14 +128,14 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
 
 void print_events_json(const TraceHeader& header, const TraceFrame& frame,
                        const std::string& indent) {
-    const TraversalTree tree = traversal_tree(header, frame);
+    const Outcomes outcomes = outcomes_of(header, frame);
     const BodyNames bodies = body_names(header);
     std::string text;
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
         Json row = {{"test", i}};
-        const std::uint32_t parent = tree.parents[i];
-        row["parent_test"] = parent == TraversalTree::no_parent ? Json() : Json(parent);
-        row.update(traced_test_json(traced_test(header, frame, tree, i), bodies));
+        const std::uint32_t parent = frame.steps.volumes[i].parent;
+        row["parent_test"] = parent == no_step ? Json() : Json(parent);
+        row.update(traced_test_json(traced_test(header, frame, outcomes, i), bodies));
         text += (i == 0 ? "\n" : ",\n") + indent +
                 row.dump(-1, ' ', false, Json::error_handler_t::replace);
         print_block(text);

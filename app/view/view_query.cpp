@@ -74,9 +74,9 @@ struct Worst {
     WorstPairs fits{PassReason::loose_fit, most_worst}, tests{PassReason::weak_test, most_worst};
     WorstRejections wrong{most_worst};
 
-    void add(const TraceFrame& frame, const TraversalTree& tree, const Attribution& attribution) {
-        fits.add(frame, tree, attribution);
-        tests.add(frame, tree, attribution);
+    void add(const TraceFrame& frame, const Attribution& attribution) {
+        fits.add(frame, attribution);
+        tests.add(frame, attribution);
         wrong.add(frame, attribution);
     }
 
@@ -109,10 +109,9 @@ struct Worst {
 };
 
 /// Those whose steps a reader looks for first: the worst of each kind, and all that erred.
-std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const TraversalTree& tree,
-                                       const Attribution& attribution) {
+std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const Attribution& attribution) {
     Worst worst;
-    worst.add(frame, tree, attribution);
+    worst.add(frame, attribution);
     std::vector<std::uint32_t> tests;
     for (const WorstPairs* pairs : {&worst.fits, &worst.tests})
         for (const FalsePair& pair : pairs->pairs()) tests.push_back(pair.pair.test);
@@ -138,11 +137,11 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
     for (const int number : source.frames()) {
         if (!std::binary_search(in_page.begin(), in_page.end(), number)) continue;
         const TraceFrame& frame = source.frame(number);
-        const TraversalTree tree = traversal_tree(header, frame);
-        const Attribution attribution = source.attribution(frame, tree);
-        worst.add(frame, tree, attribution);
+        const Outcomes outcomes = outcomes_of(header, frame);
+        const Attribution attribution = source.attribution(frame);
+        worst.add(frame, attribution);
         const render::QueryBlocks blocks =
-            render::query_blocks(bodies, frame, tree, attribution, groups, store);
+            render::query_blocks(bodies, frame, outcomes, attribution, groups, store);
         Json entry = {{"frame", number},
                       {"n_v", frame.found.n_v},
                       {"n_p", frame.found.n_p},
@@ -157,7 +156,7 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
             entry["steps"] = store.add(std::string_view(
                 view_steps_json(
                     source.query(), frame,
-                    costly_tests(tree, worst_tests(frame, tree, attribution), most_steps))
+                    costly_tests(frame.steps, worst_tests(frame, attribution), most_steps))
                     .dump(-1, ' ', false, Json::error_handler_t::replace)));
         frames.push_back(std::move(entry));
         step();

@@ -16,7 +16,7 @@ Json view_steps_json(const SceneQuery& query, const TraceFrame& frame,
                      std::span<const std::uint32_t> tests) {
     Json result = Json::object();
     for (const std::uint32_t test : tests) {
-        const IndexPair nodes = frame.events.volume_tests[test].nodes;
+        const IndexPair nodes = frame.steps.volumes[test].nodes;
         const Json told =
             explanation_json(explained_nodes(query, frame.frame, {nodes.a, nodes.b}, "the page"));
         Json& entry = result[std::to_string(test)];

@@ -48,7 +48,7 @@ AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
     with_overlap_test<Scb>(other, [&](auto test) {
         for (const PassedPair& pair : attribution.passed) {
             if (pair.reason != PassReason::weak_test) continue;
-            const IndexPair nodes = frame.events.volume_tests[pair.test].nodes;
+            const IndexPair nodes = frame.steps.volumes[pair.test].nodes;
             result.caught += test(scbs_a->volumes[nodes.a], scbs_b->volumes[nodes.b], placed) !=
                              Stage::overlapping;
         }

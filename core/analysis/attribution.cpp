@@ -11,7 +11,7 @@
 namespace scb {
 namespace {
 
-constexpr std::uint32_t none = TraversalTree::no_parent;
+constexpr std::uint32_t none = no_step;
 
 std::vector<std::uint32_t> positions(const Topology& topology) {
     std::vector<std::uint32_t> position(topology.order.size());
@@ -24,21 +24,27 @@ bool holds(const Topology& topology, std::uint32_t node, std::uint32_t position)
     return position >= n.first && position - n.first < n.count;
 }
 
-/// For each test, the first of those that the division of its pair led to. They follow each other.
-std::vector<std::uint32_t> first_children(const TraversalTree& tree) {
-    std::vector<std::uint32_t> children(tree.parents.size(), none);
-    for (std::size_t i = tree.parents.size(); i-- > 0;)
-        if (tree.parents[i] != none) children[tree.parents[i]] = static_cast<std::uint32_t>(i);
-    return children;
-}
+/// The steps that follow from each step.
+struct Followers {
+    std::vector<std::uint32_t> first, next;  ///< per step, or none
+
+    explicit Followers(const std::vector<Step>& steps)
+        : first(steps.size(), none), next(steps.size(), none) {
+        for (std::size_t i = steps.size(); i-- > 0;) {
+            if (steps[i].parent == none) continue;
+            next[i] = first[steps[i].parent];
+            first[steps[i].parent] = static_cast<std::uint32_t>(i);
+        }
+    }
+};
 
 /// For each test, how many of the pairs of triangles that intersect its nodes hold.
 std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
-                                          const TraceFrame& frame, const TraversalTree& tree,
+                                          const TraceFrame& frame,
                                           std::span<const IndexPair> contacts) {
-    const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b),
-                                     children = first_children(tree);
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b);
+    const std::vector<Step>& tests = frame.steps.volumes;
+    const Followers followers(tests);
     std::vector<std::uint64_t> below(tests.size());
     for (const IndexPair& contact : contacts) {
         std::uint32_t test = tests.empty() ? none : 0;
@@ -46,8 +52,8 @@ std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
             ++below[test];
             const std::uint32_t parent = test;
             test = none;
-            for (std::uint32_t child = children[parent];
-                 child < tests.size() && tree.parents[child] == parent; ++child)
+            for (std::uint32_t child = followers.first[parent]; child != none;
+                 child = followers.next[child])
                 if (holds(a, tests[child].nodes.a, position_a[contact.a]) &&
                     holds(b, tests[child].nodes.b, position_b[contact.b])) {
                     test = child;
@@ -59,14 +65,13 @@ std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
 }
 
 /// For each test, the work below it.
-std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame,
-                             const TraversalTree& tree) {
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame) {
+    const std::vector<Step>& tests = frame.steps.volumes;
     std::vector<Work> below(tests.size());
-    for (const TriangleTest& test : frame.events.triangle_tests) ++below[test.after].triangle_tests;
+    for (const ItemStep& test : frame.steps.items) ++below[test.step].triangle_tests;
     for (std::size_t i = tests.size(); i-- > 0;) {
-        if (tree.parents[i] == none) continue;
-        Work& parent = below[tree.parents[i]];
+        if (tests[i].parent == none) continue;
+        Work& parent = below[tests[i].parent];
         parent += below[i];
         parent +=
             {1, 0,
@@ -83,7 +88,7 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
     const Placement placed = query_placement(a, b, frame.b_to_a);
     std::vector<TestedPair> pairs;
     pairs.reserve(contacts.size());
-    for (const VolumeTest& test : frame.events.volume_tests) {
+    for (const Step& test : frame.steps.volumes) {
         const IndexPair nodes = test.nodes;
         const ContactCertificate certificate =
             exact_verdict(shape_of(a.volumes[nodes.a]), shape_of(b.volumes[nodes.b]), placed);
@@ -113,11 +118,11 @@ PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
 
 }  // namespace
 
-Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
                       std::span<const TestedPair> pairs) {
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    const std::vector<Step>& tests = frame.steps.volumes;
     assert(pairs.size() == tests.size());
-    const std::vector<Work> below = work_below(header, frame, tree);
+    const std::vector<Work> below = work_below(header, frame);
     Attribution result;
     PassCounts& counts = result.counts;
     counts.all = {frame.found.n_v, frame.found.n_p,
@@ -138,7 +143,7 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const 
         }
         PassedPair pair = passed_pair(i, of);
         pair.below = below[i];
-        if (const std::uint32_t parent = tree.parents[i]; parent != none) {
+        if (const std::uint32_t parent = tests[i].parent; parent != none) {
             pair.within_false_pair = pairs[parent].known && pairs[parent].contacts == 0;
             pair.within_weak_test = weak_so_far[parent] != 0;
         }
@@ -155,13 +160,12 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const 
 }
 
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, const TraversalTree& tree,
-                      std::span<const IndexPair> contacts) {
+                      const TraceFrame& frame, std::span<const IndexPair> contacts) {
     const std::vector<std::uint64_t> below =
-        contacts_below(topology_of(a), topology_of(b), frame, tree, contacts);
+        contacts_below(topology_of(a), topology_of(b), frame, contacts);
     return std::visit(
         [&]<class V>(const Hierarchy<V>& hierarchy) {
-            return attribute(header, frame, tree,
+            return attribute(header, frame,
                              tested_pairs(hierarchy, std::get<Hierarchy<V>>(b), frame, below));
         },
         a);

@@ -13,7 +13,7 @@ namespace scb {
 
 /// A volume test that let its pair pass.
 struct PassedPair {
-    std::uint32_t test = 0;  ///< index into Events::volume_tests
+    std::uint32_t test = 0;  ///< index into Steps::volumes
     PassReason reason = PassReason::triangles_meet;
     bool leaves = false;  ///< both nodes are leaves
     /// Whether the division of a false pair led here, at whatever distance; or that of one that
@@ -27,7 +27,7 @@ struct PassedPair {
 /// A volume test that rejected volumes which overlap, or which hold triangles that intersect: an
 /// error of the test.
 struct WrongRejection {
-    std::uint32_t test = 0;                ///< index into Events::volume_tests
+    std::uint32_t test = 0;                ///< index into Steps::volumes
     std::uint64_t missed = 0;              ///< pairs of triangles below it that intersect
     Contact exact = Contact::overlapping;  ///< of the volumes; else, `missed` > 0
 
@@ -50,17 +50,16 @@ struct TestedPair {
     bool leaves = false;                ///< both are leaves
 };
 
-/// Attributes every volume test of a query. `pairs`: one for each test of the frame. `tree` is
-/// traversal_tree's. Of other engines no operations are known.
-Attribution attribute(const TraceHeader& header, const TraceFrame& frame, const TraversalTree& tree,
+/// Attributes every volume test of a query. `pairs`: one for each test of the frame. Of other
+/// engines no operations are known.
+Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
                       std::span<const TestedPair> pairs);
 
 /// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
-/// verdict on the volumes. `tree` is traversal_tree's. `contacts` are all pairs of triangles that
-/// intersect, see all_contacts; sorted or not. O(N_v) verdicts.
+/// verdict on the volumes. `contacts` are all pairs of triangles that intersect, see all_contacts;
+/// sorted or not. O(N_v) verdicts.
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, const TraversalTree& tree,
-                      std::span<const IndexPair> contacts);
+                      const TraceFrame& frame, std::span<const IndexPair> contacts);
 
 /// All pairs of triangles that intersect, at the pose of a frame: those that the query found, or,
 /// where it ended before it had them all or its test is not sound, those of another query.

@@ -7,9 +7,18 @@
 
 namespace scb {
 
-std::vector<std::uint32_t> costly_tests(const TraversalTree& tree,
-                                        std::span<const std::uint32_t> first, std::size_t most) {
-    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+std::vector<std::uint32_t> subtree_sizes(const Steps& steps) {
+    const std::vector<Step>& tests = steps.volumes;
+    std::vector<std::uint32_t> sizes(tests.size(), 1);
+    // Parents come before their children.
+    for (std::size_t i = sizes.size(); i-- > 0;)
+        if (tests[i].parent != no_step) sizes[tests[i].parent] += sizes[i];
+    return sizes;
+}
+
+std::vector<std::uint32_t> costly_tests(const Steps& steps, std::span<const std::uint32_t> first,
+                                        std::size_t most) {
+    const std::vector<std::uint32_t> sizes = subtree_sizes(steps);
     std::vector<std::uint32_t> others(sizes.size());
     std::iota(others.begin(), others.end(), 0);
     std::partial_sort(others.begin(),

@@ -1,16 +1,22 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/analysis/traversal_tree.h"
+#include "scb/step.h"
 
 namespace scb {
 
-/// `most` tests of a query, ascending: of `first`, in its order, then those from which the most
+/// For each step of a query, the number of steps in the part of the query that begins with it,
+/// itself included: the cost of the pair. The cost of a divided pair is one more than the costs of
+/// its children together. O(n).
+std::vector<std::uint32_t> subtree_sizes(const Steps& steps);
+
+/// `most` steps of a query, ascending: of `first`, in its order, then the steps from which the most
 /// others followed, equal ones by their order.
-std::vector<std::uint32_t> costly_tests(const TraversalTree& tree,
-                                        std::span<const std::uint32_t> first, std::size_t most);
+std::vector<std::uint32_t> costly_tests(const Steps& steps, std::span<const std::uint32_t> first,
+                                        std::size_t most);
 
 }  // namespace scb

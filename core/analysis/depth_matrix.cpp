@@ -5,14 +5,14 @@
 
 namespace scb {
 
-DepthMatrix depth_matrix(const Events& events) {
+DepthMatrix depth_matrix(const Steps& steps) {
     DepthMatrix matrix;
-    for (const VolumeTest& test : events.volume_tests) {
+    for (const Step& test : steps.volumes) {
         matrix.depths_a = std::max(matrix.depths_a, std::size_t{test.depth_a} + 1);
         matrix.depths_b = std::max(matrix.depths_b, std::size_t{test.depth_b} + 1);
     }
     matrix.cells.resize(matrix.depths_a * matrix.depths_b);
-    for (const VolumeTest& test : events.volume_tests) {
+    for (const Step& test : steps.volumes) {
         DepthCell& cell = matrix.cells[test.depth_b * matrix.depths_a + test.depth_a];
         ++cell.tests;
         cell.rejected += test.stage != Stage::overlapping;

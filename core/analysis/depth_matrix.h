@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scb/event_recorder.h"
+#include "scb/step_recorder.h"
 
 namespace scb {
 
@@ -28,7 +28,7 @@ struct DepthMatrix {
 };
 
 /// Of a query's events. No events give an empty matrix.
-DepthMatrix depth_matrix(const Events& events);
+DepthMatrix depth_matrix(const Steps& steps);
 
 /// The same with `step` depths of both bodies, at least 1, added up in each cell.
 DepthMatrix coarser(const DepthMatrix& matrix, std::size_t step);

@@ -33,13 +33,13 @@ EndedPaths summary(std::span<const End> ends) {
 
 }  // namespace
 
-std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
+std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& outcomes,
                                     std::size_t side, const EndedPathsFilter& filter) {
     std::vector<End> ends;
     std::map<std::uint32_t, std::uint32_t> passed_on;
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        const VolumeTest& test = frame.events.volume_tests[i];
-        const Outcome outcome = tree.outcomes[i];
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const Step& test = frame.steps.volumes[i];
+        const Outcome outcome = outcomes[i];
         if (!is_ending(outcome)) {
             ++passed_on[side == 0 ? test.nodes.a : test.nodes.b];
             continue;

@@ -30,7 +30,7 @@ struct EndedPathsFilter {
 /// Where the paths of a traversal ended, on one side: every node of A (`side` 0) or B (1) in whose
 /// pair tests paths ended, ascending. One node may be below another, since it met other nodes of
 /// the other body.
-std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const TraversalTree& tree,
+std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& outcomes,
                                     std::size_t side, const EndedPathsFilter& filter = {});
 
 /// Of these nodes, those without another one below them: their volumes do not hold each other, so

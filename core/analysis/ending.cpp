@@ -4,21 +4,20 @@
 
 namespace scb {
 
-std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TraversalTree& tree) {
+std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcomes& outcomes) {
     std::vector<EndingCounts> counts;
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        const VolumeTest& test = frame.events.volume_tests[i];
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const Step& test = frame.steps.volumes[i];
         const std::size_t depth = std::size_t{test.depth_a} + test.depth_b;
         if (depth >= counts.size()) counts.resize(depth + 1);
-        if (is_ending(tree.outcomes[i]))
-            ++counts[depth][static_cast<std::size_t>(tree.outcomes[i])];
+        if (is_ending(outcomes[i])) ++counts[depth][static_cast<std::size_t>(outcomes[i])];
     }
     return counts;
 }
 
-EndingCounts ending_counts(const TraceFrame& frame, const TraversalTree& tree) {
+EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes) {
     EndingCounts sum{};
-    for (const EndingCounts& counts : endings_by_depth(frame, tree))
+    for (const EndingCounts& counts : endings_by_depth(frame, outcomes))
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
     return sum;
 }
@@ -54,8 +53,7 @@ std::vector<Outcome> endings_of(const TraceHeader& header) {
 std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,
                                                                   const TraceFrame& frame) {
     EndingCounts counts{};
-    for (const VolumeTest& test : frame.events.volume_tests)
-        ++counts[static_cast<std::size_t>(test.stage)];
+    for (const Step& test : frame.steps.volumes) ++counts[static_cast<std::size_t>(test.stage)];
     std::vector<std::pair<std::string, std::uint64_t>> tests = {
         {std::string(stage_name(Stage::overlapping)), counts[0]}};
     for (const Outcome ending : endings_of(header))

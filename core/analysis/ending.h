@@ -15,10 +15,10 @@ namespace scb {
 using EndingCounts = std::array<std::uint64_t, outcome_end>;
 
 /// How the tests of a frame ended, by the depth of the pair: the depths of both nodes added.
-std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const TraversalTree& tree);
+std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcomes& outcomes);
 
 /// The same for all depths together.
-EndingCounts ending_counts(const TraceFrame& frame, const TraversalTree& tree);
+EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes);
 
 /// The endings that such queries can have, in order: the stages of the
 /// test, then the others. `triangles_apart` and `triangles_meet` where

@@ -18,9 +18,8 @@ Inspection& Inspection::operator+=(const Inspection& other) {
     return *this;
 }
 
-Inspection inspection(const TraceFrame& frame, const TraversalTree& tree,
-                      const Attribution& attribution) {
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+Inspection inspection(const TraceFrame& frame, const Attribution& attribution) {
+    const std::vector<Step>& tests = frame.steps.volumes;
     Inspection result;
     result.pairs = frame.found.pairs.size();
     result.counts = attribution.counts;
@@ -37,8 +36,8 @@ Inspection inspection(const TraceFrame& frame, const TraversalTree& tree,
     }
     for (std::size_t i = 0; i < tests.size(); ++i) {
         ++depth_of(i).tests;
-        const std::uint32_t parent = tree.parents[i];
-        if (parent == TraversalTree::no_parent) continue;
+        const std::uint32_t parent = tests[i].parent;
+        if (parent == no_step) continue;
         depth_of(i).wasted += static_cast<std::uint64_t>(is_false[parent]);
         depth_of(i).wasted_by_tests += static_cast<std::uint64_t>(is_within_weak_test[parent]);
     }

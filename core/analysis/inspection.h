@@ -21,9 +21,8 @@ struct Inspection {
     Inspection& operator+=(const Inspection& other);
 };
 
-/// That of one query. `tree` is traversal_tree's.
-Inspection inspection(const TraceFrame& frame, const TraversalTree& tree,
-                      const Attribution& attribution);
+/// That of one query.
+Inspection inspection(const TraceFrame& frame, const Attribution& attribution);
 
 /// One frame of several.
 struct InspectedFrame {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
-#include "scb/stage.h"
+#include "scb/step.h"
 
 namespace scb {
 
@@ -40,5 +42,12 @@ constexpr bool is_ending(Outcome outcome) {
 /// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
 /// "divided a", "divided b", "divided both". Foreign stages have no name, see stage_words.
 std::string_view outcome_name(Outcome outcome);
+
+/// The outcome of each step of a query.
+using Outcomes = std::vector<Outcome>;
+
+/// The outcomes of a query's steps. `found_nodes` are its pairs, sorted, where these are pairs of
+/// nodes, otherwise empty. O(n log n).
+Outcomes outcomes_of(const Steps& steps, std::span<const IndexPair> found_nodes);
 
 }  // namespace scb

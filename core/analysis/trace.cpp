@@ -58,11 +58,10 @@ std::string stage_words(const TraceHeader& header, Stage stage) {
     return std::string(stage_name(stage));
 }
 
-TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame) {
+Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame) {
     const auto nodes =
         pairs_are_nodes(header) ? std::span(frame.found.pairs) : std::span<const IndexPair>();
-    return header.engine ? traversal_tree(frame.events, nodes, frame.parents)
-                         : traversal_tree(frame.events, nodes);
+    return outcomes_of(frame.steps, nodes);
 }
 
 IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/outcome.h"
 #include "core/hierarchy/volume_tree.h"
 #include "scb/any_collide.h"
 
@@ -87,10 +87,7 @@ struct TraceFrame {
     int frame = 0;
     Pose b_to_a;
     Collision found;
-    Events events;
-    /// Per volume test the one that led to it, or TraversalTree::no_parent; empty where the tests
-    /// are those of one call of collide, of which their order tells it.
-    std::vector<std::uint32_t> parents{};
+    Steps steps;
     /// Of A and B where they are another engine's, which has numbers of its own for their nodes;
     /// null where numbers are indices.
     std::array<std::shared_ptr<const VolumeTree>, 2> trees{};
@@ -108,8 +105,8 @@ struct Trace {
     std::vector<TraceFrame> frames;  ///< ascending by number, each once
 };
 
-/// The tree of a frame's tests.
-TraversalTree traversal_tree(const TraceHeader& header, const TraceFrame& frame);
+/// The outcomes of a frame's steps.
+Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame);
 
 /// Whether the meshes of A, and those of B, are the same; of another engine, which may have its
 /// coordinates in 32 bits, whether they have as many vertices and triangles.

@@ -64,22 +64,22 @@ std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b)
 
 /// Index of the volume test at which the queries part: in what they test, in what that gives, or
 /// in what they do next. Nothing where they do not.
-std::optional<std::size_t> parting_test(const TraceFrame& a, const TraversalTree& tree_a,
-                                        const TraceFrame& b, const TraversalTree& tree_b) {
+std::optional<std::size_t> parting_test(const TraceFrame& a, const Outcomes& outcomes_a,
+                                        const TraceFrame& b, const Outcomes& outcomes_b) {
     const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
         const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
         return static_cast<std::size_t>(first.first - of_a.begin());
     };
-    std::size_t test = std::min(differ(a.events.volume_tests, b.events.volume_tests),
-                                differ(tree_a.outcomes, tree_b.outcomes));
-    const auto& triangles_a = a.events.triangle_tests;
-    const auto& triangles_b = b.events.triangle_tests;
+    std::size_t test =
+        std::min(differ(a.steps.volumes, b.steps.volumes), differ(outcomes_a, outcomes_b));
+    const auto& triangles_a = a.steps.items;
+    const auto& triangles_b = b.steps.items;
     const std::size_t triangles = differ(triangles_a, triangles_b);
     if (triangles < triangles_a.size())
-        test = std::min<std::size_t>(test, triangles_a[triangles].after);
+        test = std::min<std::size_t>(test, triangles_a[triangles].step);
     if (triangles < triangles_b.size())
-        test = std::min<std::size_t>(test, triangles_b[triangles].after);
-    const bool same = test == tree_a.outcomes.size() && test == tree_b.outcomes.size();
+        test = std::min<std::size_t>(test, triangles_b[triangles].step);
+    const bool same = test == outcomes_a.size() && test == outcomes_b.size();
     return same ? std::nullopt : std::optional(test);
 }
 
@@ -92,16 +92,16 @@ TraceFrame with_stages_of(const TraceHeader& a, const TraceHeader& b, TraceFrame
         for (const NamedStage& of_a : a.engine->stages)
             if (of_a.name == of_b.name) renamed[of_b.stage] = of_a.stage;
     }
-    for (VolumeTest& test : frame.events.volume_tests)
+    for (Step& test : frame.steps.volumes)
         if (const auto found = renamed.find(test.stage); found != renamed.end())
             test.stage = found->second;
     return frame;
 }
 
 std::optional<TracedTest> traced(const TraceHeader& header, const TraceFrame& frame,
-                                 const TraversalTree& tree, std::size_t index) {
-    if (index >= frame.events.volume_tests.size()) return std::nullopt;
-    return traced_test(header, frame, tree, index);
+                                 const Outcomes& outcomes, std::size_t index) {
+    if (index >= frame.steps.volumes.size()) return std::nullopt;
+    return traced_test(header, frame, outcomes, index);
 }
 
 bool same_pose(const Pose& a, const Pose& b) {
@@ -109,14 +109,13 @@ bool same_pose(const Pose& a, const Pose& b) {
 }
 
 /// The volume test from which the pair came: other engines need not tell of one.
-std::optional<std::size_t> test_of(const TraceFrame& frame, const TraversalTree& tree,
-                                   bool of_nodes, IndexPair pair) {
+std::optional<std::size_t> test_of(const TraceFrame& frame, const Outcomes& outcomes, bool of_nodes,
+                                   IndexPair pair) {
     if (of_nodes)
-        for (std::size_t i = 0; i < tree.outcomes.size(); ++i)
-            if (tree.outcomes[i] == Outcome::found && frame.events.volume_tests[i].nodes == pair)
-                return i;
-    for (const TriangleTest& t : frame.events.triangle_tests)
-        if (t.intersect && t.triangles == pair) return t.after;
+        for (std::size_t i = 0; i < outcomes.size(); ++i)
+            if (outcomes[i] == Outcome::found && frame.steps.volumes[i].nodes == pair) return i;
+    for (const ItemStep& t : frame.steps.items)
+        if (t.hit && t.items == pair) return t.step;
     return std::nullopt;
 }
 
@@ -124,32 +123,32 @@ std::optional<std::size_t> test_of(const TraceFrame& frame, const TraversalTree&
 struct AtFrame {
     const TraceHeader& header;
     const TraceFrame& frame;
-    const TraversalTree& tree;
+    const Outcomes& outcomes;
 };
 
 /// Looks for the test of `other` that left out the pair which `finder` found.
 LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff& d,
                    IndexPair pair) {
-    const auto& [finder_header, finder, finder_tree] = found;
-    const auto& [other_header, other, other_tree] = lost_by;
+    const auto& [finder_header, finder, finder_outcomes] = found;
+    const auto& [other_header, other, other_outcomes] = lost_by;
     const IndexPair told = d.of_nodes ? numbers_of(finder, pair) : pair;
     LostPair lost{finder.frame, told, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
-    const std::optional<std::size_t> from = test_of(finder, finder_tree, d.of_nodes, pair);
+    const std::optional<std::size_t> from = test_of(finder, finder_outcomes, d.of_nodes, pair);
     if (!from) return lost;
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
     std::set<std::uint32_t> ancestors_a, ancestors_b;
-    for (std::size_t i = *from;; i = finder_tree.parents[i]) {
-        ancestors_a.insert(finder.events.volume_tests[i].nodes.a);
-        ancestors_b.insert(finder.events.volume_tests[i].nodes.b);
-        if (finder_tree.parents[i] == TraversalTree::no_parent) break;
+    for (std::size_t i = *from;; i = finder.steps.volumes[i].parent) {
+        ancestors_a.insert(finder.steps.volumes[i].nodes.a);
+        ancestors_b.insert(finder.steps.volumes[i].nodes.b);
+        if (finder.steps.volumes[i].parent == no_step) break;
     }
-    for (std::size_t i = 0; i < other.events.volume_tests.size(); ++i) {
-        const Outcome outcome = other_tree.outcomes[i];
-        const IndexPair nodes = other.events.volume_tests[i].nodes;
+    for (std::size_t i = 0; i < other.steps.volumes.size(); ++i) {
+        const Outcome outcome = other_outcomes[i];
+        const IndexPair nodes = other.steps.volumes[i].nodes;
         if (is_divided(outcome) || !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
             continue;
-        lost.lost_at = traced_test(other_header, other, other_tree, i);
+        lost.lost_at = traced_test(other_header, other, other_outcomes, i);
         lost.test = i;
         break;
     }
@@ -195,7 +194,7 @@ void TraceCounts::add(const TraceHeader& header, const TraceFrame& frame) {
     if (!header.engine) n_u = n_u.value_or(0) + found.n_u;
     std::array<std::uint64_t, 256> tests{};
     std::copy(found.stages.begin(), found.stages.end(), tests.begin());
-    for (const VolumeTest& test : frame.events.volume_tests)
+    for (const Step& test : frame.steps.volumes)
         if (is_foreign(test.stage)) ++tests[static_cast<std::size_t>(test.stage)];
     for (std::size_t s = 0; s < tests.size(); ++s)
         if (tests[s] != 0) stages[stage_words(header, static_cast<Stage>(s))] += tests[s];
@@ -206,30 +205,29 @@ bool operator==(const TraceCounts& a, const TraceCounts& b) {
            (!a.n_u || !b.n_u || a.n_u == b.n_u);
 }
 
-TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
-                       const TraversalTree& tree, std::size_t index) {
-    const Events& events = frame.events;
+TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const Outcomes& outcomes,
+                       std::size_t index) {
+    const Steps& steps = frame.steps;
     TracedTest result;
     const auto numbered = [&](std::size_t i) {
-        VolumeTest test = events.volume_tests[i];
+        Step test = steps.volumes[i];
         test.nodes = numbers_of(frame, test.nodes);
         return test;
     };
     result.test = numbered(index);
-    result.outcome = tree.outcomes[index];
+    result.outcome = outcomes[index];
     result.stage = stage_words(header, result.test.stage);
-    auto triangles =
-        std::lower_bound(events.triangle_tests.begin(), events.triangle_tests.end(), index,
-                         [](const TriangleTest& t, std::size_t i) { return t.after < i; });
-    for (; triangles != events.triangle_tests.end() && triangles->after == index; ++triangles) {
-        if (!result.triangles || (triangles->intersect && result.intersecting == 0))
+    auto triangles = std::lower_bound(steps.items.begin(), steps.items.end(), index,
+                                      [](const ItemStep& t, std::size_t i) { return t.step < i; });
+    for (; triangles != steps.items.end() && triangles->step == index; ++triangles) {
+        if (!result.triangles || (triangles->hit && result.intersecting == 0))
             result.triangles = *triangles;
         ++result.triangle_tests;
-        result.intersecting += triangles->intersect;
+        result.intersecting += triangles->hit;
     }
-    if (const std::uint32_t parent = tree.parents[index]; parent != TraversalTree::no_parent) {
+    if (const std::uint32_t parent = frame.steps.volumes[index].parent; parent != no_step) {
         result.parent = numbered(parent);
-        result.parent_outcome = tree.outcomes[parent];
+        result.parent_outcome = outcomes[parent];
     }
     return result;
 }
@@ -270,24 +268,25 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         difference.a.add(a, *frame_a);
         difference.b.add(b, *frame_b);
         std::optional<std::size_t> test;
-        TraversalTree tree_a, tree_b;
+        Outcomes outcomes_a, outcomes_b;
         if (result.nodes_comparable || result.pairs_comparable) {
-            tree_a = traversal_tree(a, *frame_a);
-            tree_b = traversal_tree(b, *frame_b);
+            outcomes_a = outcomes_of(a, *frame_a);
+            outcomes_b = outcomes_of(b, *frame_b);
         }
         if (result.nodes_comparable && a.engine && b.engine) {
             const TraceFrame renamed = with_stages_of(a, b, *frame_b);
-            test = parting_test(*frame_a, tree_a, renamed, traversal_tree(b, renamed));
+            test = parting_test(*frame_a, outcomes_a, renamed, outcomes_of(b, renamed));
         } else if (result.nodes_comparable) {
-            test = parting_test(*frame_a, tree_a, *frame_b, tree_b);
+            test = parting_test(*frame_a, outcomes_a, *frame_b, outcomes_b);
         }
         if (result.nodes_comparable) {
             if (test && !result.first)
-                result.first = Parting{frame_a->frame, *test, traced(a, *frame_a, tree_a, *test),
-                                       traced(b, *frame_b, tree_b, *test)};
+                result.first =
+                    Parting{frame_a->frame, *test, traced(a, *frame_a, outcomes_a, *test),
+                            traced(b, *frame_b, outcomes_b, *test)};
         }
         if (result.pairs_comparable)
-            compare_pairs({a, *frame_a, tree_a}, {b, *frame_b, tree_b}, result);
+            compare_pairs({a, *frame_a, outcomes_a}, {b, *frame_b, outcomes_b}, result);
         if (test || difference.poses_differ || difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();

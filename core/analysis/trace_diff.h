@@ -34,14 +34,14 @@ struct FrameDifference {
 
 /// A volume test and what it belongs to, for users: nodes are the numbers that numbers_of has.
 struct TracedTest {
-    VolumeTest test;
+    Step test;
     Outcome outcome{};
     std::string stage;  ///< where it ended, see stage_words
     /// Of two leaves that overlap; of several the first that intersect, else the first.
-    std::optional<TriangleTest> triangles;
+    std::optional<ItemStep> triangles;
     std::size_t triangle_tests = 0, intersecting = 0;  ///< how many there are of them
-    std::optional<VolumeTest> parent;  ///< of the pair whose division led here; the roots
-                                       ///< have none
+    std::optional<Step> parent;  ///< of the pair whose division led here; the roots
+                                 ///< have none
     Outcome parent_outcome{};
 };
 
@@ -108,8 +108,8 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
                const TraceFrames& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);
 
-/// The volume test `index` of a frame. `tree` is traversal_tree's.
-TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame,
-                       const TraversalTree& tree, std::size_t index);
+/// The volume test `index` of a frame. `tree` is outcomes_of's.
+TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const Outcomes& outcomes,
+                       std::size_t index);
 
 }  // namespace scb

@@ -7,12 +7,11 @@
 
 namespace scb {
 
-TraceFrame trace_prefix(const TraceHeader& header, const TraceFrame& frame,
-                        const TraversalTree& tree, std::size_t count) {
-    const std::size_t all = frame.events.volume_tests.size();
+TraceFrame trace_prefix(const TraceHeader& header, const TraceFrame& frame, std::size_t count) {
+    const std::size_t all = frame.steps.volumes.size();
     std::vector<std::uint32_t> first(std::min(count, all));
     std::iota(first.begin(), first.end(), 0u);
-    TraceFrame result = with_tests(header, frame, tree, first);
+    TraceFrame result = with_tests(header, frame, first);
     result.found.complete = first.size() == all && frame.found.complete;
     return result;
 }

@@ -14,14 +14,14 @@ std::string side_of(const std::optional<TracedTest>& test, const BodyNames& bodi
 
 }  // namespace
 
-std::string words_of(const VolumeTest& test) {
+std::string words_of(const Step& test) {
     return "the nodes " + pair_text(test.nodes.a, test.nodes.b) + " at depths " +
            pair_text(test.depth_a, test.depth_b);
 }
 
 std::string words_of(const TracedTest& test, const BodyNames& bodies) {
     const std::string triangles =
-        test.triangles ? pair_text(test.triangles->triangles.a, test.triangles->triangles.b) : "";
+        test.triangles ? pair_text(test.triangles->items.a, test.triangles->items.b) : "";
     if (is_rejection(test.outcome)) return "rejected at " + test.stage;
     switch (test.outcome) {
         case Outcome::divided_a:

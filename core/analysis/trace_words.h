@@ -16,7 +16,7 @@ struct TraceNames {
 std::string words_of(const TracedTest& test, const BodyNames& bodies);
 
 /// "the nodes (12, 33) at depths (4, 5)".
-std::string words_of(const VolumeTest& test);
+std::string words_of(const Step& test);
 
 /// "reached from the nodes (5, 33) at depths (3, 5), where arm's node was divided", or "both nodes
 /// were"; or "these are the roots".

@@ -4,38 +4,40 @@
 
 namespace scb {
 
-std::vector<bool> wasted_tests(const TraversalTree& tree) {
+std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes) {
     const auto is_true = [](Outcome outcome) {
         return outcome == Outcome::triangles_meet || outcome == Outcome::found;
     };
-    std::vector<bool> meets(tree.parents.size()), wasted(tree.parents.size());
+    std::vector<bool> meets(outcomes.size()), wasted(outcomes.size());
     // Parents come before their children.
     for (std::size_t i = meets.size(); i-- > 0;) {
-        if (is_true(tree.outcomes[i])) meets[i] = true;
-        if (meets[i] && tree.parents[i] != TraversalTree::no_parent) meets[tree.parents[i]] = true;
+        if (is_true(outcomes[i])) meets[i] = true;
+        if (const std::uint32_t parent = steps.volumes[i].parent; meets[i] && parent != no_step)
+            meets[parent] = true;
     }
-    for (std::size_t i = 0; i < meets.size(); ++i)
-        wasted[i] = tree.parents[i] != TraversalTree::no_parent && !meets[tree.parents[i]];
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+        const std::uint32_t parent = steps.volumes[i].parent;
+        wasted[i] = parent != no_step && !meets[parent];
+    }
     return wasted;
 }
 
-std::vector<std::uint32_t> triangle_heat(const Events& events, const TreeShape& shape,
+std::vector<std::uint32_t> triangle_heat(const Steps& steps, const TreeShape& shape,
                                          std::size_t side, HeatOf of,
                                          const std::vector<bool>& wasted) {
-    assert((of != HeatOf::wasted || wasted.size() == events.volume_tests.size()) &&
+    assert((of != HeatOf::wasted || wasted.size() == steps.volumes.size()) &&
            "which tests are wasted is known");
     std::vector<std::uint32_t> heat(shape.holder.size());
     const auto index_on_side = [side](const IndexPair& pair) {
         return side == 0 ? pair.a : pair.b;
     };
     if (of == HeatOf::triangles) {
-        for (const TriangleTest& test : events.triangle_tests)
-            ++heat[index_on_side(test.triangles)];
+        for (const ItemStep& test : steps.items) ++heat[index_on_side(test.items)];
         return heat;
     }
     std::vector<std::uint32_t> tests(shape.size());
-    for (std::size_t i = 0; i < events.volume_tests.size(); ++i)
-        if (of != HeatOf::wasted || wasted[i]) ++tests[index_on_side(events.volume_tests[i].nodes)];
+    for (std::size_t i = 0; i < steps.volumes.size(); ++i)
+        if (of != HeatOf::wasted || wasted[i]) ++tests[index_on_side(steps.volumes[i].nodes)];
     // What was tested of a node was tested of all below it.
     for (const std::uint32_t i : shape.order)
         if (shape.parents[i] != no_index) tests[i] += tests[shape.parents[i]];

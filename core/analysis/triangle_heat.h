@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/outcome.h"
 #include "core/hierarchy/tree_shape.h"
-#include "scb/event_recorder.h"
+#include "scb/step_recorder.h"
 
 namespace scb {
 
@@ -17,11 +17,11 @@ enum class HeatOf {
 
 /// For each volume test of a query whether the pair whose division led to it is false: no triangles
 /// below it intersect.
-std::vector<bool> wasted_tests(const TraversalTree& tree);
+std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes);
 
 /// For each triangle of A (`side` 0) or B (1), in how many tests of the query it took part.
 /// `shape` is that of the body's tree; `wasted` are wasted_tests, where `of` asks for them.
-std::vector<std::uint32_t> triangle_heat(const Events& events, const TreeShape& shape,
+std::vector<std::uint32_t> triangle_heat(const Steps& steps, const TreeShape& shape,
                                          std::size_t side, HeatOf of,
                                          const std::vector<bool>& wasted = {});
 

@@ -52,10 +52,10 @@ VainTests& VainTests::operator+=(const VainTests& other) {
 
 VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame) {
     VainTests vain;
-    for (const TriangleTest& test : frame.events.triangle_tests) {
-        if (test.intersect) continue;
-        const Vec3 n = normal_of(mesh_a, test.triangles.a),
-                   m = transform_direction(frame.b_to_a, normal_of(mesh_b, test.triangles.b));
+    for (const ItemStep& test : frame.steps.items) {
+        if (test.hit) continue;
+        const Vec3 n = normal_of(mesh_a, test.items.a),
+                   m = transform_direction(frame.b_to_a, normal_of(mesh_b, test.items.b));
         ++vain.tests;
         vain.parallel += std::abs(dot(n, m)) >= cosine_of_ten_degrees;
     }

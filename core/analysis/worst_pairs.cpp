@@ -53,17 +53,16 @@ void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& 
         a);
 }
 
-void WorstPairs::add(const TraceFrame& frame, const TraversalTree& tree,
-                     const Attribution& attribution) {
+void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
     const bool weak = reason_ == PassReason::weak_test;
     // Per test, the cost of the listed pair that it is a part of; parents come first.
-    std::vector<std::uint64_t> listed(frame.events.volume_tests.size());
+    std::vector<std::uint64_t> listed(frame.steps.volumes.size());
     for (const PassedPair& pair : attribution.passed) {
-        const std::uint32_t parent = tree.parents[pair.test];
-        const std::uint64_t around = parent == TraversalTree::no_parent ? 0 : listed[parent];
+        const std::uint32_t parent = frame.steps.volumes[pair.test].parent;
+        const std::uint64_t around = parent == no_step ? 0 : listed[parent];
         listed[pair.test] = around;
         if (pair.reason != reason_) continue;
-        const FalsePair found{frame.frame, pair, frame.events.volume_tests[pair.test]};
+        const FalsePair found{frame.frame, pair, frame.steps.volumes[pair.test]};
         const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
         if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;
         (outermost ? outermost_ : parts_).push_back(found);
@@ -95,7 +94,7 @@ std::vector<FalsePair> WorstPairs::pairs() const {
 
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
     for (const WrongRejection& rejection : attribution.wrongly_rejected)
-        pairs_.push_back({frame.frame, rejection, frame.events.volume_tests[rejection.test]});
+        pairs_.push_back({frame.frame, rejection, frame.steps.volumes[rejection.test]});
     add(std::vector<WronglyRejectedPair>{});
 }
 

@@ -8,7 +8,7 @@ namespace scb {
 struct FalsePair {
     int frame = 0;
     PassedPair pair;
-    VolumeTest test;
+    Step test;
     double margin =
         0;  ///< as of ContactCertificate: gap or depth of the volumes, see sharpen_margin
 };
@@ -21,7 +21,7 @@ void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& 
 struct WronglyRejectedPair {
     int frame = 0;
     WrongRejection rejection;
-    VolumeTest test;
+    Step test;
 };
 
 /// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
@@ -36,8 +36,7 @@ class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
-    /// `tree` is traversal_tree's.
-    void add(const TraceFrame& frame, const TraversalTree& tree, const Attribution& attribution);
+    void add(const TraceFrame& frame, const Attribution& attribution);
     /// Adds what others kept of other frames.
     void add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts);
     /// The worst one first.

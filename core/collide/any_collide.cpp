@@ -32,7 +32,7 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
-                  EventRecorder& recorder) {
+                  StepRecorder& recorder) {
     return with_both(a, b, [&]<class V>(const Hierarchy<V>& of_a, const Hierarchy<V>& of_b) {
         return collide(Collider<V>{of_a, mesh_a}, Collider<V>{of_b, mesh_b}, b_to_a, options,
                        recorder);

@@ -1,25 +1,21 @@
 #include "core/collide/dual_traversal.h"
 
-// The second translation unit of collide.h: with somebody to tell.
+// The second translation unit of collide.h: with an observer.
 namespace scb {
 namespace {
 
 struct Caller {
     const ObserverCalls& calls;
 
-    void volume_test(IndexPair nodes, int depth_a, int depth_b, Stage stage) {
-        calls.volume_test(calls.observer, nodes, depth_a, depth_b, stage);
-    }
-    void triangle_test(IndexPair triangles, bool intersect) {
-        calls.triangle_test(calls.observer, triangles, intersect);
-    }
+    void volume_test(const Step& step) { calls.volume_test(calls.observer, step); }
+    void item_test(const ItemStep& items) { calls.item_test(calls.observer, items); }
 };
 
 }  // namespace
 
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
-                  const CollideOptions& options, EventRecorder& recorder) {
+                  const CollideOptions& options, StepRecorder& recorder) {
     return dual_traversal(a, b, b_to_a, options, recorder);
 }
 
@@ -32,7 +28,7 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
 
 #define SCB_INSTANTIATE(V)                                                          \
     template Collision collide(const Collider<V>&, const Collider<V>&, const Pose&, \
-                               const CollideOptions&, EventRecorder&);              \
+                               const CollideOptions&, StepRecorder&);               \
     template Collision collide(const Collider<V>&, const Collider<V>&, const Pose&, \
                                const CollideOptions&, const ObserverCalls&);
 SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -13,17 +15,52 @@
 
 namespace scb {
 
-/// Told nothing: the traversal is compiled without the calls.
+/// No observer; its calls compile away.
 struct NoObserver {};
 
-/// Whether there is anybody to tell: calls that do nothing still change how a compiler orders its
-/// instructions.
+/// Whether O is an observer. Calls that do nothing still change how a compiler orders instructions,
+/// so without an observer there are no calls.
 template <class O>
 inline constexpr bool observed = !std::same_as<O, NoObserver>;
 
-/// How an observer is handed on. NoObserver goes by value, which takes no instruction.
+/// Hands the tests of one query to an observer, as numbered steps. Throws std::length_error where a
+/// number or a depth does not fit into a step.
 template <class O>
-using Told = std::conditional_t<observed<O>, O&, NoObserver>;
+class StepNumbers {
+  public:
+    explicit StepNumbers(O& observer) : observer_(observer) {}
+
+    /// Returns the number of the step.
+    std::uint32_t volume_test(IndexPair nodes, int depth_a, int depth_b, Stage stage,
+                              std::uint32_t parent) {
+        constexpr int deepest = std::numeric_limits<std::uint16_t>::max();
+        if (depth_a > deepest || depth_b > deepest || next_ == no_step)
+            throw std::length_error("a query too deep or too long to be observed");
+        observer_.volume_test(Step{nodes, static_cast<std::uint16_t>(depth_a),
+                                   static_cast<std::uint16_t>(depth_b), stage, parent});
+        return next_++;
+    }
+    void item_test(const ItemStep& items) { observer_.item_test(items); }
+
+  private:
+    O& observer_;
+    std::uint32_t next_ = 0;
+};
+
+/// Of no observer.
+template <>
+class StepNumbers<NoObserver> {
+  public:
+    explicit StepNumbers(NoObserver&) {}
+};
+
+/// An argument of the traversal. Without an observer it goes by value, which takes no instruction.
+template <class O>
+using StepsArgument = std::conditional_t<observed<O>, StepNumbers<O>&, StepNumbers<NoObserver>>;
+
+/// The number of a step, where an observer receives steps.
+template <class O>
+using StepNumber = std::conditional_t<observed<O>, std::uint32_t, NoObserver>;
 
 /// The area and the volume by which a node is chosen to be divided: its own, but for volumes that
 /// have a quicker one.
@@ -79,7 +116,7 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
 /// The traversal, compiled for one volume type, overlap test, descent rule and observer.
 template <DescentRule rule, Volume V, class Test, class O>
 void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& placed, const Test& test,
-              const CollideOptions& options, [[maybe_unused]] O& observer, Collision& result) {
+              const CollideOptions& options, O& observer, Collision& result) {
     const Topology& topology_a = *a.hierarchy.topology;
     const Topology& topology_b = *b.hierarchy.topology;
     const TopologyNode* const nodes_a = topology_a.nodes.data();
@@ -92,6 +129,7 @@ void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& place
     struct Pending {
         std::uint32_t a, b;
         int depth_a, depth_b;
+        [[no_unique_address]] StepNumber<O> step;
     };
     std::vector<Pending> pending;
     pending.reserve(256);
@@ -100,18 +138,20 @@ void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& place
         result.pairs.push_back({i, j});
         if (result.pairs.size() >= options.max_pairs) result.complete = false;
     };
-    // A pair that overlaps is tested for triangles at once, or divided later. The observer is an
-    // argument, since as a capture it would be stored even where there is nothing to tell.
-    const auto visit = [&](Told<O> told, std::uint32_t i, std::uint32_t j, int depth_a,
-                           int depth_b) {
+    // A pair that overlaps is tested for triangles at once, or divided later. The steps are an
+    // argument, since a capture would be stored even without an observer.
+    const auto visit = [&](StepsArgument<O> steps, std::uint32_t i, std::uint32_t j, int depth_a,
+                           int depth_b, StepNumber<O> parent) {
         const Stage stage = test(volumes_a[i], volumes_b[j], placed);
         ++result.stages[static_cast<std::size_t>(stage)];
-        if constexpr (observed<O>) told.volume_test({i, j}, depth_a, depth_b, stage);
+        StepNumber<O> step{};
+        if constexpr (observed<O>)
+            step = steps.volume_test({i, j}, depth_a, depth_b, stage, parent);
         if (stage != Stage::overlapping) return;
         const bool at_end_a = nodes_a[i].is_leaf() || depth_a == options.stop_level;
         const bool at_end_b = nodes_b[j].is_leaf() || depth_b == options.stop_level;
         if (!at_end_a || !at_end_b) {
-            pending.push_back({i, j, depth_a, depth_b});
+            pending.push_back({i, j, depth_a, depth_b, step});
             return;
         }
         if (options.stop_level >= 0) return found(i, j);
@@ -121,11 +161,14 @@ void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& place
         const bool intersect =
             triangles_overlap(corners(a.mesh, triangle_a),
                               transform_corners(placed.b_to_a, corners(b.mesh, triangle_b)));
-        if constexpr (observed<O>) told.triangle_test({triangle_a, triangle_b}, intersect);
+        if constexpr (observed<O>) steps.item_test({{triangle_a, triangle_b}, step, intersect});
         if (intersect) found(triangle_a, triangle_b);
     };
 
-    visit(observer, 0, 0, 0, 0);
+    StepNumbers<O> steps(observer);
+    StepNumber<O> root{};
+    if constexpr (observed<O>) root = no_step;
+    visit(steps, 0, 0, 0, 0, root);
     while (!pending.empty() && result.complete) {
         const Pending p = pending.back();
         pending.pop_back();
@@ -136,12 +179,12 @@ void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& place
         if (at_end_b ||
             (!at_end_a && descends_into_a<rule>(volumes_a[p.a], volumes_b[p.b], depth))) {
             const std::uint32_t left = nodes_a[p.a].left;
-            visit(observer, left, p.b, p.depth_a + 1, p.depth_b);
-            if (result.complete) visit(observer, left + 1, p.b, p.depth_a + 1, p.depth_b);
+            visit(steps, left, p.b, p.depth_a + 1, p.depth_b, p.step);
+            if (result.complete) visit(steps, left + 1, p.b, p.depth_a + 1, p.depth_b, p.step);
         } else {
             const std::uint32_t left = nodes_b[p.b].left;
-            visit(observer, p.a, left, p.depth_a, p.depth_b + 1);
-            if (result.complete) visit(observer, p.a, left + 1, p.depth_a, p.depth_b + 1);
+            visit(steps, p.a, left, p.depth_a, p.depth_b + 1, p.step);
+            if (result.complete) visit(steps, p.a, left + 1, p.depth_a, p.depth_b + 1, p.step);
         }
     }
 }

@@ -478,6 +478,15 @@ static inline void scb_record_test(scb_recorder* r, uint32_t node_a, uint32_t no
     scb_rec_event(r, (unsigned char)(stage < 128 ? stage : 127), node_a, node_b);
 }
 
+/** The same, of a test that an earlier test led to: `parent` is the number of that test in this
+ * query; tests of volumes have the numbers 0, 1, 2, ... Without it, scb takes the latest test of
+ * the parents of the nodes. */
+static inline void scb_record_step(scb_recorder* r, uint32_t parent, uint32_t node_a,
+                                   uint32_t node_b, uint8_t stage) {
+    scb_rec_event(r, 131, parent, 0);
+    scb_record_test(r, node_a, node_b, stage);
+}
+
 /** A test of two triangles, or of two objects: items of leaves. */
 static inline void scb_record_items(scb_recorder* r, uint32_t item_a, uint32_t item_b, int meet) {
     scb_rec_event(r, (unsigned char)(meet ? 129 : 128), item_a, item_b);

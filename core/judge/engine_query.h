@@ -24,6 +24,9 @@ struct EngineEvent {
     Kind kind = Kind::volumes;
     std::uint8_t stage = 0;      ///< of volumes: at which they were rejected; 0: they overlap
     std::uint32_t a = 0, b = 0;  ///< numbers of nodes, or items
+    /// Of volumes: number of the test of volumes in this query that led to this test, where the
+    /// engine recorded it; an earlier test, of nodes at or above these nodes.
+    std::uint32_t parent = no_index;
 
     friend bool operator==(const EngineEvent&, const EngineEvent&) = default;
 };

@@ -78,28 +78,28 @@ TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
             if (meet && !query.tells_pairs) found.pairs.push_back(items);
             const std::uint32_t led_by = links.led_to_items(items);
             if (!are_objects(query) && led_by != no_index && place[led_by] != no_index)
-                frame.events.triangle_tests.push_back({items, place[led_by], meet});
+                frame.steps.items.push_back({items, place[led_by], meet});
             continue;
         }
         const IndexPair nodes = nodes_of(query, event);
-        const std::uint32_t led_by = links.take_volumes(nodes, event.stage == 0).led_by;
+        const std::uint32_t led_by =
+            links.take_volumes(nodes, event.stage == 0, event.parent).led_by;
         if (nodes.a == no_index || nodes.b == no_index) {
             place.push_back(no_index);
             continue;
         }
         const Stage stage = stage_at(event.stage);
-        place.push_back(static_cast<std::uint32_t>(frame.events.volume_tests.size()));
-        frame.parents.push_back(led_by == no_index ? TraversalTree::no_parent : place[led_by]);
-        frame.events.volume_tests.push_back(
-            {nodes, depth_of(query.sides[0], nodes.a), depth_of(query.sides[1], nodes.b), stage});
+        place.push_back(static_cast<std::uint32_t>(frame.steps.volumes.size()));
+        frame.steps.volumes.push_back({nodes, depth_of(query.sides[0], nodes.a),
+                                       depth_of(query.sides[1], nodes.b), stage,
+                                       led_by == no_index ? no_step : place[led_by]});
         if (!is_foreign(stage)) ++found.stages[static_cast<std::size_t>(stage)];
-        const VolumeTest& test = frame.events.volume_tests.back();
+        const Step& test = frame.steps.volumes.back();
         found.depth = std::max(found.depth, test.depth_a + test.depth_b);
     }
-    std::stable_sort(
-        frame.events.triangle_tests.begin(), frame.events.triangle_tests.end(),
-        [](const TriangleTest& x, const TriangleTest& y) { return x.after < y.after; });
-    found.n_v = frame.events.volume_tests.size();
+    std::stable_sort(frame.steps.items.begin(), frame.steps.items.end(),
+                     [](const ItemStep& x, const ItemStep& y) { return x.step < y.step; });
+    found.n_v = frame.steps.volumes.size();
     found.complete = query.complete;
     if (are_objects(query)) found.pairs = pairs_of_holders(query, std::move(found.pairs));
     std::sort(found.pairs.begin(), found.pairs.end());

@@ -18,8 +18,7 @@ std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
 }  // namespace
 
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
-                        const TraceHeader& header, const TraceFrame& frame,
-                        const TraversalTree& tree) {
+                        const TraceHeader& header, const TraceFrame& frame) {
     // Without results nobody knows what a test led to.
     if (!query.tells_items && !query.tells_pairs) return {};
     const std::vector<std::uint64_t> contacts = contacts_below(judged);
@@ -29,7 +28,7 @@ Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
         if (test.nodes.a == no_index || test.nodes.b == no_index) continue;
         TestedPair pair;
         pair.known = test.verdict != TestVerdict::unjudged;
-        const bool passed = frame.events.volume_tests[pairs.size()].stage == Stage::overlapping;
+        const bool passed = frame.steps.volumes[pairs.size()].stage == Stage::overlapping;
         if (pair.known)
             pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
                                                                         : Contact::disjoint;
@@ -39,7 +38,7 @@ Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
                       query.sides[1].shape->is_leaf(test.nodes.b);
         pairs.push_back(pair);
     }
-    return attribute(header, frame, tree, pairs);
+    return attribute(header, frame, pairs);
 }
 
 }  // namespace scb

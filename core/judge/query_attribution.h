@@ -9,7 +9,6 @@ namespace scb {
 /// queries: of the tests that are in `frame`, its trace_frame. Nothing where the query tells no
 /// results.
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
-                        const TraceHeader& header, const TraceFrame& frame,
-                        const TraversalTree& tree);
+                        const TraceHeader& header, const TraceFrame& frame);
 
 }  // namespace scb

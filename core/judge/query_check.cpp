@@ -165,7 +165,8 @@ class Judge {
         const auto found = certificate_of(query_, query_.b_to_a, test.nodes);
         test.verdict = verdict_of(found, event.stage);
         if (found) test.margin = found->margin;
-        const TestLinks::Link link = links_.take_volumes(test.nodes, event.stage == 0);
+        const TestLinks::Link link =
+            links_.take_volumes(test.nodes, event.stage == 0, event.parent);
         test.parent = link.led_by;
         test.repeated = link.repeated;
         result_.tests.push_back(test);

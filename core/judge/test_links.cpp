@@ -9,11 +9,11 @@ IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event) {
     return {query.sides[0].tree->index_of(event.a), query.sides[1].tree->index_of(event.b)};
 }
 
-TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap) {
+TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap, std::uint32_t parent) {
     const std::uint32_t index = taken_++;
     Link link;
     if (nodes.a != no_index && nodes.b != no_index) {
-        link.led_by = led_to(nodes);
+        link.led_by = parent != no_index ? parent : led_to(nodes);
         const auto [known, added] = tests_.try_emplace(pair_key(query_, nodes.a, nodes.b), index);
         link.repeated = !added;
         if (added && has_against_) against_[nodes.a].push_back(nodes.b);

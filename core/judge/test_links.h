@@ -12,8 +12,8 @@ namespace scb {
 /// The indices of the nodes that a test of volumes names; no_index: there is none.
 IndexPair nodes_of(const EngineQuery& query, const EngineEvent& event);
 
-/// Which test of a query led to which, restored from their order and the trees: engines need not
-/// tell it. Tests are numbered in order.
+/// Which test of a query led to which: as the engine recorded it, else restored from the trees and
+/// the order of the tests. Tests are numbered in order.
 class TestLinks {
   public:
     /// The query must outlive this.
@@ -24,7 +24,8 @@ class TestLinks {
         bool repeated = false;            ///< the query made the test before
     };
     /// Takes the next test of two volumes: of nodes by their indices, perhaps no_index.
-    Link take_volumes(IndexPair nodes, bool overlap);
+    /// `parent`: the test that led to it, where the engine recorded it.
+    Link take_volumes(IndexPair nodes, bool overlap, std::uint32_t parent = no_index);
     /// The test of volumes that led to a test of two items: the latest of the nodes that have them;
     /// where there was none, the latest that passed.
     std::uint32_t led_to_items(IndexPair items) const;

@@ -21,8 +21,7 @@ Json tests_by_depth(const std::filesystem::path& trace) {
     Json counts = Json::object();
     while (const TraceFrame* frame = input.reader.next()) {
         std::map<int, std::int64_t> tests;
-        for (const VolumeTest& test : frame->events.volume_tests)
-            ++tests[test.depth_a + test.depth_b];
+        for (const Step& test : frame->steps.volumes) ++tests[test.depth_a + test.depth_b];
         for (const auto& [depth, count] : tests)
             counts["frames"][std::to_string(frame->frame)][std::string(tests_by_depth_key)]
                   [std::to_string(depth)] = count;

@@ -43,7 +43,7 @@ class Queries {
     PassCounts waste(std::int64_t number) {
         const std::lock_guard lock(mutex_);
         const TraceFrame& frame = seek(number);
-        return source_->attribution(frame, traversal_tree(source_->header(), frame)).counts;
+        return source_->attribution(frame).counts;
     }
 
   private:

@@ -5,8 +5,8 @@
 namespace scb::python {
 namespace {
 
-const VolumeTest no_volume_test{};
-const TriangleTest no_triangle_test{};
+const Step no_volume_test{};
+const ItemStep no_triangle_test{};
 
 template <class Element>
 const Element& first_of(const std::vector<Element>& elements, const Element& none) {
@@ -17,14 +17,13 @@ const Element& first_of(const std::vector<Element>& elements, const Element& non
 
 FrameTests::FrameTests(const TraceHeader& header, const TraceFrame& frame)
     : all_([&] {
-          auto all = std::make_shared<All>(All{header, frame, traversal_tree(header, frame), {}});
+          auto all = std::make_shared<All>(All{header, frame, outcomes_of(header, frame), {}});
           TraceFrame& told = all->frame;
-          for (VolumeTest& test : told.events.volume_tests)
-              test.nodes = numbers_of(frame, test.nodes);
+          for (Step& test : told.steps.volumes) test.nodes = numbers_of(frame, test.nodes);
           if (pairs_are_nodes(header))
               for (IndexPair& pair : told.found.pairs) pair = numbers_of(frame, pair);
           told.trees = {};
-          all->outcomes.insert(all->tree.outcomes.begin(), all->tree.outcomes.end());
+          all->occurring.insert(all->outcomes.begin(), all->outcomes.end());
           return all;
       }()) {}
 
@@ -36,42 +35,41 @@ py::array FrameTests::column(const std::vector<Element>& elements, const Number&
 }
 
 py::array FrameTests::node_a() const {
-    const std::vector<VolumeTest>& tests = frame().events.volume_tests;
+    const std::vector<Step>& tests = frame().steps.volumes;
     return column(tests, first_of(tests, no_volume_test).nodes.a);
 }
 py::array FrameTests::node_b() const {
-    const std::vector<VolumeTest>& tests = frame().events.volume_tests;
+    const std::vector<Step>& tests = frame().steps.volumes;
     return column(tests, first_of(tests, no_volume_test).nodes.b);
 }
 py::array FrameTests::depth_a() const {
-    const std::vector<VolumeTest>& tests = frame().events.volume_tests;
+    const std::vector<Step>& tests = frame().steps.volumes;
     return column(tests, first_of(tests, no_volume_test).depth_a);
 }
 py::array FrameTests::depth_b() const {
-    const std::vector<VolumeTest>& tests = frame().events.volume_tests;
+    const std::vector<Step>& tests = frame().steps.volumes;
     return column(tests, first_of(tests, no_volume_test).depth_b);
 }
 py::array FrameTests::outcome() const {
-    const std::vector<Outcome>& outcomes = all_->tree.outcomes;
+    const Outcomes& outcomes = all_->outcomes;
     return view_of(py::dtype::of<std::uint8_t>(), outcomes.data(),
                    {static_cast<py::ssize_t>(outcomes.size())}, {1}, all_);
 }
 py::array FrameTests::parent() const {
-    const std::vector<std::uint32_t>& parents = all_->tree.parents;
-    return view_of(py::dtype::of<std::uint32_t>(), parents.data(),
-                   {static_cast<py::ssize_t>(parents.size())}, {4}, all_);
+    const std::vector<Step>& steps = frame().steps.volumes;
+    return column(steps, first_of(steps, no_volume_test).parent);
 }
 py::array FrameTests::triangle_a() const {
-    const std::vector<TriangleTest>& tests = frame().events.triangle_tests;
-    return column(tests, first_of(tests, no_triangle_test).triangles.a);
+    const std::vector<ItemStep>& tests = frame().steps.items;
+    return column(tests, first_of(tests, no_triangle_test).items.a);
 }
 py::array FrameTests::triangle_b() const {
-    const std::vector<TriangleTest>& tests = frame().events.triangle_tests;
-    return column(tests, first_of(tests, no_triangle_test).triangles.b);
+    const std::vector<ItemStep>& tests = frame().steps.items;
+    return column(tests, first_of(tests, no_triangle_test).items.b);
 }
 py::array FrameTests::intersect() const {
-    const std::vector<TriangleTest>& tests = frame().events.triangle_tests;
-    return column(tests, first_of(tests, no_triangle_test).intersect);
+    const std::vector<ItemStep>& tests = frame().steps.items;
+    return column(tests, first_of(tests, no_triangle_test).hit);
 }
 py::array FrameTests::pairs() const {
     const std::vector<IndexPair>& pairs = frame().found.pairs;
@@ -81,7 +79,7 @@ py::array FrameTests::pairs() const {
 
 py::dict FrameTests::outcome_names() const {
     py::dict names;
-    for (const Outcome outcome : all_->outcomes)
+    for (const Outcome outcome : all_->occurring)
         names[py::int_(static_cast<int>(outcome))] = is_ending(outcome)
                                                          ? ending_words(all_->header, outcome)
                                                          : std::string(outcome_name(outcome));

@@ -37,8 +37,8 @@ class FrameTests {
     struct All {
         TraceHeader header;
         TraceFrame frame;
-        TraversalTree tree;
-        std::set<Outcome> outcomes;  ///< those that there are
+        Outcomes outcomes;
+        std::set<Outcome> occurring;  ///< of these
     };
     std::shared_ptr<const All> all_;
 

@@ -14,11 +14,11 @@ Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFr
     Heat heat;
     heat.of = of;
     std::vector<bool> wasted;
-    if (of == HeatOf::wasted) wasted = wasted_tests(traversal_tree(header, frame));
+    if (of == HeatOf::wasted) wasted = wasted_tests(frame.steps, outcomes_of(header, frame));
     heat.wasted = static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
     for (std::size_t side = 0; side < 2; ++side) {
         heat.counts[side] =
-            triangle_heat(frame.events, bodies[side].tree->shape(), side, of, wasted);
+            triangle_heat(frame.steps, bodies[side].tree->shape(), side, of, wasted);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
     // The next of 1, 2 and 5 times a power of ten.

@@ -30,8 +30,8 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
 /// The leaves of one side that overlapped, though their triangles are apart.
 std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t side) {
     std::vector<IndexPair> leaves;
-    for (const TriangleTest& test : frame.events.triangle_tests)
-        if (!test.intersect) leaves.push_back(frame.events.volume_tests[test.after].nodes);
+    for (const ItemStep& test : frame.steps.items)
+        if (!test.hit) leaves.push_back(frame.steps.volumes[test.step].nodes);
     return side_of(leaves, side);
 }
 

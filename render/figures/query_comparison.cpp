@@ -81,7 +81,7 @@ bool agree(const std::vector<EndingGroup>& a, const std::vector<EndingGroup>& b)
 
 /// Which nodes are seen in each: where they can be compared, those that either query would show.
 std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
-                                         const std::array<TraversalTree, 2>& trees,
+                                         const std::array<Outcomes, 2>& trees,
                                          const RejectionsStyle& style) {
     std::array<EndedNodes, 2> shown;
     for (std::size_t i = 0; i < 2; ++i)
@@ -153,9 +153,8 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
                                                 const PairsOfOne& only_here,
                                                 const RejectionsStyle& style) {
     std::array<ComparedView, 2> views;
-    const std::array<TraversalTree, 2> trees = {
-        traversal_tree(*queries[0].header, *queries[0].frame),
-        traversal_tree(*queries[1].header, *queries[1].frame)};
+    const std::array<Outcomes, 2> trees = {outcomes_of(*queries[0].header, *queries[0].frame),
+                                           outcomes_of(*queries[1].header, *queries[1].frame)};
     const std::array<EndedNodes, 2> ended = compared_nodes(queries, trees, style);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];

@@ -113,11 +113,11 @@ std::string volumes_text(std::size_t side, const std::string& name) {
 
 /// The triangles of the leaves at which paths ended since triangles met.
 std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceFrame& frame,
-                                             const TraversalTree& tree, std::size_t side,
+                                             const Outcomes& outcomes, std::size_t side,
                                              EndedPathsFilter filter) {
     filter.endings = {Outcome::triangles_meet};
     std::vector<std::uint32_t> triangles;
-    for (const EndedPaths& leaf : ended_paths(frame, tree, side, filter))
+    for (const EndedPaths& leaf : ended_paths(frame, outcomes, side, filter))
         for (const std::uint32_t triangle : body.tree->items(leaf.node))
             triangles.push_back(triangle);
     std::sort(triangles.begin(), triangles.end());
@@ -128,12 +128,12 @@ std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceF
 /// the rarest of endings, and what one looks for: most of these triangles are apart from others
 /// more often.
 std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& frame,
-                                   const TraversalTree& tree, const RejectionsStyle& style) {
+                                   const Outcomes& outcomes, const RejectionsStyle& style) {
     if (style.by == NodeColor::share || !is_shown(Outcome::triangles_meet, style)) return {};
     std::array<std::vector<std::uint32_t>, 2> shown;
     for (std::size_t side = 0; side < 2; ++side)
         if (style.sides[side])
-            shown[side] = meeting_triangles(bodies[side], frame, tree, side, style.filter);
+            shown[side] = meeting_triangles(bodies[side], frame, outcomes, side, style.filter);
     if (shown[0].empty() && shown[1].empty()) return {};
     std::vector<Segment> lines;
     for (Segment& line : contact_segments(bodies, frame, 0)) {
@@ -152,19 +152,19 @@ std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& 
 
 }  // namespace
 
-EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
-                       const TraversalTree& tree, const RejectionsStyle& style) {
+EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+                       const RejectionsStyle& style) {
     EndedNodes ended;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!style.sides[side]) continue;
-        ended[side] = ended_paths(frame, tree, side, style.filter);
+        ended[side] = ended_paths(frame, outcomes, side, style.filter);
         if (!style.nested) ended[side] = innermost(ended[side], bodies[side].tree->shape());
     }
     if (style.focus < 1) leave_out_large(ended, bodies, style);
     return ended;
 }
 
-Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
+Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
                      const EndedNodes& ended, const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -195,7 +195,7 @@ Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const T
         mesh.backdrop = true;
         pane.meshes.push_back(std::move(mesh));
     }
-    pane.segments = meeting_lines(bodies, frame, tree, style);
+    pane.segments = meeting_lines(bodies, frame, outcomes, style);
     return pane;
 }
 
@@ -235,8 +235,8 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
 }
 
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TraversalTree& tree, const RejectionsStyle& style) {
-    const EndingCounts all = ending_counts(frame, tree), counts = shown_counts(all, style);
+                                      const Outcomes& outcomes, const RejectionsStyle& style) {
+    const EndingCounts all = ending_counts(frame, outcomes), counts = shown_counts(all, style);
     const auto ended =
         static_cast<double>(std::accumulate(all.begin(), all.end(), std::uint64_t{0}));
     std::vector<PanelItem> items;
@@ -275,16 +275,16 @@ std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& e
 }
 
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                        const TraceFrame& frame, const TraversalTree& tree,
+                                        const TraceFrame& frame, const Outcomes& outcomes,
                                         const EndedNodes& ended, const RejectionsStyle& style) {
-    const EndingCounts counts = ending_counts(frame, tree);
+    const EndingCounts counts = ending_counts(frame, outcomes);
     const std::uint64_t paths = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     std::vector<PanelItem> items;
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
-    for (PanelItem& item : endings_legend(header, frame, tree, style))
+    for (PanelItem& item : endings_legend(header, frame, outcomes, style))
         items.push_back(std::move(item));
     if (const auto leaves = counts[static_cast<std::size_t>(Outcome::triangles_apart)] +
                             counts[static_cast<std::size_t>(Outcome::triangles_meet)];
@@ -297,11 +297,11 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
 }
 
 PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
-                         const TraversalTree& tree, const RejectionsStyle& style) {
+                         const Outcomes& outcomes, const RejectionsStyle& style) {
     PanelChart chart;
     chart.title = "by depth of the pair";
     const std::vector<EndingGroup> groups = shown_groups(header, style);
-    for (const EndingCounts& of_depth : endings_by_depth(frame, tree)) {
+    for (const EndingCounts& of_depth : endings_by_depth(frame, outcomes)) {
         const EndingCounts counts = shown_counts(of_depth, style);
         std::vector<BarPart>& row = chart.rows.emplace_back();
         for (const EndingGroup& group : groups)

@@ -32,13 +32,13 @@ struct RejectionsStyle {
 
 /// The nodes at which paths of a query ended, of both bodies; empty on a side that is not shown.
 using EndedNodes = std::array<std::vector<EndedPaths>, 2>;
-EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame,
-                       const TraversalTree& tree, const RejectionsStyle& style);
+EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+                       const RejectionsStyle& style);
 
 /// Each node at which paths ended, with its ending's color, those of B hatched: as its exact
 /// volume, or, where its triangle was tested, as that; behind them faintly the meshes, and before
 /// all the lines in which triangles meet.
-Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const TraversalTree& tree,
+Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
                      const EndedNodes& ended, const RejectionsStyle& style);
 
 /// Whether there is nothing in it but the meshes behind.
@@ -52,7 +52,7 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
 /// The endings that are shown with their counts, and their shares of all. Without their colors
 /// where colors are a scale.
 std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
-                                      const TraversalTree& tree, const RejectionsStyle& style);
+                                      const Outcomes& outcomes, const RejectionsStyle& style);
 
 /// Both bodies' colors, and how many nodes of each are drawn.
 std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& ended,
@@ -63,11 +63,11 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style);
 
 /// Its numbers and legend.
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                        const TraceFrame& frame, const TraversalTree& tree,
+                                        const TraceFrame& frame, const Outcomes& outcomes,
                                         const EndedNodes& ended, const RejectionsStyle& style);
 
 /// How the tests of each depth of pairs ended, as stacked bars of what is shown.
 PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
-                         const TraversalTree& tree, const RejectionsStyle& style);
+                         const Outcomes& outcomes, const RejectionsStyle& style);
 
 }  // namespace scb::render

@@ -99,13 +99,13 @@ struct Key {
     std::uint64_t count = 0;
 };
 
-std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const TraversalTree& tree,
+std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes& outcomes,
                          const Theme& theme) {
     EndingCounts counts{};
     std::uint64_t divided = 0;
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        if (is_ending(tree.outcomes[i]))
-            ++counts[static_cast<std::size_t>(tree.outcomes[i])];
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (is_ending(outcomes[i]))
+            ++counts[static_cast<std::size_t>(outcomes[i])];
         else
             ++divided;
     }
@@ -223,8 +223,8 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     const FigureLayout layout = figure_layout(width, height);
     const FigureStyle style{theme, layout.unit};
     const int unit = layout.unit, margin = layout.heading.x, inside = width - 2 * margin;
-    const TraversalTree tree = traversal_tree(header, frame);
-    const DepthMatrix matrix = depth_matrix(frame.events);
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const DepthMatrix matrix = depth_matrix(frame.steps);
     const std::vector<EndingGroup> groups = ending_groups(header, theme);
 
     overlay.begin();
@@ -235,7 +235,8 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
           unit / 2;
     int bottom = height - margin;
     if (figure.icicle) {
-        const Legend legend(overlay, keys_of(groups, tree, theme), frame.found.n_v, inside, style);
+        const Legend legend(overlay, keys_of(groups, outcomes, theme), frame.found.n_v, inside,
+                            style);
         // In a tiny picture the plots come first.
         if (bottom - legend.height() - top >= least_body * unit) {
             bottom -= legend.height();
@@ -276,7 +277,7 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
     }
     if (figure.icicle) {
         const DrawnIcicle drawn =
-            draw_icicle(overlay, below(right, of_icicle), frame.events, tree, groups, style);
+            draw_icicle(overlay, below(right, of_icicle), frame.steps, outcomes, groups, style);
         if (notes) icicle_caption.note = icicle_note(drawn.numbers, drawn.stacks);
         draw_caption(overlay, right, icicle_caption, style);
     }

@@ -4,22 +4,23 @@
 #include <array>
 #include <cassert>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/costly_tests.h"
+#include "core/analysis/outcome.h"
 
 namespace scb::render {
 namespace {
 
-std::size_t depth_of(const VolumeTest& test) { return std::size_t{test.depth_a} + test.depth_b; }
+std::size_t depth_of(const Step& test) { return std::size_t{test.depth_a} + test.depth_b; }
 
 /// Where each test begins, in tests.
-std::vector<std::uint32_t> begins_of(const TraversalTree& tree,
+std::vector<std::uint32_t> begins_of(const std::vector<Step>& tests,
                                      const std::vector<std::uint32_t>& sizes) {
     std::vector<std::uint32_t> begins(sizes.size(), 0);
     std::vector<std::uint32_t> next(sizes.size(), 0);  // where a test's next child begins
     std::uint32_t next_root = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const std::uint32_t parent = tree.parents[i];
-        if (parent != TraversalTree::no_parent) {
+        const std::uint32_t parent = tests[i].parent;
+        if (parent != no_step) {
             begins[i] = next[parent];
             next[parent] += sizes[i];
         } else {
@@ -32,7 +33,7 @@ std::vector<std::uint32_t> begins_of(const TraversalTree& tree,
 }
 
 /// The tests of each row, in their order.
-std::vector<std::vector<std::uint32_t>> rows_of(const std::vector<VolumeTest>& tests,
+std::vector<std::vector<std::uint32_t>> rows_of(const std::vector<Step>& tests,
                                                 std::size_t first_depth,
                                                 std::size_t depths_per_row) {
     std::vector<std::vector<std::uint32_t>> rows;
@@ -114,26 +115,25 @@ void add_stack(Icicle& icicle, int row, const std::vector<Column>& line, int beg
 
 }  // namespace
 
-Icicle icicle(const Events& events, const TraversalTree& tree,
-              const std::vector<EndingGroup>& groups, int columns, int most_rows, int block) {
+Icicle icicle(const Steps& steps, const Outcomes& outcomes, const std::vector<EndingGroup>& groups,
+              int columns, int most_rows, int block) {
     assert(columns > 0 && most_rows > 0 && block > 0 && "an icicle has pixels");
     assert(groups.size() <= most_groups && "each ending is in one group");
-    const std::vector<VolumeTest>& tests = events.volume_tests;
+    const std::vector<Step>& tests = steps.volumes;
     Icicle result;
     result.columns = columns;
     if (tests.empty()) return result;
 
     std::size_t first_depth = depth_of(tests[0]);
-    for (const VolumeTest& test : tests) first_depth = std::min(first_depth, depth_of(test));
+    for (const Step& test : tests) first_depth = std::min(first_depth, depth_of(test));
     std::size_t depths = 0;
-    for (const VolumeTest& test : tests)
-        depths = std::max(depths, depth_of(test) - first_depth + 1);
+    for (const Step& test : tests) depths = std::max(depths, depth_of(test) - first_depth + 1);
     const auto most = static_cast<std::size_t>(most_rows);
     const std::size_t per_row = (depths + most - 1) / most;
     result.first_depth = static_cast<int>(first_depth);
     result.depths_per_row = static_cast<int>(per_row);
-    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
-    const std::vector<std::uint32_t> begins = begins_of(tree, sizes);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(steps);
+    const std::vector<std::uint32_t> begins = begins_of(tests, sizes);
     const std::vector<std::vector<std::uint32_t>> rows = rows_of(tests, first_depth, per_row);
     result.rows = static_cast<int>(rows.size());
     const GroupIndex group_of(groups);
@@ -144,7 +144,7 @@ Icicle icicle(const Events& events, const TraversalTree& tree,
     for (std::size_t row = 0; row < rows.size(); ++row) {
         std::fill(line.begin(), line.end(), Column{});
         for (const std::uint32_t i : rows[row]) {
-            const std::uint32_t group = group_of(tree.outcomes[i]);
+            const std::uint32_t group = group_of(outcomes[i]);
             const std::uint64_t begin = std::uint64_t{begins[i]} * width;
             const std::uint64_t end = begin + std::uint64_t{sizes[i]} * width;
             ++line[begin / all].begins;

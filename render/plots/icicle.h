@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/outcome.h"
 #include "render/plots/ending_colors.h"
-#include "scb/event_recorder.h"
+#include "scb/step_recorder.h"
 
 namespace scb::render {
 
@@ -49,9 +49,9 @@ struct Icicle {
     std::vector<IcicleStack> stacks;  ///< the same
 };
 
-/// Of a query's events and their tree, or of a part of a query; `groups` must have all endings that
-/// occur. `columns`, `most_rows` and `block` (columns of a block) are at least 1.
-Icicle icicle(const Events& events, const TraversalTree& tree,
-              const std::vector<EndingGroup>& groups, int columns, int most_rows, int block);
+/// Of a query's steps and their outcomes, or of a part of a query; `groups` must have all endings
+/// that occur. `columns`, `most_rows` and `block` (columns of a block) are at least 1.
+Icicle icicle(const Steps& steps, const Outcomes& outcomes, const std::vector<EndingGroup>& groups,
+              int columns, int most_rows, int block);
 
 }  // namespace scb::render

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/costly_tests.h"
+#include "core/analysis/outcome.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
 #include "render/plots/icicle.h"
@@ -51,8 +52,8 @@ class StackRows {
 
 Rgba8 divided_color(const Theme& theme) { return mix(theme.background, theme.text, 0.1); }
 
-DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
-                        const TraversalTree& tree, const std::vector<EndingGroup>& groups,
+DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Steps& steps,
+                        const Outcomes& outcomes, const std::vector<EndingGroup>& groups,
                         const FigureStyle& style) {
     const Theme& theme = style.theme;
     const int unit = style.unit, small = small_size(unit);
@@ -60,10 +61,10 @@ DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& e
     const int left = overlay.measure("00", label).width + unit / 3;
     if (rect.width <= left || rect.height < 1) return {{rect.x, rect.y, 0, 0}};
     const Icicle icicle =
-        render::icicle(events, tree, groups, rect.width - left, rect.height, block_width);
+        render::icicle(steps, outcomes, groups, rect.width - left, rect.height, block_width);
     if (icicle.rows == 0) return {{rect.x, rect.y, 0, 0}};
     DrawnIcicle drawn{{rect.x, rect.y, rect.width, 0}, false, !icicle.stacks.empty()};
-    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(steps);
 
     const int row_height = std::min(rect.height / icicle.rows, 2 * unit);
     const int row_gap = row_height >= least_parted_height ? 1 : 0;

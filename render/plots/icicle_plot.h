@@ -18,8 +18,8 @@ struct DrawnIcicle {
 
 /// Draws a frame's recursion (see Icicle) as wide as the rectangle, the depth of a row's pairs at
 /// its left. Rectangles of divided pairs carry how many tests they cost, where there is room.
-DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Events& events,
-                        const TraversalTree& tree, const std::vector<EndingGroup>& groups,
+DrawnIcicle draw_icicle(Overlay& overlay, const PixelRect& rect, const Steps& steps,
+                        const Outcomes& outcomes, const std::vector<EndingGroup>& groups,
                         const FigureStyle& style);
 
 }  // namespace scb::render

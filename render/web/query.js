@@ -33,7 +33,7 @@ class Query {
         parents[i] = nodes[3 * i + 2] | 0;  // none is -1
       }
     } else {
-      // As the query went on: first the roots, then all children of the pair that was divided last.
+      // Predicted: first the roots, then all children of the pair that was divided last.
       const divided = [];
       let next = 0;
       const visit = (slot_a, slot_b, parent) => {

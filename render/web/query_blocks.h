@@ -17,16 +17,16 @@ struct QueryBlocks {
     /// rejected some that overlap or hold triangles that intersect. Bit 7: triangles below it
     /// intersect, and no test that followed says so.
     std::size_t outcomes = 0;
-    /// A's and B's node of each test, and the test that led to it or 2^32 - 1, u32; nothing where
-    /// they follow from the outcomes: first the
-    /// roots, then, of the pair that was divided last and is still to be gone into, all children.
+    /// Per step A's node, B's node and the parent, n x 3, u32; 2^32 - 1: no parent. Nothing where
+    /// the page predicts all of them from the outcomes: first the roots, then all children of the
+    /// pair that was divided last.
     std::optional<std::size_t> nodes;
     std::size_t pairs = 0;  ///< of triangles, u32
 };
 
 /// `groups` are those of the header, see ending_groups. Of `bodies` the trees are needed.
 QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
-                         const TraversalTree& tree, const Attribution& attribution,
+                         const Outcomes& outcomes, const Attribution& attribution,
                          const std::vector<EndingGroup>& groups, BlockStore& store);
 
 }  // namespace scb::render

@@ -22,6 +22,7 @@ enum class RecordTag : std::uint8_t {
     items_apart = 128,
     items_meet = 129,
     pair = 130,
+    parent = 131,
     setting = 192,
     stage,
     mesh,
@@ -39,7 +40,8 @@ enum class RecordTag : std::uint8_t {
 /// From this tag on a record says how long it is; those below are of 9 bytes.
 inline constexpr std::uint8_t first_long_tag = 192;
 
-/// A test of two volumes or of two items (triangles, objects), or a pair that a query reported.
+/// A test of two volumes or of two items (triangles, objects), a pair that a query reported, or
+/// the parent of the next test of volumes: `a` is the parent's number in the query, from 0.
 struct RecordedEvent {
     std::uint8_t tag = 0;
     std::uint32_t a = 0, b = 0;

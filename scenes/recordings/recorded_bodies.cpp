@@ -51,9 +51,9 @@ std::string BodyCopies::volumes() const {
 
 RecordedBodies bodies_at(const Recording& recording, int frame) {
     RecordedQueries queries(*recording.file);
-    using Step = RecordedQueries::Step;
-    for (Step step = queries.next(); step != Step::end; step = queries.next())
-        if (step == Step::frame && queries.frame() == frame) break;
+    using Ended = RecordedQueries::Ended;
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next())
+        if (ended == Ended::frame && queries.frame() == frame) break;
     RecordedBodies result;
     result.frame = frame;
     BodyCopies copies;

@@ -9,6 +9,7 @@
 
 #include "core/base/text_format.h"
 #include "core/judge/mapped_volume.h"
+#include "core/judge/test_links.h"
 #include "scb/error.h"
 #include "scenes/recordings/number_bits.h"
 #include "scenes/recordings/recorded_volume.h"
@@ -40,8 +41,8 @@ RecordedQueries::RecordedQueries(const RecordingFile& file)
     query_.tells_pairs = file.summary.tells_pairs || file.summary.pairs > 0;
 }
 
-RecordedQueries::Step RecordedQueries::next() {
-    if (ended_) return Step::end;
+RecordedQueries::Ended RecordedQueries::next() {
+    if (ended_) return Ended::end;
     if (next_frame_) {
         frame_ = *next_frame_;
         next_frame_.reset();
@@ -51,16 +52,16 @@ RecordedQueries::Step RecordedQueries::next() {
     while (const Record* record = reader_.next()) {
         std::visit([&](const auto& r) { take(r); }, *record);
         telling_ = tree_told_by(*record);
-        if (query_done_) return Step::query;
-        if (next_frame_) return Step::frame;
+        if (query_done_) return Ended::query;
+        if (next_frame_) return Ended::frame;
     }
     ended_ = true;
     // What a program that crashed has told of its last query counts as an end ahead of time.
-    if (!in_query_) return Step::frame;
+    if (!in_query_) return Ended::frame;
     broke_off_ = true;
     take(RecordedQueryEnd{false, 0});
     ended_ = false;
-    return Step::query;
+    return Ended::query;
 }
 
 void RecordedQueries::take(const RecordedStage& stage) {
@@ -79,16 +80,22 @@ void RecordedQueries::take(const RecordedEvent& event) {
     }
     EngineEvent taken{EngineEvent::Kind::volumes, 0, event.a, event.b};
     const auto tag = static_cast<RecordTag>(event.tag);
-    if (tag < RecordTag::items_apart)
+    if (tag == RecordTag::parent) {
+        next_parent_ = event.a;
+        return;
+    }
+    if (tag < RecordTag::items_apart) {
         taken.stage = event.tag;
-    else if (tag == RecordTag::items_apart)
+        taken.parent = std::exchange(next_parent_, no_index);
+    } else if (tag == RecordTag::items_apart) {
         taken.kind = EngineEvent::Kind::items_apart;
-    else if (tag == RecordTag::items_meet)
+    } else if (tag == RecordTag::items_meet) {
         taken.kind = EngineEvent::Kind::items_meet;
-    else if (tag == RecordTag::pair)
+    } else if (tag == RecordTag::pair) {
         taken.kind = EngineEvent::Kind::pair;
-    else
+    } else {
         return;  // of a later version
+    }
     query_.events.push_back(taken);
 }
 
@@ -192,6 +199,36 @@ void RecordedQueries::take(const RecordedQuery& query) {
                                 ", which was not told, so that results are not judged");
     }
     query_.events.clear();
+    next_parent_ = no_index;
+}
+
+void RecordedQueries::check_parents() {
+    const auto is_at_or_below = [](const TreeShape& shape, std::uint32_t node,
+                                   std::uint32_t above) {
+        if (node == no_index || above == no_index || !shape.hangs(above)) return false;
+        while (node != no_index && node != above) node = shape.parents[node];
+        return node == above;
+    };
+    std::vector<IndexPair> tested;
+    for (EngineEvent& event : query_.events) {
+        if (event.kind != EngineEvent::Kind::volumes) continue;
+        const IndexPair nodes = nodes_of(query_, event);
+        if (event.parent != no_index) {
+            const std::string what = "test " + std::to_string(tested.size()) +
+                                     " of a query has the parent " + std::to_string(event.parent);
+            if (event.parent >= tested.size()) {
+                note(unusable_, what + ", which is no earlier test");
+                event.parent = no_index;
+            } else if (const IndexPair above = tested[event.parent];
+                       nodes == above ||
+                       !is_at_or_below(*query_.sides[0].shape, nodes.a, above.a) ||
+                       !is_at_or_below(*query_.sides[1].shape, nodes.b, above.b)) {
+                note(unusable_, what + ", whose nodes are not above its nodes");
+                event.parent = no_index;
+            }
+        }
+        tested.push_back(nodes);
+    }
 }
 
 void RecordedQueries::take(const RecordedQueryEnd& end) {
@@ -238,6 +275,7 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
                              : of_poses > of_numbers ? ToleranceCause::pose
                              : placing > length      ? ToleranceCause::distance
                                                      : ToleranceCause::reach;
+    check_parents();
     query_.b_to_a_before.reset();
     if (query_.placed && bodies[0]->last && bodies[1]->last)
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);

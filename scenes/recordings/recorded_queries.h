@@ -49,7 +49,7 @@ struct OddRecords {
 /// none, a tree or body that there is not, frames that do not ascend.
 class RecordedQueries {
   public:
-    enum class Step {
+    enum class Ended {
         query,  ///< `query` is set
         frame,  ///< all of `frame` was told
         end,
@@ -58,7 +58,7 @@ class RecordedQueries {
     /// `file` must outlive this.
     explicit RecordedQueries(const RecordingFile& file);
 
-    Step next();
+    Ended next();
 
     int frame() const { return frame_; }
     /// A tree, by its number, as it is now.
@@ -123,6 +123,8 @@ class RecordedQueries {
     void take(const RecordedPose& pose);
     void take(const RecordedQuery& query);
     void take(const RecordedQueryEnd& end);
+    /// Removes the recorded parents that are not valid.
+    void check_parents();
     void take(const RecordedEnd&) {}
     void take(const RecordedUnknown&) { ++unknown_records_; }
 
@@ -140,6 +142,7 @@ class RecordedQueries {
 
     std::string name_;
     RecordingReader reader_;
+    std::uint32_t next_parent_ = no_index;  ///< of the test of volumes that follows
     std::map<std::uint32_t, MeshState> meshes_;
     std::map<std::uint32_t, TreeState> trees_;
     std::map<std::uint32_t, BodyState> bodies_;

@@ -15,7 +15,7 @@
 namespace scb::scenes {
 namespace {
 
-using Step = RecordedQueries::Step;
+using Ended = RecordedQueries::Ended;
 
 bool are_objects(const std::array<BodyAtFrame, 2>& bodies) {
     return bodies[0].mesh->triangles.empty() || bodies[1].mesh->triangles.empty();
@@ -103,8 +103,8 @@ bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {
 void RecordedTrace::read_bodies() {
     RecordedQueries queries(*recording_->file);
     BodyCopies copies;
-    for (Step step = queries.next(); step != Step::end; step = queries.next()) {
-        if (step != Step::query || !is_wanted(queries) || bodies_.contains(queries.frame()))
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next()) {
+        if (ended != Ended::query || !is_wanted(queries) || bodies_.contains(queries.frame()))
             continue;
         const std::vector<EngineEvent>& events = queries.query().events;
         test_counts_[queries.frame()] = static_cast<std::uint64_t>(std::count_if(
@@ -176,11 +176,11 @@ const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {
 
 const TraceFrame& RecordedTrace::frame(int number) {
     while (true) {
-        const Step step = queries_->next();
-        if (step == Step::end)
+        const Ended ended = queries_->next();
+        if (ended == Ended::end)
             throw InputError(recording_->file->path + ": it has no frame " +
                              std::to_string(number) + " any more.");
-        if (step == Step::query && queries_->frame() == number && is_wanted(*queries_)) break;
+        if (ended == Ended::query && queries_->frame() == number && is_wanted(*queries_)) break;
     }
     frame_ = trace_frame(queries_->query(), stages_);
     for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, number).tree;
@@ -191,8 +191,8 @@ int RecordedTrace::frame_of_test(IndexPair nodes, int usual) const {
     RecordedQueries queries(*recording_->file);
     std::optional<int> seen;  // of several queries in a frame, the first counts
     std::optional<int> first;
-    for (Step step = queries.next(); step != Step::end; step = queries.next()) {
-        if (step != Step::query || queries.query_bodies() != numbers_ || seen == queries.frame())
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next()) {
+        if (ended != Ended::query || queries.query_bodies() != numbers_ || seen == queries.frame())
             continue;
         seen = queries.frame();
         const NodesTested found = tested(queries.query(), nodes);
@@ -202,12 +202,12 @@ int RecordedTrace::frame_of_test(IndexPair nodes, int usual) const {
     return first.value_or(usual);
 }
 
-Attribution RecordedTrace::attribution(const TraversalTree& tree) {
+Attribution RecordedTrace::attribution() {
     const EngineQuery& query = queries_->query();
     if (!query.placed) return {};
     return scb::attribution(query,
                             judge_query(query, own_.contacts(query, queries_->finite_meshes())),
-                            header_, frame_, tree);
+                            header_, frame_);
 }
 
 RecordedResults RecordedTrace::results() {

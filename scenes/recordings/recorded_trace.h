@@ -58,7 +58,7 @@ class RecordedTrace {
     int frame_of_test(IndexPair nodes, int usual) const;
     /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
     /// nothing where a body has no pose.
-    Attribution attribution(const TraversalTree& tree);
+    Attribution attribution();
     /// What that query reported against the exact pairs, with the engine's rounding, as
     /// RecordingJudgement has it; nothing where a body has no pose.
     RecordedResults results();

@@ -13,7 +13,7 @@
 namespace scb::scenes {
 namespace {
 
-using Step = RecordedQueries::Step;
+using Ended = RecordedQueries::Ended;
 
 /// What was told last; where nothing was, what the file is called.
 std::string setting_of(const RecordedQueries& queries, const std::string& key,
@@ -33,10 +33,10 @@ class RecordingContents {
   public:
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
-    void take(RecordedQueries& queries, Step step) {
+    void take(RecordedQueries& queries, Ended ended) {
         // Once for all bodies of a frame, and once more at its end for those that came later.
-        if (step == Step::frame || taken_ != queries.frame()) take_bodies(queries);
-        if (step == Step::query) take_query(queries);
+        if (ended == Ended::frame || taken_ != queries.frame()) take_bodies(queries);
+        if (ended == Ended::query) take_query(queries);
     }
 
     /// After the last step.
@@ -162,8 +162,8 @@ Recording read_recording(std::shared_ptr<const RecordingFile> file) {
     recording.file = std::move(file);
     RecordedQueries queries(*recording.file);
     RecordingContents contents(recording);
-    for (Step step = queries.next(); step != Step::end; step = queries.next())
-        contents.take(queries, step);
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next())
+        contents.take(queries, ended);
     contents.finish(queries);
     return recording;
 }
@@ -192,7 +192,7 @@ Scene scene_at(const Recording& recording, int frame) {
     scene.default_frame = frame;
     RecordedQueries queries(*recording.file);
     // As of the poses: at the first query of the frame or, where that has none, at its end.
-    for (Step step = queries.next(); step != Step::end; step = queries.next())
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next())
         if (queries.frame() == frame) break;
     for (const auto& [number, body] : queries.bodies()) {
         Body& of_scene = scene.bodies[recording.bodies.at(number)];

@@ -70,6 +70,8 @@ Json event_json(const RecordedEvent& event) {
             return {"meet", event.a, event.b};
         case RecordTag::pair:
             return {"pair", event.a, event.b};
+        case RecordTag::parent:
+            return {"parent", event.a, event.b};
         default:
             return {event.tag, event.a, event.b};
     }
@@ -228,7 +230,7 @@ RecordedVolume volume_of(const JsonPlace& object) {
 }
 
 void add_events(RecordingWriter& out, const JsonPlace& list) {
-    const char* expected = "a test: [stage or \"apart\", \"meet\", \"pair\", a, b]";
+    const char* expected = "a test: [stage or \"apart\", \"meet\", \"pair\", \"parent\", a, b]";
     const std::size_t size = array_size(list, "a list of tests");
     for (std::size_t i = 0; i < size; ++i) {
         const JsonPlace place = element(list, i);
@@ -237,10 +239,12 @@ void add_events(RecordingWriter& out, const JsonPlace& list) {
         RecordedEvent event;
         if (what.value->is_string()) {
             const std::string word = read_text(what);
-            if (word != "apart" && word != "meet" && word != "pair") refuse_value(place, expected);
+            if (word != "apart" && word != "meet" && word != "pair" && word != "parent")
+                refuse_value(place, expected);
             event.tag = static_cast<std::uint8_t>(word == "apart"  ? RecordTag::items_apart
                                                   : word == "meet" ? RecordTag::items_meet
-                                                                   : RecordTag::pair);
+                                                  : word == "pair" ? RecordTag::pair
+                                                                   : RecordTag::parent);
         } else {
             event.tag = static_cast<std::uint8_t>(number_of(what, first_long_tag - 1));
         }

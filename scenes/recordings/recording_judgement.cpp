@@ -28,10 +28,10 @@ class RecordingJudge {
     RecordingJudgement judged(const std::function<bool(int)>& wanted,
                               const std::function<bool(bool)>& done) && {
         for (;;) {
-            const RecordedQueries::Step step = recording_.next();
-            if (step == RecordedQueries::Step::end) break;
+            const RecordedQueries::Ended ended = recording_.next();
+            if (ended == RecordedQueries::Ended::end) break;
             const bool want = wanted(recording_.frame());
-            if (step == RecordedQueries::Step::query) {
+            if (ended == RecordedQueries::Ended::query) {
                 if (want) take_query(recording_.query());
                 if (want && !done(false)) {
                     note_left(wanted, recording_.frame());

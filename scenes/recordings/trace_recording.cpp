@@ -151,13 +151,13 @@ void TraceRecording::add(const TraceFrame& frame, const std::array<Pose, 2>& pos
         writer_.add(RecordedEvent{static_cast<std::uint8_t>(tag), pair.a, pair.b});
     };
     std::size_t next = 0;
-    const auto& triangle_tests = frame.events.triangle_tests;
-    for (std::uint32_t i = 0; i < frame.events.volume_tests.size(); ++i) {
-        const VolumeTest& test = frame.events.volume_tests[i];
+    const auto& triangle_tests = frame.steps.items;
+    for (std::uint32_t i = 0; i < frame.steps.volumes.size(); ++i) {
+        const Step& test = frame.steps.volumes[i];
         event(static_cast<RecordTag>(test.stage), test.nodes);
-        for (; next < triangle_tests.size() && triangle_tests[next].after == i; ++next)
-            event(triangle_tests[next].intersect ? RecordTag::items_meet : RecordTag::items_apart,
-                  triangle_tests[next].triangles);
+        for (; next < triangle_tests.size() && triangle_tests[next].step == i; ++next)
+            event(triangle_tests[next].hit ? RecordTag::items_meet : RecordTag::items_apart,
+                  triangle_tests[next].items);
     }
     if (tests_triangles_)
         for (const IndexPair pair : frame.found.pairs) event(RecordTag::pair, pair);

@@ -49,6 +49,7 @@ void tell(ByteWriter& news, std::map<std::uint32_t, std::uint32_t>& known, std::
 struct Divided {
     IndexPair nodes;
     int depth_a, depth_b;
+    std::uint32_t step;
 };
 
 /// Rebuilds a frame's tests from symbols and news.
@@ -97,7 +98,8 @@ struct FrameBuilder {
         return left;
     }
 
-    void visit(std::uint8_t symbol, IndexPair pair, int depth_a, int depth_b) {
+    void visit(std::uint8_t symbol, IndexPair pair, int depth_a, int depth_b,
+               std::uint32_t parent) {
         Stage stage = Stage::overlapping;
         if (symbol >= rejected_first) {
             const int number = symbol - rejected_first + 1;
@@ -116,13 +118,14 @@ struct FrameBuilder {
         if (frame.found.pairs.size() >= header.options.max_pairs)
             failure = "there are tests after the last pair";
         if (!failure.empty()) return;
-        frame.events.volume_tests.push_back({pair, static_cast<std::uint16_t>(depth_a),
-                                             static_cast<std::uint16_t>(depth_b), stage});
+        const auto step = static_cast<std::uint32_t>(frame.steps.volumes.size());
+        frame.steps.volumes.push_back({pair, static_cast<std::uint16_t>(depth_a),
+                                       static_cast<std::uint16_t>(depth_b), stage, parent});
         Collision& found = frame.found;
         ++found.n_v;
         ++found.stages[static_cast<std::size_t>(stage)];
         found.depth = std::max(found.depth, depth_a + depth_b);
-        if (symbol == divided) pending.push_back({pair, depth_a, depth_b});
+        if (symbol == divided) pending.push_back({pair, depth_a, depth_b, step});
         if (symbol != leaves_apart && symbol != leaves_meet) return;
         if (header.options.stop_level >= 0) {
             if (symbol == leaves_apart) failure = "there are triangles where no leaves are";
@@ -130,9 +133,7 @@ struct FrameBuilder {
             return;
         }
         const IndexPair triangles = {triangle_of(0, pair.a), triangle_of(1, pair.b)};
-        frame.events.triangle_tests.push_back(
-            {triangles, static_cast<std::uint32_t>(frame.events.volume_tests.size() - 1),
-             symbol == leaves_meet});
+        frame.steps.items.push_back({triangles, step, symbol == leaves_meet});
         ++found.n_p;
         if (symbol == leaves_meet) found.pairs.push_back(triangles);
     }
@@ -142,8 +143,8 @@ struct FrameBuilder {
 
 std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
                                       std::array<TraceNodes, 2>& nodes) {
-    const TraversalTree tree = traversal_tree(header, frame);
-    const std::vector<VolumeTest>& tests = frame.events.volume_tests;
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const std::vector<Step>& tests = frame.steps.volumes;
     ByteWriter plain, news;
     plain.varint(static_cast<std::uint64_t>(frame.frame));
     plain.varint(frame.found.n_u);
@@ -153,11 +154,11 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
     plain.varint(tests.size());
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < tests.size(); ++i) {
-        std::uint8_t symbol = symbol_of(tree.outcomes[i]);
+        std::uint8_t symbol = symbol_of(outcomes[i]);
         // Tests after the first come two by two.
-        if (const std::uint32_t parent = tree.parents[i]; i % 2 == 1) {
+        if (const std::uint32_t parent = frame.steps.volumes[i].parent; i % 2 == 1) {
             const IndexPair divided_pair = tests[parent].nodes;
-            if (tree.outcomes[parent] == Outcome::divided_a) {
+            if (outcomes[parent] == Outcome::divided_a) {
                 tell(news, nodes[0].left, divided_pair.a, tests[i].nodes.a, nodes[0].last_left);
             } else {
                 symbol |= of_b;
@@ -165,10 +166,9 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
             }
         }
         plain.byte(symbol);
-        if (tree.outcomes[i] != Outcome::triangles_apart &&
-            tree.outcomes[i] != Outcome::triangles_meet)
+        if (outcomes[i] != Outcome::triangles_apart && outcomes[i] != Outcome::triangles_meet)
             continue;
-        const IndexPair pair = frame.events.triangle_tests[triangles++].triangles;
+        const IndexPair pair = frame.steps.items[triangles++].items;
         tell(news, nodes[0].triangle, tests[i].nodes.a, pair.a, nodes[0].last_triangle);
         tell(news, nodes[1].triangle, tests[i].nodes.b, pair.b, nodes[1].last_triangle);
     }
@@ -179,8 +179,8 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
 std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> bytes,
                        std::array<TraceNodes, 2>& nodes, TraceFrame& frame) {
     ByteReader plain{bytes};
-    frame.events.volume_tests.clear();
-    frame.events.triangle_tests.clear();
+    frame.steps.volumes.clear();
+    frame.steps.items.clear();
     frame.found = {};
     const std::uint64_t number = plain.varint();
     frame.found.n_u = plain.varint();
@@ -194,10 +194,10 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     if (!plain.ok || symbols.empty()) return "a frame has no tests";
     if (number >= most_frames) return "the number of a frame is out of range";
     frame.frame = static_cast<int>(number);
-    frame.events.volume_tests.reserve(symbols.size());
+    frame.steps.volumes.reserve(symbols.size());
 
     FrameBuilder builder{header, nodes, plain, frame};
-    builder.visit(symbols[0], {0, 0}, 0, 0);
+    builder.visit(symbols[0], {0, 0}, 0, 0, no_step);
     for (std::size_t i = 1; i < symbols.size() && builder.failure.empty(); i += 2) {
         if (builder.pending.empty()) return "there are tests after the last one";
         const Divided p = builder.pending.back();
@@ -211,7 +211,7 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
             builder.visit(
                 child == 0 ? symbols[i] & static_cast<std::uint8_t>(~of_b) : symbols[i + 1],
                 divides_a ? IndexPair{left + child, p.nodes.b} : IndexPair{p.nodes.a, left + child},
-                depth_a, depth_b);
+                depth_a, depth_b, p.step);
     }
     if (!builder.failure.empty()) return builder.failure;
     if (!plain.bytes.empty()) return "a frame is longer than its tests";

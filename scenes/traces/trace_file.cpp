@@ -43,7 +43,7 @@ TraceWriter::TraceWriter(const TraceHeader& header) : header_(header) {
 
 void TraceWriter::add(const TraceFrame& frame) {
     assert(frame.frame >= 0 && frame.frame < most_frames && "no scene has such a frame");
-    if (frame.events.volume_tests.size() > std::size_t{1} << 31)
+    if (frame.steps.volumes.size() > std::size_t{1} << 31)
         throw InputError("frame " + std::to_string(frame.frame) +
                          " has more than 2^31 tests, which a trace cannot hold; choose a level to "
                          "stop at.");

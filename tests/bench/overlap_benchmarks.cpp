@@ -18,8 +18,8 @@ constexpr int frames[] = {50, 150, 240, 250, 300};
 /// Keeps the nodes of every volume test.
 struct PairRecorder {
     std::vector<IndexPair> pairs;
-    void volume_test(IndexPair nodes, int, int, Stage) { pairs.push_back(nodes); }
-    void triangle_test(IndexPair, bool) {}
+    void volume_test(const Step& step) { pairs.push_back(step.nodes); }
+    void item_test(const ItemStep&) {}
 };
 
 /// The volume tests that a query makes in five frames of spheres-l1, in their order.

@@ -41,23 +41,24 @@ const Query& query() {
 
 struct WritingObserver {
     scb_recorder* recorder;
-    void volume_test(IndexPair nodes, int, int, Stage stage) {
-        scb_record_test(recorder, nodes.a, nodes.b, static_cast<std::uint8_t>(stage));
+    void volume_test(const Step& step) {
+        scb_record_test(recorder, step.nodes.a, step.nodes.b,
+                        static_cast<std::uint8_t>(step.stage));
     }
-    void triangle_test(IndexPair triangles, bool intersect) {
-        scb_record_items(recorder, triangles.a, triangles.b, intersect);
+    void item_test(const ItemStep& test) {
+        scb_record_items(recorder, test.items.a, test.items.b, test.hit);
     }
 };
 
 /// Counts, so that what is left between the two is the recorder.
 struct CountingObserver {
     std::uint64_t tests = 0;
-    void volume_test(IndexPair nodes, int, int, Stage) {
-        benchmark::DoNotOptimize(nodes);
+    void volume_test(const Step& step) {
+        benchmark::DoNotOptimize(step.nodes);
         ++tests;
     }
-    void triangle_test(IndexPair triangles, bool) {
-        benchmark::DoNotOptimize(triangles);
+    void item_test(const ItemStep& test) {
+        benchmark::DoNotOptimize(test.items);
         ++tests;
     }
 };

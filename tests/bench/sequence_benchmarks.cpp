@@ -80,14 +80,14 @@ void ask(const Spheres& spheres, const render::QueryBodies& bodies, const TraceH
          int frame, TraceFrame& result) {
     const auto& [a, b] = std::pair(spheres.scene.bodies[0].mesh, spheres.scene.bodies[1].mesh);
 
-    EventRecorder recorder{std::move(result.events)};
-    recorder.events.volume_tests.clear();
-    recorder.events.triangle_tests.clear();
+    StepRecorder recorder{std::move(result.steps)};
+    recorder.steps.volumes.clear();
+    recorder.steps.items.clear();
     result.frame = frame;
     result.b_to_a = relative_pose(bodies[0].pose, bodies[1].pose);
     result.found = collide(spheres.hierarchies[a], *bodies[0].mesh, spheres.hierarchies[b],
                            *bodies[1].mesh, result.b_to_a, header.options, recorder);
-    result.events = std::move(recorder.events);
+    result.steps = std::move(recorder.steps);
 }
 
 enum class What { rejections, pairs };
@@ -101,11 +101,11 @@ void describe(render::SceneFigure& figure, What what, const render::QueryBodies&
         return;
     }
     const render::RejectionsStyle style;
-    const TraversalTree tree = traversal_tree(header, frame);
-    const render::EndedNodes ended = render::ended_nodes(bodies, frame, tree, style);
-    figure.pane = render::rejections_pane(bodies, frame, tree, ended, style);
-    figure.panel = render::rejections_panel(bodies, header, frame, tree, ended, style);
-    figure.chart = render::endings_chart(header, frame, tree, style);
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const render::EndedNodes ended = render::ended_nodes(bodies, frame, outcomes, style);
+    figure.pane = render::rejections_pane(bodies, frame, outcomes, ended, style);
+    figure.panel = render::rejections_panel(bodies, header, frame, outcomes, ended, style);
+    figure.chart = render::endings_chart(header, frame, outcomes, style);
 }
 
 /// The upper levels of both bodies at all of these frames, which the camera has to hold.

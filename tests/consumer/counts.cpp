@@ -86,18 +86,17 @@ struct OwnObserver {
     std::uint64_t volumes = 0, triangles = 0, hash = 14695981039346656037u;
     int stop_after = 0;
 
-    void volume_test(scb::IndexPair nodes, int depth_a, int depth_b, scb::Stage stage) {
+    void volume_test(const scb::Step& step) {
         ++volumes;
         for (const std::uint64_t value :
-             {std::uint64_t{nodes.a}, std::uint64_t{nodes.b}, std::uint64_t(depth_a),
-              std::uint64_t(depth_b), std::uint64_t(stage)})
+             {std::uint64_t{step.nodes.a}, std::uint64_t{step.nodes.b}, std::uint64_t(step.depth_a),
+              std::uint64_t(step.depth_b), std::uint64_t(step.stage), std::uint64_t(step.parent)})
             hash = (hash ^ value) * 1099511628211u;
         if (stop_after != 0 && volumes == std::uint64_t(stop_after)) throw stop_after;
     }
-    void triangle_test(scb::IndexPair triangles_tested, bool intersect) {
+    void item_test(const scb::ItemStep& test) {
         ++triangles;
-        for (const std::uint64_t value :
-             {triangles_tested.a, triangles_tested.b, std::uint32_t(intersect)})
+        for (const std::uint64_t value : {test.items.a, test.items.b, std::uint32_t(test.hit)})
             hash = (hash ^ value) * 1099511628211u;
     }
 };
@@ -194,9 +193,9 @@ int main() {
             require(observer.volumes == seen.n_v && observer.triangles == seen.n_p,
                     "the observer missed tests.");
             std::printf("observer: %016" PRIx64 "\n", observer.hash);
-            scb::EventRecorder recorder;
+            scb::StepRecorder recorder;
             collide(side, side, b_to_a, {}, recorder);
-            require(recorder.events.volume_tests.size() == seen.n_v, "the recorder missed tests.");
+            require(recorder.steps.volumes.size() == seen.n_v, "the recorder missed tests.");
             if (seen.n_v >= 3) {
                 observer = {};
                 observer.stop_after = 3;

@@ -29,8 +29,8 @@ void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
     const TraceHeader& header = recorded.header();
     for (const int number : recorded.frames()) {
         const TraceFrame& frame = recorded.frame(number);
-        const TraversalTree tree = traversal_tree(header, frame);
-        const EndingCounts counts = ending_counts(frame, tree);
+        const Outcomes outcomes = outcomes_of(header, frame);
+        const EndingCounts counts = ending_counts(frame, outcomes);
         std::uint64_t ended = 0;
         for (const std::uint64_t count : counts) ended += count;
         fuzz::require(ended <= frame.found.n_v, "a path ends once");
@@ -38,10 +38,9 @@ void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
             const scenes::BodyAtFrame body = recorded.body(side, number);
             if (number == recorded.frames().front()) use(*body.tree);
             const TreeShape& shape = body.tree->shape();
-            innermost(ended_paths(frame, tree, side), shape);
-            if (!header.engine->objects)
-                triangle_heat(frame.events, shape, side, HeatOf::triangles);
-            triangle_heat(frame.events, shape, side, HeatOf::volumes);
+            innermost(ended_paths(frame, outcomes, side), shape);
+            if (!header.engine->objects) triangle_heat(frame.steps, shape, side, HeatOf::triangles);
+            triangle_heat(frame.steps, shape, side, HeatOf::volumes);
         }
     }
 }

@@ -10,8 +10,8 @@ namespace scb {
 
 struct CountingObserver {
     std::uint64_t volume_tests = 0, intersections = 0;
-    void volume_test(IndexPair, int, int, Stage) { ++volume_tests; }
-    void triangle_test(IndexPair, bool intersect) { intersections += intersect; }
+    void volume_test(const Step&) { ++volume_tests; }
+    void item_test(const ItemStep& items) { intersections += items.hit; }
 };
 
 template void traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,

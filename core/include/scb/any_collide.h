@@ -2,7 +2,7 @@
 
 #include "scb/any_hierarchy.h"
 #include "scb/collide.h"
-#include "scb/event_recorder.h"
+#include "scb/step_recorder.h"
 
 namespace scb {
 
@@ -14,7 +14,7 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
 /// The same, with every test recorded.
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
-                  EventRecorder& recorder);
+                  StepRecorder& recorder);
 
 /// The stages at which a query on these volumes can reject.
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);

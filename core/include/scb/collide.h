@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "scb/descent_rule.h"
-#include "scb/event_recorder.h"
 #include "scb/hierarchy.h"
 #include "scb/observer.h"
 #include "scb/overlap_options.h"
 #include "scb/pose.h"
+#include "scb/step_recorder.h"
 
 namespace scb {
 
@@ -26,7 +26,7 @@ struct Collider {
 
 /// How a query goes, and when it ends.
 struct CollideOptions {
-    /// How two volumes are tested; of all but slab cut balls this says nothing.
+    /// How two volumes are tested; ignored for volumes other than Scb.
     OverlapOptions overlap;
     /// Which of two nodes that overlap is divided.
     DescentRule descent = DescentRule::radius;
@@ -64,17 +64,18 @@ template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options = {});
 
-/// The same, and `recorder` keeps every test. Throws std::length_error too, see EventRecorder.
+/// The same, and `recorder` keeps every test. Throws std::length_error too: of more than 2^32 - 1
+/// tests of volumes, or of a node deeper than 65,535.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
-                  const CollideOptions& options, EventRecorder& recorder);
+                  const CollideOptions& options, StepRecorder& recorder);
 
-/// The same, and `calls` is told of every test. What it throws comes out.
+/// The same, and `calls` receives every test. Its exceptions end the query and reach the caller.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, const ObserverCalls& calls);
 
-/// The same, told to an observer of the caller's, which costs a call of a function for each test.
+/// The same with an observer of the caller's type, at the price of one function call per test.
 template <Volume V, Observer O>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, O& observer) {

@@ -34,7 +34,7 @@ MadeQuery some_query() {
 }
 
 Attribution attributed(const MadeQuery& query, const std::vector<TestedPair>& pairs) {
-    return attribute(query.header, query.frame, query.tree(), pairs);
+    return attribute(query.header, query.frame, pairs);
 }
 
 TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
@@ -128,7 +128,7 @@ TEST(PassCounts, AddUpMemberByMember) {
 TEST(Inspection, CountsTestsByDepth) {
     const MadeQuery query = some_query();
     const auto inspected = [&](const std::vector<TestedPair>& pairs) {
-        return inspection(query.frame, query.tree(), attributed(query, pairs));
+        return inspection(query.frame, attributed(query, pairs));
     };
     using Counts = std::vector<std::uint64_t>;
     const auto counts = [](const Inspection& of, std::uint64_t DepthInspection::*count) {

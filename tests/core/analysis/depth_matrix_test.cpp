@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/outcome.h"
 #include "scb/any_collide.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
@@ -18,12 +18,12 @@ TraceFrame recorded(VolumeKind kind, TraceHeader& header) {
 
 /// The roots overlap and A's is divided; its first child is rejected, the second one overlaps and
 /// B's root is divided; of the two pairs that follow one is rejected.
-Events small_query() {
-    return {{{{0, 0}, 0, 0, Stage::overlapping},
-             {{1, 0}, 1, 0, Stage::ball_ball},
-             {{2, 0}, 1, 0, Stage::overlapping},
-             {{2, 1}, 1, 1, Stage::overlapping},
-             {{2, 2}, 1, 1, Stage::slab_ball}},
+Steps small_query() {
+    return {{{{0, 0}, 0, 0, Stage::overlapping, no_step},
+             {{1, 0}, 1, 0, Stage::ball_ball, 0},
+             {{2, 0}, 1, 0, Stage::overlapping, 0},
+             {{2, 1}, 1, 1, Stage::overlapping, 2},
+             {{2, 2}, 1, 1, Stage::slab_ball, 2}},
             {{{5, 7}, 3, true}}};
 }
 
@@ -41,7 +41,7 @@ TEST(DepthMatrix, SumsAreTheQuerysCounts) {
     for (const VolumeKind kind : all_volume_kinds()) {
         TraceHeader header;
         const TraceFrame frame = recorded(kind, header);
-        const DepthMatrix matrix = depth_matrix(frame.events);
+        const DepthMatrix matrix = depth_matrix(frame.steps);
         std::uint64_t tests = 0, rejected = 0;
         std::size_t deepest = 0;
         for (std::size_t b = 0; b < matrix.depths_b; ++b)
@@ -67,7 +67,7 @@ TEST(DepthMatrix, OfNothingIsEmpty) {
 
 TEST(DepthMatrix, CoarserCellsAddUp) {
     TraceHeader header;
-    const DepthMatrix fine = depth_matrix(recorded(VolumeKind::scb, header).events);
+    const DepthMatrix fine = depth_matrix(recorded(VolumeKind::scb, header).steps);
     const DepthMatrix coarse = coarser(fine, 3);
     ASSERT_EQ(coarse.depths_a, (fine.depths_a + 2) / 3);
     ASSERT_EQ(coarse.depths_b, (fine.depths_b + 2) / 3);
@@ -82,9 +82,8 @@ TEST(DepthMatrix, CoarserCellsAddUp) {
 }
 
 TEST(TestSizes, OfASmallQueryByHand) {
-    EXPECT_EQ(subtree_sizes(traversal_tree(small_query(), {})),
-              (std::vector<std::uint32_t>{5, 1, 3, 1, 1}));
-    EXPECT_TRUE(subtree_sizes(TraversalTree{}).empty());
+    EXPECT_EQ(subtree_sizes(small_query()), (std::vector<std::uint32_t>{5, 1, 3, 1, 1}));
+    EXPECT_TRUE(subtree_sizes({}).empty());
 }
 
 TEST(TestSizes, AreOneMoreThanThoseOfTheChildren) {
@@ -93,12 +92,12 @@ TEST(TestSizes, AreOneMoreThanThoseOfTheChildren) {
             TraceHeader header;
             header.options.max_pairs = most;
             const TraceFrame frame = recorded(kind, header);
-            const TraversalTree tree = traversal_tree(header, frame);
-            const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+            const std::vector<std::uint32_t> sizes = subtree_sizes(frame.steps);
             ASSERT_EQ(sizes.size(), frame.found.n_v);
             EXPECT_EQ(sizes[0], frame.found.n_v);
             std::vector<std::uint32_t> below(sizes.size(), 1);
-            for (std::size_t i = 1; i < sizes.size(); ++i) below[tree.parents[i]] += sizes[i];
+            for (std::size_t i = 1; i < sizes.size(); ++i)
+                below[frame.steps.volumes[i].parent] += sizes[i];
             EXPECT_EQ(sizes, below);
         }
 }

@@ -34,13 +34,13 @@ std::vector<TraceHeader> headers() {
 TEST(Endings, AreTheTestsThatWereNotPassedOn) {
     for (const TraceHeader& header : headers()) {
         const TraceFrame frame = some_frame(header);
-        const TraversalTree tree = traversal_tree(header, frame);
+        const Outcomes outcomes = outcomes_of(header, frame);
         std::uint64_t passed_on = 0;
-        for (const Outcome outcome : tree.outcomes)
+        for (const Outcome outcome : outcomes)
             passed_on += outcome == Outcome::divided_a || outcome == Outcome::divided_b;
         EndingCounts sum{};
         std::uint64_t ended = 0;
-        for (const EndingCounts& counts : endings_by_depth(frame, tree))
+        for (const EndingCounts& counts : endings_by_depth(frame, outcomes))
             for (std::size_t i = 0; i < ending_count; ++i) {
                 sum[i] += counts[i];
                 ended += counts[i];
@@ -61,13 +61,13 @@ TEST(Endings, AreTheTestsThatWereNotPassedOn) {
 
 TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
     TraceFrame frame;
-    frame.events.volume_tests = {{{0, 0}, 0, 0, Stage::overlapping},
-                                 {{1, 0}, 1, 0, Stage::ball_ball},
-                                 {{2, 0}, 1, 0, Stage::overlapping},
-                                 {{2, 1}, 1, 1, Stage::ball_ball},
-                                 {{2, 2}, 1, 1, Stage::slab_ball}};
-    const TraversalTree tree = traversal_tree(frame.events, {});
-    const std::vector<EndingCounts> counts = endings_by_depth(frame, tree);
+    frame.steps.volumes = {{{0, 0}, 0, 0, Stage::overlapping},
+                           {{1, 0}, 1, 0, Stage::ball_ball},
+                           {{2, 0}, 1, 0, Stage::overlapping},
+                           {{2, 1}, 1, 1, Stage::ball_ball},
+                           {{2, 2}, 1, 1, Stage::slab_ball}};
+    const Outcomes outcomes = outcomes_of(frame.steps, {});
+    const std::vector<EndingCounts> counts = endings_by_depth(frame, outcomes);
     ASSERT_EQ(counts.size(), 3u);
     const auto at = [&](std::size_t depth, Stage stage) {
         return counts[depth][static_cast<std::size_t>(stage)];
@@ -75,7 +75,7 @@ TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
     EXPECT_EQ(at(1, Stage::ball_ball), 1u);
     EXPECT_EQ(at(2, Stage::ball_ball), 1u);
     EXPECT_EQ(at(2, Stage::slab_ball), 1u);
-    EXPECT_EQ(ending_counts(frame, tree)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
+    EXPECT_EQ(ending_counts(frame, outcomes)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
 }
 
 TEST(Endings, HaveNames) {
@@ -96,16 +96,16 @@ TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
     for (const TraceHeader& header : headers())
         for (const std::size_t side : {0u, 1u}) {
             const TraceFrame frame = some_frame(header);
-            const TraversalTree tree = traversal_tree(header, frame);
+            const Outcomes outcomes = outcomes_of(header, frame);
             std::map<std::uint32_t, std::vector<Outcome>> ends;
             std::map<std::uint32_t, std::uint32_t> tested;
-            for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-                const VolumeTest& test = frame.events.volume_tests[i];
+            for (std::size_t i = 0; i < outcomes.size(); ++i) {
+                const Step& test = frame.steps.volumes[i];
                 const std::uint32_t node = side == 0 ? test.nodes.a : test.nodes.b;
                 ++tested[node];
-                if (is_ending(tree.outcomes[i])) ends[node].push_back(tree.outcomes[i]);
+                if (is_ending(outcomes[i])) ends[node].push_back(outcomes[i]);
             }
-            const std::vector<EndedPaths> front = ended_paths(frame, tree, side);
+            const std::vector<EndedPaths> front = ended_paths(frame, outcomes, side);
             ASSERT_EQ(front.size(), ends.size());
             auto expected = ends.begin();
             for (const EndedPaths& node : front) {
@@ -131,23 +131,23 @@ TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
 TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
     const TraceFrame frame = some_frame(header);
-    const TraversalTree tree = traversal_tree(header, frame);
+    const Outcomes outcomes = outcomes_of(header, frame);
     const std::vector<std::uint16_t> depths = node_depths(mesh().topology());
     EndedPathsFilter filter;
     filter.endings = {Outcome::triangles_apart, rejected_at(Stage::ball_ball)};
     filter.least_depth = 3;
     filter.most_depth = 9;
     std::uint64_t tests = 0, all = 0;
-    for (const EndedPaths& node : ended_paths(frame, tree, 1, filter)) {
+    for (const EndedPaths& node : ended_paths(frame, outcomes, 1, filter)) {
         EXPECT_EQ(node.depth, depths[node.node]);
         EXPECT_TRUE(node.depth >= 3 && node.depth <= 9);
         EXPECT_TRUE(node.dominant == filter.endings[0] || node.dominant == filter.endings[1]);
         tests += node.tests;
     }
-    for (std::size_t i = 0; i < tree.outcomes.size(); ++i) {
-        const VolumeTest& test = frame.events.volume_tests[i];
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const Step& test = frame.steps.volumes[i];
         all += test.depth_b >= 3 && test.depth_b <= 9 &&
-               (tree.outcomes[i] == Outcome::triangles_apart || test.stage == Stage::ball_ball);
+               (outcomes[i] == Outcome::triangles_apart || test.stage == Stage::ball_ball);
     }
     EXPECT_GT(all, 0u);
     EXPECT_EQ(tests, all);
@@ -156,7 +156,7 @@ TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
 TEST(EndedPathsOf, InnermostNodesHoldNoOther) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
     const TraceFrame frame = some_frame(header);
-    const std::vector<EndedPaths> front = ended_paths(frame, traversal_tree(header, frame), 0);
+    const std::vector<EndedPaths> front = ended_paths(frame, outcomes_of(header, frame), 0);
     const std::vector<EndedPaths> inner = innermost(front, tree_shape(mesh().topology()));
     const auto& nodes = mesh().topology().nodes;
     const auto holds = [&](std::uint32_t outer, std::uint32_t node) {

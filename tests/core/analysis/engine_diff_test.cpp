@@ -14,7 +14,7 @@ Trace rejecting(Stage stage, const std::vector<NamedStage>& stages) {
     query.test(0, {1, 0});
     query.test(0, {2, 0});
     query.triangles({4, 4}, true);
-    query.frame.events.volume_tests[1].stage = stage;
+    query.frame.steps.volumes[1].stage = stage;
     return {query.header, {query.frame}};
 }
 

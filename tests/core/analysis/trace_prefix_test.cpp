@@ -12,31 +12,30 @@ TEST(TracePrefix, AreTheQueryUpToThere) {
     const BuiltMesh mesh(height_field(9));
     for (const TraceHeader& header : queries_to_divide()) {
         const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
-        const TraversalTree of_whole = traversal_tree(header, whole);
+        const Outcomes of_whole = outcomes_of(header, whole);
         const std::size_t all = whole.found.n_v;
         std::size_t pairs = 0;
         for (std::size_t count = 0; count <= all; count += 7) {
-            const TraceFrame part = trace_prefix(header, whole, of_whole, count);
+            const TraceFrame part = trace_prefix(header, whole, count);
             EXPECT_EQ(part.found.n_v, count);
             EXPECT_EQ(test_count(part.found.stages), count);
-            EXPECT_EQ(part.found.n_p, part.events.triangle_tests.size());
+            EXPECT_EQ(part.found.n_p, part.steps.items.size());
             EXPECT_GE(part.found.pairs.size(), pairs);
             EXPECT_EQ(part.found.complete, count == all);
             EXPECT_TRUE(std::includes(whole.found.pairs.begin(), whole.found.pairs.end(),
                                       part.found.pairs.begin(), part.found.pairs.end()));
             pairs = part.found.pairs.size();
             // Its tree is that of the whole but for what was not divided yet.
-            const TraversalTree tree = traversal_tree(header, part);
+            const Outcomes outcomes = outcomes_of(header, part);
             for (std::size_t i = 0; i < count; ++i) {
-                EXPECT_EQ(tree.parents[i], of_whole.parents[i]);
-                EXPECT_TRUE(tree.outcomes[i] == of_whole.outcomes[i] ||
-                            tree.outcomes[i] == Outcome::left_over);
+                EXPECT_EQ(part.steps.volumes[i], whole.steps.volumes[i]);
+                EXPECT_TRUE(outcomes[i] == of_whole[i] || outcomes[i] == Outcome::left_over);
             }
         }
         // All of them, and more than there are.
         for (const std::size_t count : {all, all + 10}) {
-            const TraceFrame part = trace_prefix(header, whole, of_whole, count);
-            EXPECT_EQ(part.events, whole.events);
+            const TraceFrame part = trace_prefix(header, whole, count);
+            EXPECT_EQ(part.steps, whole.steps);
             EXPECT_EQ(part.found.pairs, whole.found.pairs);
             EXPECT_EQ(part.found.n_u, whole.found.n_u);
             EXPECT_EQ(part.found.n_p, whole.found.n_p);

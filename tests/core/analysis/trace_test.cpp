@@ -31,7 +31,7 @@ void expect_in(const std::string& part, const std::string& whole) {
 
 // ------------------------------------------------------------------------------------ test tree
 
-TEST(TraversalTree, FollowsTheHierarchies) {
+TEST(Outcomes, FollowsTheHierarchies) {
     for (const VolumeKind kind : all_volume_kinds())
         for (const DescentRule descent : all_descent_rules())
             for (const int level : {-1, 0, 3}) {
@@ -39,28 +39,28 @@ TEST(TraversalTree, FollowsTheHierarchies) {
                 header.options.descent = descent;
                 header.options.stop_level = level;
                 const TraceFrame frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
-                const TraversalTree tree = traversal_tree(header, frame);
-                const auto& tests = frame.events.volume_tests;
+                const Outcomes outcomes = outcomes_of(header, frame);
+                const auto& tests = frame.steps.volumes;
                 const auto& nodes_a = mesh_a().topology().nodes;
                 const auto& nodes_b = mesh_b().topology().nodes;
-                ASSERT_EQ(tree.parents.size(), tests.size());
-                EXPECT_EQ(tree.parents[0], TraversalTree::no_parent);
+                ASSERT_EQ(outcomes.size(), tests.size());
+                EXPECT_EQ(tests[0].parent, no_step);
                 std::vector<int> children(tests.size());
                 for (std::size_t i = 1; i < tests.size(); ++i) {
-                    const std::uint32_t p = tree.parents[i];
+                    const std::uint32_t p = tests[i].parent;
                     ASSERT_LT(p, i);
                     const IndexPair parent = tests[p].nodes, child = tests[i].nodes;
                     const auto turn = static_cast<std::uint32_t>(children[p]++);
-                    if (tree.outcomes[p] == Outcome::divided_a) {
+                    if (outcomes[p] == Outcome::divided_a) {
                         EXPECT_EQ(child, (IndexPair{nodes_a[parent.a].left + turn, parent.b}));
                     } else {
-                        ASSERT_EQ(tree.outcomes[p], Outcome::divided_b);
+                        ASSERT_EQ(outcomes[p], Outcome::divided_b);
                         EXPECT_EQ(child, (IndexPair{parent.a, nodes_b[parent.b].left + turn}));
                     }
                 }
                 std::size_t meet = 0, found = 0;
                 for (std::size_t i = 0; i < tests.size(); ++i) {
-                    const Outcome o = tree.outcomes[i];
+                    const Outcome o = outcomes[i];
                     EXPECT_EQ(is_rejection(o), tests[i].stage != Stage::overlapping);
                     EXPECT_EQ(children[i],
                               o == Outcome::divided_a || o == Outcome::divided_b ? 2 : 0);
@@ -73,13 +73,13 @@ TEST(TraversalTree, FollowsTheHierarchies) {
             }
 }
 
-TEST(TraversalTree, PairsMayBeLeftOver) {
+TEST(Outcomes, PairsMayBeLeftOver) {
     TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
     header.options.max_pairs = 1;
     const TraceFrame frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
-    const TraversalTree tree = traversal_tree(header, frame);
-    EXPECT_EQ(tree.outcomes.back(), Outcome::triangles_meet);
-    EXPECT_GT(std::count(tree.outcomes.begin(), tree.outcomes.end(), Outcome::left_over), 0);
+    const Outcomes outcomes = outcomes_of(header, frame);
+    EXPECT_EQ(outcomes.back(), Outcome::triangles_meet);
+    EXPECT_GT(std::count(outcomes.begin(), outcomes.end(), Outcome::left_over), 0);
 }
 
 // ---------------------------------------------------------------------------------- fingerprint
@@ -127,8 +127,8 @@ TEST(TraceDiff, TwoOverlapTestsPartWhereTheirStagesFirstDo) {
     EXPECT_EQ(d.first->frame, d.frames[0].frame);
     const auto index = static_cast<std::size_t>(
         std::find(three_frames.begin(), three_frames.end(), d.first->frame) - three_frames.begin());
-    const auto& tests_a = a.frames[index].events.volume_tests;
-    const auto& tests_b = b.frames[index].events.volume_tests;
+    const auto& tests_a = a.frames[index].steps.volumes;
+    const auto& tests_b = b.frames[index].steps.volumes;
     for (std::size_t i = 0; i < d.first->test; ++i) ASSERT_EQ(tests_a[i], tests_b[i]);
     EXPECT_EQ(d.first->a->test, tests_a[d.first->test]);
     EXPECT_EQ(d.first->b->test, tests_b[d.first->test]);
@@ -152,7 +152,7 @@ TEST(TraceDiff, FindsAnEventThatWasChanged) {
     const Trace a = slide(OverlapTest::symmetric);
     for (const std::size_t index : {std::size_t{0}, std::size_t{17}, std::size_t{40}}) {
         Trace b = a;
-        VolumeTest& test = b.frames[1].events.volume_tests[index];
+        Step& test = b.frames[1].steps.volumes[index];
         if (test.stage == Stage::overlapping) continue;
         test.stage = Stage::center_line;
         const TraceDiff d = diff(a, b);
@@ -168,17 +168,17 @@ TEST(TraceDiff, FindsAnEventThatWasChanged) {
 TEST(TraceDiff, FindsATriangleTestThatWasChanged) {
     const Trace a = slide(OverlapTest::symmetric);
     Trace b = a;
-    auto& triangles = b.frames[0].events.triangle_tests;
+    auto& triangles = b.frames[0].steps.items;
     ASSERT_GT(triangles.size(), 5u);
-    triangles[5].intersect = !triangles[5].intersect;
+    triangles[5].hit = !triangles[5].hit;
     // Later than the triangles, so not the first.
-    b.frames[0].events.volume_tests.back().stage = Stage::center_line;
+    b.frames[0].steps.volumes.back().stage = Stage::center_line;
     const TraceDiff d = diff(a, b);
     ASSERT_TRUE(d.first);
     EXPECT_EQ(d.first->frame, 2);
-    EXPECT_EQ(d.first->test, triangles[5].after);
+    EXPECT_EQ(d.first->test, triangles[5].step);
     ASSERT_TRUE(d.first->a->triangles && d.first->b->triangles);
-    EXPECT_NE(d.first->a->triangles->intersect, d.first->b->triangles->intersect);
+    EXPECT_NE(d.first->a->triangles->hit, d.first->b->triangles->hit);
     EXPECT_NE(words_of(*d.first->a, d.bodies), words_of(*d.first->b, d.bodies));
 }
 
@@ -187,19 +187,18 @@ TEST(TraceDiff, FindsTrianglesThatWereChanged) {
     const Trace a = slide(OverlapTest::symmetric);
     Trace b = a;
     TraceFrame& frame = b.frames[1];
-    const auto met =
-        std::find_if(frame.events.triangle_tests.begin(), frame.events.triangle_tests.end(),
-                     [](const TriangleTest& t) { return t.intersect; });
-    ASSERT_NE(met, frame.events.triangle_tests.end());
+    const auto met = std::find_if(frame.steps.items.begin(), frame.steps.items.end(),
+                                  [](const ItemStep& t) { return t.hit; });
+    ASSERT_NE(met, frame.steps.items.end());
     auto& pairs = frame.found.pairs;
-    const auto pair = std::find(pairs.begin(), pairs.end(), met->triangles);
-    met->triangles.a += 1000;
+    const auto pair = std::find(pairs.begin(), pairs.end(), met->items);
+    met->items.a += 1000;
     pair->a += 1000;
     std::sort(pairs.begin(), pairs.end());
     const TraceDiff d = diff(a, b);
     EXPECT_FALSE(d.equal());
     ASSERT_TRUE(d.first);
-    EXPECT_EQ(d.first->test, met->after);
+    EXPECT_EQ(d.first->test, met->step);
     EXPECT_EQ(d.pairs_only_in_a, 1u);
     EXPECT_EQ(d.pairs_only_in_b, 1u);
     for (const LostPair& lost : d.lost) EXPECT_FALSE(lost.other_ended);
@@ -213,7 +212,7 @@ TEST(TraceDiff, AQueryThatEndsEarlierLeavesPairsOver) {
     const TraceDiff d = diff(a, b);
     // They part where the second leaves over what the first divides, not where it ends.
     ASSERT_TRUE(d.first && d.first->b);
-    EXPECT_LT(d.first->test, b.frames[0].events.volume_tests.size());
+    EXPECT_LT(d.first->test, b.frames[0].steps.volumes.size());
     EXPECT_EQ(d.first->b->outcome, Outcome::left_over);
     EXPECT_NE(d.first->a->outcome, Outcome::left_over);
     EXPECT_EQ(d.first->a->test, d.first->b->test);
@@ -229,10 +228,10 @@ TEST(TraceDiff, OneThatEndsEarlierHasNothingThere) {
     const Trace a = slide(OverlapTest::symmetric);
     Trace b = a;
     // The second child of the last pair that was divided, which led to nothing.
-    b.frames[2].events.volume_tests.pop_back();
+    b.frames[2].steps.volumes.pop_back();
     const TraceDiff d = diff(a, b);
     ASSERT_TRUE(d.first);
-    EXPECT_EQ(d.first->test, b.frames[2].events.volume_tests.size());
+    EXPECT_EQ(d.first->test, b.frames[2].steps.volumes.size());
     EXPECT_TRUE(d.first->a);
     EXPECT_FALSE(d.first->b);
     expect_in("the second had ended", words_of(*d.first, d.bodies));
@@ -262,7 +261,7 @@ TEST(TraceDiff, SaysWhereAPairWasLost) {
             EXPECT_TRUE(is_rejection(lost.lost_at->outcome));
             const auto frame = std::find_if(b.frames.begin(), b.frames.end(),
                                             [&](const auto& f) { return f.frame == lost.frame; });
-            EXPECT_EQ(frame->events.volume_tests[lost.test], lost.lost_at->test);
+            EXPECT_EQ(frame->steps.volumes[lost.test], lost.lost_at->test);
             const auto holds = [](const BuiltMesh& mesh, std::uint32_t node,
                                   std::uint32_t triangle) {
                 const Topology& topology = topology_of(mesh.hierarchies[0]);
@@ -388,19 +387,17 @@ TEST(TraceDiff, OtherMeshesAreComparedByCountsAlone) {
 // Leaves of other engines have several triangles.
 TEST(TracedTest, OfSeveralTrianglesSaysHowManyAndNamesOneThatIntersects) {
     TraceFrame frame;
-    frame.events.volume_tests = {{{5, 7}, 0, 0, Stage::overlapping}};
-    frame.events.triangle_tests = {{{1, 2}, 0, false}, {{3, 4}, 0, true}, {{5, 6}, 0, true}};
-    TraversalTree tree;
-    tree.parents = {TraversalTree::no_parent};
-    tree.outcomes = {Outcome::triangles_meet};
-    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+    frame.steps.volumes = {{{5, 7}, 0, 0, Stage::overlapping}};
+    frame.steps.items = {{{1, 2}, 0, false}, {{3, 4}, 0, true}, {{5, 6}, 0, true}};
+    Outcomes outcomes = {Outcome::triangles_meet};
+    EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles 2 intersect, the first (3, 4)");
-    frame.events.triangle_tests[2].intersect = false;
-    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+    frame.steps.items[2].hit = false;
+    EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles 1 intersects, (3, 4)");
-    frame.events.triangle_tests[1].intersect = false;
-    tree.outcomes = {Outcome::triangles_apart};
-    EXPECT_EQ(words_of(traced_test({}, frame, tree, 0), {"A", "B"}),
+    frame.steps.items[1].hit = false;
+    outcomes = {Outcome::triangles_apart};
+    EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles none intersects");
 }
 

@@ -9,11 +9,11 @@ namespace scb {
 inline TraceFrame record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame,
                                const Pose& b_to_a, const TraceHeader& header) {
     const auto kind = static_cast<std::size_t>(header.volume);
-    EventRecorder recorder;
+    StepRecorder recorder;
     TraceFrame result{frame, b_to_a, {}, {}};
     result.found = collide(a.hierarchies[kind], a.mesh, b.hierarchies[kind], b.mesh, b_to_a,
                            header.options, recorder);
-    result.events = std::move(recorder.events);
+    result.steps = std::move(recorder.steps);
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/costly_tests.h"
 #include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
@@ -13,31 +14,33 @@ TEST(TraversalPart, IsTheQueryBelowATest) {
     const BuiltMesh mesh(height_field(9));
     for (const TraceHeader& header : queries_to_divide()) {
         const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
-        const TraversalTree tree = traversal_tree(header, whole);
-        const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
+        const Outcomes outcomes = outcomes_of(header, whole);
+        const std::vector<std::uint32_t> sizes = subtree_sizes(whole.steps);
         for (std::uint32_t root = 0; root < sizes.size(); root += root < 20 ? 1 : 31) {
-            const TraceFrame part = traversal_part(header, whole, tree, root);
+            const TraceFrame part = traversal_part(header, whole, root);
             EXPECT_EQ(part.found.n_v, sizes[root]);
-            EXPECT_EQ(part.found.n_p, part.events.triangle_tests.size());
-            ASSERT_FALSE(part.events.volume_tests.empty());
-            EXPECT_EQ(part.events.volume_tests[0], whole.events.volume_tests[root]);
+            EXPECT_EQ(part.found.n_p, part.steps.items.size());
+            ASSERT_FALSE(part.steps.volumes.empty());
+            Step first = whole.steps.volumes[root];
+            first.parent = no_step;
+            EXPECT_EQ(part.steps.volumes[0], first);
             EXPECT_TRUE(std::includes(whole.found.pairs.begin(), whole.found.pairs.end(),
                                       part.found.pairs.begin(), part.found.pairs.end()));
             // As a query of its own it has the same tree.
-            const TraversalTree of_part = traversal_tree(header, part);
-            const std::vector<std::uint32_t> part_sizes = subtree_sizes(of_part);
+            const Outcomes of_part = outcomes_of(header, part);
+            const std::vector<std::uint32_t> part_sizes = subtree_sizes(part.steps);
             for (std::uint32_t i = 0; i < part_sizes.size(); ++i) {
-                const auto at = test_of(whole.events, part.events.volume_tests[i].nodes);
+                const auto at = test_of(whole.steps, part.steps.volumes[i].nodes);
                 ASSERT_TRUE(at.has_value());
                 EXPECT_EQ(part_sizes[i], sizes[*at]);
-                EXPECT_EQ(of_part.outcomes[i], tree.outcomes[*at]);
+                EXPECT_EQ(of_part[i], outcomes[*at]);
             }
         }
-        const TraceFrame all = traversal_part(header, whole, tree, 0);
-        EXPECT_EQ(all.events, whole.events);
+        const TraceFrame all = traversal_part(header, whole, 0);
+        EXPECT_EQ(all.steps, whole.steps);
         EXPECT_EQ(all.found.pairs, whole.found.pairs);
         EXPECT_EQ(all.found.n_u, whole.found.n_u);
-        EXPECT_EQ(test_of(whole.events, {100000, 0}), std::nullopt);
+        EXPECT_EQ(test_of(whole.steps, {100000, 0}), std::nullopt);
     }
 }
 
@@ -47,13 +50,12 @@ TEST(TraversalPart, TheLargestAreApartAndNotTooLarge) {
     pose.translation = Vec3(0.3, 0.11, 0.02);
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
     const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
-    const TraversalTree tree = traversal_tree(header, whole);
-    const std::vector<std::uint32_t> sizes = subtree_sizes(tree);
-    const std::vector<std::uint32_t> parts = largest_parts(tree, 1000);
+    const std::vector<std::uint32_t> sizes = subtree_sizes(whole.steps);
+    const std::vector<std::uint32_t> parts = largest_parts(whole.steps, 1000);
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         EXPECT_LE(4 * sizes[parts[i]], sizes[0]);
-        EXPECT_GT(4 * sizes[tree.parents[parts[i]]], sizes[0]);
+        EXPECT_GT(4 * sizes[whole.steps.volumes[parts[i]].parent], sizes[0]);
         if (i > 0) {
             EXPECT_LE(sizes[parts[i]], sizes[parts[i - 1]]);
         }
@@ -62,7 +64,8 @@ TEST(TraversalPart, TheLargestAreApartAndNotTooLarge) {
     // All but the few tests above them.
     EXPECT_LT(sum, sizes[0]);
     EXPECT_GT(sum + 20, sizes[0]);
-    EXPECT_EQ(largest_parts(tree, 2), std::vector<std::uint32_t>(parts.begin(), parts.begin() + 2));
+    EXPECT_EQ(largest_parts(whole.steps, 2),
+              std::vector<std::uint32_t>(parts.begin(), parts.begin() + 2));
     EXPECT_TRUE(largest_parts({}, 8).empty());
 }
 
@@ -73,9 +76,11 @@ TEST(TraversalPart, OfSeveralRootsThePartsOfEachAreFound) {
         if (root == 4) query.test(root, {root, 10});
     }
     // Of seven tests one is a quarter, two are more.
-    EXPECT_EQ(largest_parts(query.tree(), 100), (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6}));
+    EXPECT_EQ(largest_parts(query.frame.steps, 100),
+              (std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6}));
     query.test(MadeQuery::none, {7, 7});
-    EXPECT_EQ(largest_parts(query.tree(), 100), (std::vector<std::uint32_t>{4, 0, 1, 2, 3, 6, 7}))
+    EXPECT_EQ(largest_parts(query.frame.steps, 100),
+              (std::vector<std::uint32_t>{4, 0, 1, 2, 3, 6, 7}))
         << "of eight two are a quarter";
 }
 
@@ -88,10 +93,9 @@ TEST(TraversalPart, OfAnEnginesQueryTestsKeepTheirParentsAndTriangles) {
     query.triangles({5, 5}, false);
     query.triangles({6, 5}, true);
     query.test(2, {4, 0}, false);
-    const TraceFrame part = traversal_part(query.header, query.frame, query.tree(), 2);
-    EXPECT_EQ(part.parents, (std::vector<std::uint32_t>{MadeQuery::none, 0, 0}));
-    EXPECT_EQ(part.events.triangle_tests,
-              (std::vector<TriangleTest>{{{5, 5}, 1, false}, {{6, 5}, 1, true}}));
+    const TraceFrame part = traversal_part(query.header, query.frame, 2);
+    EXPECT_EQ(parents_of(part.steps), (std::vector<std::uint32_t>{MadeQuery::none, 0, 0}));
+    EXPECT_EQ(part.steps.items, (std::vector<ItemStep>{{{5, 5}, 1, false}, {{6, 5}, 1, true}}));
     EXPECT_EQ(part.found.pairs, (std::vector<IndexPair>{{6, 5}}));
     EXPECT_EQ(part.found.n_v, 3u);
     EXPECT_EQ(part.found.n_p, 2u);

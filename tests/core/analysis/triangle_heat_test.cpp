@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/analysis/attribution.h"
+#include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/overlap/volume_pairs.h"
 
@@ -24,15 +25,14 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
         for (const std::size_t side : {0u, 1u}) {
             const auto on_side = [&](const IndexPair& p) { return side == 0 ? p.a : p.b; };
             std::vector<std::uint32_t> volumes(topology.order.size()), triangles(volumes);
-            for (const VolumeTest& test : frame.events.volume_tests) {
+            for (const Step& test : frame.steps.volumes) {
                 const TopologyNode& node = topology.nodes[on_side(test.nodes)];
                 for (std::uint32_t i = 0; i < node.count; ++i)
                     ++volumes[topology.order[node.first + i]];
             }
-            for (const TriangleTest& test : frame.events.triangle_tests)
-                ++triangles[on_side(test.triangles)];
-            EXPECT_EQ(triangle_heat(frame.events, shape, side, HeatOf::volumes), volumes);
-            const auto heat = triangle_heat(frame.events, shape, side, HeatOf::triangles);
+            for (const ItemStep& test : frame.steps.items) ++triangles[on_side(test.items)];
+            EXPECT_EQ(triangle_heat(frame.steps, shape, side, HeatOf::volumes), volumes);
+            const auto heat = triangle_heat(frame.steps, shape, side, HeatOf::triangles);
             EXPECT_EQ(heat, triangles);
             EXPECT_EQ(std::accumulate(heat.begin(), heat.end(), std::uint64_t{0}), frame.found.n_p);
         }
@@ -48,37 +48,36 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
         header.options.stop_level = stop_level;
         const TraceFrame frame = record_frame(mesh, mesh, 0, pose, header);
         ASSERT_FALSE(frame.found.pairs.empty());
-        const std::vector<bool> wasted = wasted_tests(traversal_tree(header, frame));
+        const std::vector<bool> wasted = wasted_tests(frame.steps, outcomes_of(header, frame));
         ASSERT_EQ(wasted.size(), frame.found.n_v);
         const auto count =
             static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
         EXPECT_FALSE(wasted[0]);
         EXPECT_GT(count, 0u);
         const TreeShape shape = tree_shape(mesh.topology());
-        const auto heat = triangle_heat(frame.events, shape, 0, HeatOf::wasted, wasted),
-                   all = triangle_heat(frame.events, shape, 0, HeatOf::volumes);
+        const auto heat = triangle_heat(frame.steps, shape, 0, HeatOf::wasted, wasted),
+                   all = triangle_heat(frame.steps, shape, 0, HeatOf::volumes);
         for (std::size_t t = 0; t < heat.size(); ++t) EXPECT_LT(heat[t], all[t]);
         if (stop_level >= 0) continue;
         const AnyHierarchy& hierarchy = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];
-        const TraversalTree tree = traversal_tree(header, frame);
         const Attribution attribution =
-            attribute(hierarchy, hierarchy, header, frame, tree, frame.found.pairs);
+            attribute(hierarchy, hierarchy, header, frame, frame.found.pairs);
         EXPECT_EQ(count, attribution.counts.wasted.volume_tests);
     }
 }
 
 TEST(TriangleHeat, ATestIsWastedWhereNothingBelowItsParentMeets) {
-    TraversalTree tree;
+    Outcomes outcomes;
     // 0 led to 1 and 4, 1 to 2 and 3, 4 to 5.
-    tree.parents = {TraversalTree::no_parent, 0, 1, 1, 0, 4};
+    const Steps steps = steps_with_parents({no_step, 0, 1, 1, 0, 4});
     for (const Outcome met : {Outcome::triangles_meet, Outcome::found}) {
-        tree.outcomes = {
-            Outcome::divided_a, Outcome::divided_b,      rejected_at(Stage::ball_ball), met,
-            Outcome::divided_b, Outcome::triangles_apart};
-        EXPECT_EQ(wasted_tests(tree), (std::vector{false, false, false, false, false, true}));
+        outcomes = {Outcome::divided_a, Outcome::divided_b,      rejected_at(Stage::ball_ball), met,
+                    Outcome::divided_b, Outcome::triangles_apart};
+        EXPECT_EQ(wasted_tests(steps, outcomes),
+                  (std::vector{false, false, false, false, false, true}));
     }
-    tree.outcomes[3] = Outcome::left_over;
-    EXPECT_EQ(wasted_tests(tree), (std::vector{false, true, true, true, true, true}));
+    outcomes[3] = Outcome::left_over;
+    EXPECT_EQ(wasted_tests(steps, outcomes), (std::vector{false, true, true, true, true, true}));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(VainTests, CountPairsThatAreNearlyParallelInTheirPose) {
     const Mesh mesh = grid(1);
     TraceFrame frame;
     frame.b_to_a.rotation = about_x(9);
-    frame.events.triangle_tests = {{{0, 0}, 0, false}, {{0, 1}, 0, false}, {{1, 1}, 0, true}};
+    frame.steps.items = {{{0, 0}, 0, false}, {{0, 1}, 0, false}, {{1, 1}, 0, true}};
     const VainTests near = vain_tests(mesh, mesh, frame);
     EXPECT_EQ(near.tests, 2u);
     EXPECT_EQ(near.parallel, 2u);

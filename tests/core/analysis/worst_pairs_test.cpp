@@ -33,7 +33,7 @@ void add(WorstPairs& worst, int frame, const std::vector<Passed>& chain) {
         pair.below.volume_tests = chain[i].below;
         found.passed.push_back(pair);
     }
-    worst.add(query.frame, query.tree(), found);
+    worst.add(query.frame, found);
 }
 
 using Places = std::vector<std::pair<int, std::uint32_t>>;

@@ -24,18 +24,17 @@ TEST(CollideMaxPairs, EndsTheQueryWithSoManyOfAllPairs) {
         for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{7},
                                         all.size() - 1, all.size(), all.size() + 1}) {
             variant.options.max_pairs = count;
-            EventRecorder recorder;
+            StepRecorder recorder;
             const Collision found = query(a, b, Pose{}, variant, recorder);
             EXPECT_EQ(found.pairs.size(), std::min(count, all.size()));
             EXPECT_TRUE(
                 std::includes(all.begin(), all.end(), found.pairs.begin(), found.pairs.end()));
             EXPECT_EQ(found.complete, count > all.size());
-            expect_consistent(found, recorder.events, a, b, Pose{}, variant);
+            expect_consistent(found, recorder.steps, a, b, Pose{}, variant);
             if (!found.complete) {
                 // It ended at once, with the test that found the last pair.
-                EXPECT_TRUE(recorder.events.triangle_tests.back().intersect);
-                EXPECT_EQ(recorder.events.triangle_tests.back().after + 1,
-                          recorder.events.volume_tests.size());
+                EXPECT_TRUE(recorder.steps.items.back().hit);
+                EXPECT_EQ(recorder.steps.items.back().step + 1, recorder.steps.volumes.size());
             }
             EXPECT_GT(found.n_v, tests - (found.complete ? 1 : 0));
             tests = found.n_v;
@@ -100,7 +99,7 @@ TEST(CollideStopLevel, FindsPairsOfTheCoversThatOverlapAndAllThatHoldIntersectio
         for (int level = 0; level <= deepest + 1; ++level) {
             variant.options.stop_level = level;
             SCOPED_TRACE(variant.name() + ", level " + std::to_string(level));
-            EventRecorder recorder;
+            StepRecorder recorder;
             const Collision found = query(a, b, pose, variant, recorder);
             const std::vector<IndexPair> covers = overlapping_in_covers(a, b, pose, variant);
             EXPECT_TRUE(std::includes(covers.begin(), covers.end(), found.pairs.begin(),
@@ -114,7 +113,7 @@ TEST(CollideStopLevel, FindsPairsOfTheCoversThatOverlapAndAllThatHoldIntersectio
             EXPECT_TRUE(found.complete);
             EXPECT_EQ(found.n_p, 0u);
             EXPECT_LE(found.depth, 2 * level);
-            expect_consistent(found, recorder.events, a, b, pose, variant);
+            expect_consistent(found, recorder.steps, a, b, pose, variant);
             if (level == 0) {
                 EXPECT_EQ(found.pairs, (std::vector<IndexPair>{{0, 0}}));
             }

@@ -9,10 +9,10 @@ namespace {
 TEST(CollideTemplate, TakesAnyObserverAndHierarchiesOfOneType) {
     struct Counter {
         std::uint64_t volumes = 0, triangles = 0, intersections = 0;
-        void volume_test(IndexPair, int, int, Stage) { ++volumes; }
-        void triangle_test(IndexPair, bool intersect) {
+        void volume_test(const Step&) { ++volumes; }
+        void item_test(const ItemStep& items) {
             ++triangles;
-            intersections += intersect;
+            intersections += items.hit;
         }
     };
     const Mesh a = random_soup(66, 40, 0.4), b = random_soup(67, 40, 0.4);

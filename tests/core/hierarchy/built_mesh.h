@@ -63,7 +63,7 @@ inline Collision query(const BuiltMesh& a, const BuiltMesh& b, const Pose& b_to_
 }
 
 inline Collision query(const BuiltMesh& a, const BuiltMesh& b, const Pose& b_to_a,
-                       const QueryVariant& variant, EventRecorder& recorder) {
+                       const QueryVariant& variant, StepRecorder& recorder) {
     return collide(a.hierarchies[variant.kind], a.mesh, b.hierarchies[variant.kind], b.mesh, b_to_a,
                    variant.options, recorder);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/analysis/made_query.h"
 #include "tests/core/judge/judged_rows.h"
 
 namespace scb {
@@ -9,7 +10,7 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-constexpr std::uint32_t none = TraversalTree::no_parent;
+constexpr std::uint32_t none = no_step;
 
 TEST(StageOfEngine, IsThisProjectsOwnWhereItHasTheName) {
     EXPECT_EQ(stage_of_engine(3, "slab-ball"), Stage::slab_ball);
@@ -26,14 +27,12 @@ TEST(EngineTrace, HasTheTestsInTheirOrderAndWhatLedToEach) {
                          {Kind::pair, 0, 0, 0}};
     const TraceFrame frame = trace_frame(rows.query, {{5, Stage::slab_ball}});
     EXPECT_EQ(frame.frame, 7);
-    EXPECT_EQ(frame.events.volume_tests,
-              (std::vector<VolumeTest>{{{0, 0}, 0, 0, Stage::overlapping},
-                                       {{1, 2}, 1, 1, Stage::slab_ball},
-                                       {{1, 1}, 1, 1, Stage::overlapping},
-                                       {{3, 3}, 2, 2, Stage::overlapping},
-                                       {{3, 4}, 2, 2, foreign_stage(6)}}));
-    EXPECT_EQ(frame.parents, (std::vector<std::uint32_t>{none, 0, 0, 2, 2}));
-    EXPECT_EQ(frame.events.triangle_tests, (std::vector<TriangleTest>{{{0, 0}, 3, true}}));
+    EXPECT_EQ(frame.steps.volumes, (std::vector<Step>{{{0, 0}, 0, 0, Stage::overlapping, none},
+                                                      {{1, 2}, 1, 1, Stage::slab_ball, 0},
+                                                      {{1, 1}, 1, 1, Stage::overlapping, 0},
+                                                      {{3, 3}, 2, 2, Stage::overlapping, 2},
+                                                      {{3, 4}, 2, 2, foreign_stage(6), 2}}));
+    EXPECT_EQ(frame.steps.items, (std::vector<ItemStep>{{{0, 0}, 3, true}}));
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{0, 0}}));
     EXPECT_EQ(frame.found.n_v, 5u);
     EXPECT_EQ(frame.found.n_p, 1u);
@@ -43,6 +42,18 @@ TEST(EngineTrace, HasTheTestsInTheirOrderAndWhatLedToEach) {
     EXPECT_TRUE(frame.found.complete);
 }
 
+TEST(EngineTrace, StepsHaveTheParentsThatTheEngineRecorded) {
+    Rows rows;
+    rows.query.events = {{Kind::volumes, 0, 99, 0},
+                         {Kind::volumes, 0, 0, 0},
+                         {Kind::volumes, 0, 1, 1},
+                         {Kind::volumes, 0, 1, 1, 1},
+                         {Kind::volumes, 0, 3, 3, 2}};
+    const TraceFrame frame = trace_frame(rows.query, {});
+    EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{none, 0, 0, 1}))
+        << "not the latest; the first test is of no node";
+}
+
 TEST(EngineTrace, LeavesOutTestsOfNodesThatThereAreNot) {
     Rows rows;
     rows.query.events = {{Kind::volumes, 0, 99, 0},   {Kind::volumes, 0, 0, 0},
@@ -50,10 +61,10 @@ TEST(EngineTrace, LeavesOutTestsOfNodesThatThereAreNot) {
                          {Kind::volumes, 0, 3, 3},    {Kind::items_apart, 0, 0, 0},
                          {Kind::items_apart, 0, 9, 0}};
     const TraceFrame frame = trace_frame(rows.query, {});
-    EXPECT_EQ(frame.events.volume_tests.size(), 3u);
+    EXPECT_EQ(frame.steps.volumes.size(), 3u);
     EXPECT_EQ(frame.found.n_v, 3u);
-    EXPECT_EQ(frame.parents, (std::vector<std::uint32_t>{none, 0, 1}));
-    EXPECT_EQ(frame.events.triangle_tests, (std::vector<TriangleTest>{{{0, 0}, 2, false}}));
+    EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{none, 0, 1}));
+    EXPECT_EQ(frame.steps.items, (std::vector<ItemStep>{{{0, 0}, 2, false}}));
     EXPECT_EQ(frame.found.n_p, 2u) << "the engine made the test of no triangle, too";
 }
 
@@ -64,9 +75,8 @@ TEST(EngineTrace, TestsOfTrianglesFollowThoseOfTheirLeaves) {
                          {Kind::items_apart, 0, 0, 0},
                          {Kind::items_meet, 0, 1, 1},
                          {Kind::items_meet, 0, 0, 0}};
-    EXPECT_EQ(
-        trace_frame(rows.query, {}).events.triangle_tests,
-        (std::vector<TriangleTest>{{{1, 1}, 0, true}, {{0, 0}, 1, false}, {{0, 0}, 1, true}}));
+    EXPECT_EQ(trace_frame(rows.query, {}).steps.items,
+              (std::vector<ItemStep>{{{1, 1}, 0, true}, {{0, 0}, 1, false}, {{0, 0}, 1, true}}));
 }
 
 TEST(EngineTrace, PairsAreThoseReportedOrElseThoseWhoseTestsMet) {
@@ -96,7 +106,7 @@ TEST(EngineTrace, PairsOfObjectsAreThoseOfTheNodesThatHoldThem) {
                          {Kind::pair, 0, 1, 50}};
     const TraceFrame frame = trace_frame(rows.query, {});
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{4, 5}, {6, 3}}));
-    EXPECT_TRUE(frame.events.triangle_tests.empty()) << "objects are no triangles";
+    EXPECT_TRUE(frame.steps.items.empty()) << "objects are no triangles";
     EXPECT_EQ(frame.found.n_p, 1u);
 }
 

@@ -14,7 +14,7 @@ Attribution attributed(const Rows& rows) {
     TraceHeader header;
     header.engine.emplace();
     const TraceFrame frame = trace_frame(rows.query, {});
-    return attribution(rows.query, rows.judged(), header, frame, traversal_tree(header, frame));
+    return attribution(rows.query, rows.judged(), header, frame);
 }
 
 TEST(QueryAttribution, SaysOfEachTestThatPassedWhatCameOfIt) {

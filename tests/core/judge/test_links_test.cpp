@@ -19,6 +19,17 @@ TEST(TestLinks, ATestIsLedToByTheLatestOfThoseAboveIt) {
     EXPECT_EQ(links.take_volumes({5, 3}, true).led_by, no_index) << "nothing above was tested";
 }
 
+TEST(TestLinks, ATestHasTheParentThatItsEngineRecorded) {
+    const Rows rows;
+    TestLinks links(rows.query);
+    links.take_volumes({0, 0}, true);
+    links.take_volumes({1, 0}, true);
+    EXPECT_EQ(links.take_volumes({1, 1}, true).led_by, 1u) << "the latest of those above it";
+    EXPECT_EQ(links.take_volumes({1, 1}, true, 0).led_by, 0u);
+    EXPECT_EQ(links.take_volumes({3, 1}, true, 1).led_by, 1u);
+    EXPECT_EQ(links.led_to_items({0, 0}), 4u);
+}
+
 TEST(TestLinks, ATestThatIsMadeAgainIsTheLatestOfItsNodes) {
     const Rows rows;
     TestLinks links(rows.query);

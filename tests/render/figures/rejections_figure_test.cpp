@@ -23,14 +23,14 @@ struct Query {
     std::unique_ptr<VolumeTree> tree_of_mesh =
         volume_tree(mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)]);
     TraceFrame frame;
-    TraversalTree tree;
+    Outcomes outcomes;
     QueryBodies bodies;
 
     Query() {
         Pose pose;
         pose.translation = Vec3(0.3, 0.11, 0.02);
         frame = record_frame(mesh, mesh, 0, pose, header);
-        tree = traversal_tree(header, frame);
+        outcomes = outcomes_of(header, frame);
         for (QueryBody& body : bodies) {
             body.mesh = &mesh.mesh;
             body.tree = tree_of_mesh.get();
@@ -56,13 +56,13 @@ struct Query {
 TEST(RejectionsFigure, VolumesWithFewPathsForTheirSizeAreLeftOut) {
     const Query query;
     RejectionsStyle style;
-    const EndedNodes all = ended_nodes(query.bodies, query.frame, query.tree, style);
+    const EndedNodes all = ended_nodes(query.bodies, query.frame, query.outcomes, style);
     double paths = 0;
     for (const auto& side : all)
         for (const EndedPaths& node : side) paths += node.tests;
     for (const double focus : {0.9, 0.5, 0.1}) {
         style.focus = focus;
-        const EndedNodes kept = ended_nodes(query.bodies, query.frame, query.tree, style);
+        const EndedNodes kept = ended_nodes(query.bodies, query.frame, query.outcomes, style);
         double least_kept = 1e99, most_left_out = 0, seen = 0;
         for (std::size_t side = 0; side < 2; ++side)
             for (const EndedPaths& node : all[side]) {
@@ -87,8 +87,8 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
     const Query query;
     RejectionsStyle style;
     const auto lines = [&] {
-        const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.tree, style);
-        return rejections_pane(query.bodies, query.frame, query.tree, ended, style).segments;
+        const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.outcomes, style);
+        return rejections_pane(query.bodies, query.frame, query.outcomes, ended, style).segments;
     };
     ASSERT_FALSE(query.frame.found.pairs.empty());
     // Also those of triangles that are left out.
@@ -114,8 +114,8 @@ TEST(RejectionsFigure, BodiesAreToldApart) {
     const Query query;
     const RejectionsStyle style;
     const Pane pane =
-        rejections_pane(query.bodies, query.frame, query.tree,
-                        ended_nodes(query.bodies, query.frame, query.tree, style), style);
+        rejections_pane(query.bodies, query.frame, query.outcomes,
+                        ended_nodes(query.bodies, query.frame, query.outcomes, style), style);
     const std::uint32_t first_of_b = query.bodies[1].first_node_id;
     ASSERT_FALSE(pane.volumes.empty());
     EXPECT_FALSE(pane.volumes.front().hatched);
@@ -140,8 +140,8 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
     const Query query;
     RejectionsStyle style;
     style.sides = {true, false};
-    const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.tree, style);
-    const Pane pane = rejections_pane(query.bodies, query.frame, query.tree, ended, style);
+    const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.outcomes, style);
+    const Pane pane = rejections_pane(query.bodies, query.frame, query.outcomes, ended, style);
     std::vector<std::uint32_t> triangles;
     for (const EndedPaths& node : ended[0])
         if (query.at_triangle(node))
@@ -158,7 +158,8 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
                     color == ending_color(Outcome::triangles_meet, light_theme));
     }
     EXPECT_FALSE(shows_no_node(pane));
-    EXPECT_TRUE(shows_no_node(rejections_pane(query.bodies, query.frame, query.tree, {}, style)));
+    EXPECT_TRUE(
+        shows_no_node(rejections_pane(query.bodies, query.frame, query.outcomes, {}, style)));
 }
 
 TEST(PairsFigure, MarksWhatIntersectsAndTheCameraHoldsTheLinesAlone) {
@@ -238,12 +239,13 @@ TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
     RejectionsStyle style;
     const auto rows = [&] {
         std::vector<PanelLegendRow> result;
-        for (const PanelItem& item : endings_legend(query.header, query.frame, query.tree, style))
+        for (const PanelItem& item :
+             endings_legend(query.header, query.frame, query.outcomes, style))
             if (const auto* row = std::get_if<PanelLegendRow>(&item)) result.push_back(*row);
         return result;
     };
     const auto bars = [&] {
-        return endings_chart(query.header, query.frame, query.tree, style).rows;
+        return endings_chart(query.header, query.frame, query.outcomes, style).rows;
     };
     EXPECT_EQ(rows().size(), 7u);
     const PanelLegendRow balls = rows().front();
@@ -277,7 +279,7 @@ TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
     RejectionsStyle style;
     style.by = NodeColor::share;
     for (const PanelItem& item :
-         rejections_panel(query.bodies, query.header, query.frame, query.tree, {}, style)) {
+         rejections_panel(query.bodies, query.header, query.frame, query.outcomes, {}, style)) {
         // The bodies alone.
         if (const auto* row = std::get_if<PanelLegendRow>(&item)) {
             EXPECT_TRUE(row->share.empty());
@@ -285,7 +287,7 @@ TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {
         EXPECT_FALSE(std::holds_alternative<PanelKey>(item));
     }
     for (const std::vector<BarPart>& bar :
-         endings_chart(query.header, query.frame, query.tree, style).rows)
+         endings_chart(query.header, query.frame, query.outcomes, style).rows)
         for (const BarPart& part : bar) EXPECT_EQ(part.color, light_theme.mesh);
 }
 

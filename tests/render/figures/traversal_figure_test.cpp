@@ -20,18 +20,18 @@ TraceHeader scb_header() {
     return header;
 }
 
-/// A frame of these events, with the counts that they have.
-TraceFrame frame_of(const Events& events) {
+/// A frame of these steps, with the counts that they have.
+TraceFrame frame_of(const Steps& steps) {
     TraceFrame frame;
-    frame.events = events;
-    frame.found.n_v = events.volume_tests.size();
-    for (const VolumeTest& test : events.volume_tests) {
+    frame.steps = steps;
+    frame.found.n_v = steps.volumes.size();
+    for (const Step& test : steps.volumes) {
         ++frame.found.stages[static_cast<std::size_t>(test.stage)];
         frame.found.depth = std::max(frame.found.depth, test.depth_a + test.depth_b);
     }
-    for (const TriangleTest& test : events.triangle_tests) {
+    for (const ItemStep& test : steps.items) {
         ++frame.found.n_p;
-        if (test.intersect) frame.found.pairs.push_back(test.triangles);
+        if (test.hit) frame.found.pairs.push_back(test.items);
     }
     return frame;
 }
@@ -39,38 +39,38 @@ TraceFrame frame_of(const Events& events) {
 /// Five tests: the roots, divided; a child rejected and one divided; below it triangles that meet
 /// and a pair that is rejected.
 TraceFrame small_frame() {
-    return frame_of({{{{0, 0}, 0, 0, Stage::overlapping},
-                      {{1, 0}, 1, 0, Stage::slab_cylinder},
-                      {{2, 0}, 1, 0, Stage::overlapping},
-                      {{2, 1}, 1, 1, Stage::overlapping},
-                      {{2, 2}, 1, 1, Stage::ball_slab}},
+    return frame_of({{{{0, 0}, 0, 0, Stage::overlapping, no_step},
+                      {{1, 0}, 1, 0, Stage::slab_cylinder, 0},
+                      {{2, 0}, 1, 0, Stage::overlapping, 0},
+                      {{2, 1}, 1, 1, Stage::overlapping, 2},
+                      {{2, 2}, 1, 1, Stage::ball_slab, 2}},
                      {{{5, 7}, 3, true}}});
 }
 
 /// The tests of a pair whose nodes overlap down to `depth`, all of the others rejected: every
 /// level has one of each.
 TraceFrame staircase(int depth, Stage stage) {
-    Events events;
-    events.volume_tests.push_back({{0, 0}, 0, 0, Stage::overlapping});
+    Steps steps;
+    steps.volumes.push_back({{0, 0}, 0, 0, Stage::overlapping, no_step});
     for (int d = 1; d <= depth; ++d) {
         const auto node = static_cast<std::uint32_t>(2 * d);
         const auto level = static_cast<std::uint16_t>(d);
-        events.volume_tests.push_back({{node - 1, 0}, level, 0, stage});
-        events.volume_tests.push_back({{node, 0}, level, 0, Stage::overlapping});
+        steps.volumes.push_back({{node - 1, 0}, level, 0, stage, node - 2});
+        steps.volumes.push_back({{node, 0}, level, 0, Stage::overlapping, node - 2});
     }
-    return frame_of(events);
+    return frame_of(steps);
 }
 
 /// A full tree of divisions, whose leaves are at one depth: of every 8 in the order of their tests
 /// the first `apart` are rejected, the others have triangles that meet.
 TraceFrame comb(int levels, std::size_t apart) {
-    Events events;
+    Steps steps;
     struct Node {
         std::uint32_t index;
         std::uint16_t depth;
     };
     std::vector<Node> pending = {{0, 0}};
-    events.volume_tests.push_back({{0, 0}, 0, 0, Stage::overlapping});
+    steps.volumes.push_back({{0, 0}, 0, 0, Stage::overlapping, no_step});
     std::uint32_t next = 1;
     std::size_t leaves = 0;
     while (!pending.empty()) {
@@ -80,16 +80,19 @@ TraceFrame comb(int levels, std::size_t apart) {
             const auto depth = static_cast<std::uint16_t>(node.depth + 1);
             const bool leaf = depth == levels;
             const bool rejected = leaf && leaves++ % 8 < apart;
-            events.volume_tests.push_back(
-                {{next, 0}, depth, 0, rejected ? Stage::ball_ball : Stage::overlapping});
+            steps.volumes.push_back({{next, 0},
+                                     depth,
+                                     0,
+                                     rejected ? Stage::ball_ball : Stage::overlapping,
+                                     node.index});
             if (!leaf) pending.push_back({next, depth});
             if (leaf && !rejected)
-                events.triangle_tests.push_back(
-                    {{next, 0}, static_cast<std::uint32_t>(events.volume_tests.size() - 1), true});
+                steps.items.push_back(
+                    {{next, 0}, static_cast<std::uint32_t>(steps.volumes.size() - 1), true});
             ++next;
         }
     }
-    return frame_of(events);
+    return frame_of(steps);
 }
 
 std::vector<EndingGroup> groups_of(const TraceHeader& header) {
@@ -98,7 +101,7 @@ std::vector<EndingGroup> groups_of(const TraceHeader& header) {
 
 Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
     const TraceHeader header = scb_header();
-    return icicle(frame.events, traversal_tree(header, frame), groups_of(header), columns, rows, 8);
+    return icicle(frame.steps, outcomes_of(header, frame), groups_of(header), columns, rows, 8);
 }
 
 std::string label_of(const IcicleRun& run) {
@@ -172,7 +175,7 @@ TEST(Icicle, NarrowTestsAreStackedInProportion) {
 
 TEST(Icicle, APartBeginsAtItsDepth) {
     TraceFrame frame = small_frame();
-    for (VolumeTest& test : frame.events.volume_tests) test.depth_a += 5;
+    for (Step& test : frame.steps.volumes) test.depth_a += 5;
     const Icicle icicle = icicle_of(frame, 500, 100);
     EXPECT_EQ(icicle.first_depth, 5);
     EXPECT_EQ(icicle.rows, 3);
@@ -185,8 +188,8 @@ TEST(Icicle, SaysWhetherItHasNumbersAndStacks) {
         overlay.begin();
         FigureStyle style;
         style.unit = 20;
-        return draw_icicle(overlay, {0, 0, 700, height}, frame.events,
-                           traversal_tree(header, frame), groups_of(header), style);
+        return draw_icicle(overlay, {0, 0, 700, height}, frame.steps, outcomes_of(header, frame),
+                           groups_of(header), style);
     };
     EXPECT_TRUE(drawn(small_frame(), 400).numbers);
     EXPECT_FALSE(drawn(small_frame(), 400).stacks);

@@ -17,15 +17,15 @@ struct ReadSteps {
 
     /// Up to the end of this query, from 0.
     const EngineQuery& query(int number) {
-        for (int ended = -1; ended < number;) {
-            const RecordedQueries::Step step = queries.next();
-            if (step == RecordedQueries::Step::end) throw InputError("there is no such query");
-            ended += step == RecordedQueries::Step::query;
+        for (int count = -1; count < number;) {
+            const RecordedQueries::Ended ended = queries.next();
+            if (ended == RecordedQueries::Ended::end) throw InputError("there is no such query");
+            count += ended == RecordedQueries::Ended::query;
         }
         return queries.query();
     }
     void read_all() {
-        while (queries.next() != RecordedQueries::Step::end) {
+        while (queries.next() != RecordedQueries::Ended::end) {
         }
     }
 };

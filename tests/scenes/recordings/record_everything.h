@@ -66,6 +66,7 @@ static inline int record_everything(const char* path) {
         scb_record_test(&r, 0, 0, 0);
         /* More than a block of them. */
         for (k = 0; k < 10000; ++k) scb_record_test(&r, k, 2, (uint8_t)(k % 2));
+        scb_record_step(&r, 7, 2, 1, 200);
         scb_record_items(&r, 0, 1, 1);
         scb_record_items(&r, 1, 1, 0);
         scb_record_pair(&r, 0, 1);

@@ -32,6 +32,49 @@ TEST(RecordedQueries, SumsUpAllThatThereIs) {
     EXPECT_EQ(summary_of(recording_of({}), "x.scbrec").frames, std::vector{0});
 }
 
+TEST(RecordedQueries, KeepsTheParentsOfTestsThatAreValid) {
+    constexpr auto parent = static_cast<std::uint8_t>(RecordTag::parent);
+    std::vector<Record> records;
+    for (const std::uint32_t tree : {0u, 1u}) {
+        records.emplace_back(RecordedTree{tree, record_none, "", {}});
+        records.emplace_back(RecordedNode{tree, 0, record_none, 0, "", {1, 2}, {}, ball_volume(1)});
+        for (const std::uint32_t leaf : {1u, 2u})
+            records.emplace_back(RecordedNode{tree, leaf, 0, 0, "", {}, {leaf}, ball_volume(1)});
+        records.emplace_back(RecordedBody{tree, tree, ""});
+    }
+    append(records, query_with({{0, 0, 0},
+                                {parent, 0, 0},
+                                {128, 5, 5},
+                                {0, 1, 0},
+                                {parent, 1, 0},
+                                {1, 1, 2},
+                                {0, 2, 0},
+                                {parent, 5, 0},
+                                {1, 2, 1},
+                                {parent, 1, 0},
+                                {1, 2, 2},
+                                {parent, 0, 0},
+                                {1, 0, 0},
+                                {parent, 2, 0}}));
+    append(records, query_with({{0, 0, 0}}));
+    ReadSteps read(records);
+    std::vector<std::uint32_t> parents;
+    for (const EngineEvent& event : read.query(0).events)
+        if (event.kind == EngineEvent::Kind::volumes) parents.push_back(event.parent);
+    EXPECT_EQ(parents,
+              (std::vector<std::uint32_t>{no_index, 0, 1, no_index, no_index, no_index, no_index}));
+    EXPECT_EQ(read.query(0).events.at(0).parent, no_index) << "a parent is of one query";
+    const OddRecords& unusable = read.queries.unusable();
+    EXPECT_EQ(unusable.count, 3u);
+    EXPECT_EQ(unusable.first,
+              (std::vector<std::string>{
+                  "test 4 of a query has the parent 5, which is no earlier test, at frame 0",
+                  "test 5 of a query has the parent 1, whose nodes are not above its nodes, at "
+                  "frame 0",
+                  "test 6 of a query has the parent 0, whose nodes are not above its nodes, at "
+                  "frame 0"}));
+}
+
 TEST(RecordedQueries, TellsPairsWhereTheSettingOrAPairSaysSo) {
     const auto tells = [](const std::vector<Record>& before, std::uint8_t tag) {
         std::vector<Record> records = before;
@@ -53,8 +96,8 @@ TEST(RecordedQueries, AQueryThatTheFileBreaksOffInIsNotComplete) {
     ReadSteps read(records);
     EXPECT_FALSE(read.query(0).complete);
     EXPECT_EQ(read.queries.query().events.size(), 1u);
-    EXPECT_EQ(read.queries.next(), RecordedQueries::Step::frame);
-    EXPECT_EQ(read.queries.next(), RecordedQueries::Step::end);
+    EXPECT_EQ(read.queries.next(), RecordedQueries::Ended::frame);
+    EXPECT_EQ(read.queries.next(), RecordedQueries::Ended::end);
 }
 
 TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {

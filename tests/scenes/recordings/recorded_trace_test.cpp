@@ -14,6 +14,7 @@
 #include "scenes/recordings/trace_recording.h"
 #include "scenes/text/number_list.h"
 #include "scenes/traces/trace_file.h"
+#include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/scenes/recordings/sample_records.h"
@@ -72,15 +73,14 @@ TEST(RecordedTrace, HasWhatTheTraceOfOwnQueriesHas) {
         EXPECT_EQ(endings_of(recorded.header()), endings_of(both.trace.header));
         for (const TraceFrame& own : both.trace.frames) {
             const TraceFrame& frame = recorded.frame(own.frame);
-            EXPECT_EQ(frame.events, own.events) << own.frame;
+            EXPECT_EQ(frame.steps, own.steps) << own.frame;
             EXPECT_EQ(frame.found.pairs, own.found.pairs);
             EXPECT_EQ(frame.found.stages, own.found.stages);
             EXPECT_EQ(frame.found.n_p, own.found.n_p);
             EXPECT_EQ(frame.found.depth, own.found.depth);
-            const TraversalTree tree = traversal_tree(recorded.header(), frame),
-                                of_own = traversal_tree(both.trace.header, own);
-            EXPECT_EQ(tree.parents, of_own.parents) << volume_kind_name(volume);
-            EXPECT_EQ(tree.outcomes, of_own.outcomes);
+            const Outcomes outcomes = outcomes_of(recorded.header(), frame),
+                           of_own = outcomes_of(both.trace.header, own);
+            EXPECT_EQ(outcomes, of_own) << volume_kind_name(volume);
         }
     }
 }
@@ -128,13 +128,10 @@ TEST(RecordedTrace, AttributesTestsAsThoseOfOwnQueriesAre) {
         std::uint64_t wrong = 0, missed = 0;
         for (const TraceFrame& own : both.trace.frames) {
             const TraceHeader& header = both.trace.header;
-            const TraversalTree tree = traversal_tree(header, own);
-            const Attribution of_own =
-                attribute(a, b, header, own, tree,
-                          all_contacts(a, body_a().mesh, b, body_b().mesh, header, own));
-            const TraceFrame& frame = recorded.frame(own.frame);
-            const Attribution found =
-                recorded.attribution(traversal_tree(recorded.header(), frame));
+            const Attribution of_own = attribute(
+                a, b, header, own, all_contacts(a, body_a().mesh, b, body_b().mesh, header, own));
+            recorded.frame(own.frame);
+            const Attribution found = recorded.attribution();
             EXPECT_EQ(found.counts.inner, of_own.counts.inner);
             EXPECT_EQ(found.counts.leaves, of_own.counts.leaves);
             EXPECT_EQ(found.counts.wasted.volume_tests, of_own.counts.wasted.volume_tests);
@@ -224,11 +221,11 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(header.engine->stages[0].name, "stage 7");
     const TraceFrame& frame = recorded.frame(5);
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{1, 1}}));
-    const TraversalTree tree = traversal_tree(header, frame);
-    EXPECT_EQ(tree.parents, (std::vector<std::uint32_t>{TraversalTree::no_parent, 0, 0}));
-    EXPECT_EQ(tree.outcomes, (std::vector<Outcome>{Outcome::divided_both, Outcome::found,
-                                                   rejected_at(foreign_stage(1))}));
-    EXPECT_EQ(ending_words(header, tree.outcomes[2]), "stage 7");
+    const Outcomes outcomes = outcomes_of(header, frame);
+    EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{no_step, 0, 0}));
+    EXPECT_EQ(outcomes, (std::vector<Outcome>{Outcome::divided_both, Outcome::found,
+                                              rejected_at(foreign_stage(1))}));
+    EXPECT_EQ(ending_words(header, outcomes[2]), "stage 7");
     const BodyAtFrame body = recorded.body(0, 5);
     EXPECT_TRUE(body.mesh->triangles.empty());
     EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
@@ -267,7 +264,7 @@ TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
     RecordedTrace recorded(folder / "objects.scbrec", "", "all");
     const auto words = [&](const TraceFrame& frame, std::size_t test) {
         const TracedTest traced =
-            traced_test(recorded.header(), frame, traversal_tree(recorded.header(), frame), test);
+            traced_test(recorded.header(), frame, outcomes_of(recorded.header(), frame), test);
         const BodyNames names = body_names(recorded.header());
         return words_of(traced, names) + "; " + words_of_parent(traced, names);
     };
@@ -393,7 +390,7 @@ TEST(RecordedTrace, ShowsTheFirstQueryOfAFrame) {
     RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
     EXPECT_EQ(recorded.body(1, 4).pose.translation, Vec3(1, 0, 0));
     EXPECT_EQ(recorded.test_count(4), 2u);
-    EXPECT_EQ(recorded.frame(4).events.volume_tests.size(), 2u);
+    EXPECT_EQ(recorded.frame(4).steps.volumes.size(), 2u);
     EXPECT_EQ(recorded.body(1, 9).pose.translation, Vec3(2, 0, 0));
 }
 
@@ -429,7 +426,7 @@ TEST(TestInput, GivesTheFramesOfEither) {
             const TraceFrame* frame = input.next();
             ASSERT_NE(frame, nullptr);
             EXPECT_EQ(frame->frame, both.trace.frames[i].frame);
-            EXPECT_EQ(frame->events, both.trace.frames[i].events);
+            EXPECT_EQ(frame->steps, both.trace.frames[i].steps);
         }
         EXPECT_EQ(input.next(), nullptr);
     }

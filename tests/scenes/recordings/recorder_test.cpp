@@ -70,7 +70,8 @@ TEST(Recorder, IsReadBackAsItWasCalled) {
     std::vector<RecordedEvent> expected = {{0, 0, 0}};
     for (std::uint32_t k = 0; k < 10'000; ++k)
         expected.push_back({static_cast<std::uint8_t>(k % 2), k, 2});
-    expected.insert(expected.end(), {{129, 0, 1}, {128, 1, 1}, {130, 0, 1}});
+    expected.insert(expected.end(),
+                    {{131, 7, 0}, {127, 2, 1}, {129, 0, 1}, {128, 1, 1}, {130, 0, 1}});
     const std::vector<RecordedEvent> once = expected;
     expected.insert(expected.end(), once.begin(), once.end());
     EXPECT_EQ(all_of<RecordedEvent>(records), expected);

@@ -89,7 +89,7 @@ TEST(RecordingJudgement, CountsWasteAsTheAttributionOfOwnQueriesDoes) {
         PassCounts sum;
         for (const TraceFrame& frame : trace.frames)
             sum += attribute(mesh_a().hierarchies[kind], mesh_b().hierarchies[kind], trace.header,
-                             frame, traversal_tree(trace.header, frame), frame.found.pairs)
+                             frame, frame.found.pairs)
                        .counts;
         const RecordingJudgement judged = judge(recording_of(trace));
         EXPECT_EQ(judged.wasted_loose + judged.wasted_weak,
@@ -106,9 +106,9 @@ TEST(RecordingJudgement, NamesTheWrongRejectionsOfThePrintedTest) {
     std::uint64_t wrong = 0, wrongly_rejected = 0;
     for (const FrameJudgement& frame : judged.frames) wrong += frame.wrong;
     for (const TraceFrame& frame : trace.frames)
-        wrongly_rejected += attribute(mesh_a().hierarchies[0], mesh_b().hierarchies[0],
-                                      trace.header, frame, traversal_tree(trace.header, frame), {})
-                                .wrongly_rejected.size();
+        wrongly_rejected +=
+            attribute(mesh_a().hierarchies[0], mesh_b().hierarchies[0], trace.header, frame, {})
+                .wrongly_rejected.size();
     EXPECT_EQ(wrong, wrongly_rejected);
 }
 

@@ -43,6 +43,7 @@ inline std::vector<Record> sample_records() {
         RecordedEvent{static_cast<std::uint8_t>(RecordTag::items_apart), 1, 2},
         RecordedEvent{static_cast<std::uint8_t>(RecordTag::items_meet), 1, 2},
         RecordedEvent{static_cast<std::uint8_t>(RecordTag::pair), 1, 2},
+        RecordedEvent{static_cast<std::uint8_t>(RecordTag::parent), 1, 2},
         RecordedEvent{191, 1, 2},
         RecordedQueryEnd{0, UINT64_MAX},
         RecordedQueryEnd{2, 0},

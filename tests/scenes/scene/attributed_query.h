@@ -15,7 +15,6 @@ struct AttributedQuery {
     const BuiltMesh &a, &b;
     TraceHeader header;
     TraceFrame frame;
-    TraversalTree tree;
     std::vector<IndexPair> contacts;
     Attribution result;
 
@@ -23,10 +22,9 @@ struct AttributedQuery {
                     VolumeKind kind, OverlapTest test)
         : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
         frame = record_frame(a, b, 0, pose, header);
-        tree = traversal_tree(header, frame);
         const auto i = static_cast<std::size_t>(kind);
         contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);
-        result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, tree, contacts);
+        result = attribute(a.hierarchies[i], b.hierarchies[i], header, frame, contacts);
     }
 };
 

@@ -38,9 +38,9 @@ std::set<std::uint32_t> triangles_below(const Topology& topology, std::uint32_t 
 
 void check_counts(const AttributedQuery& q) {
     const Attribution& r = q.result;
-    const std::vector<VolumeTest>& tests = q.frame.events.volume_tests;
+    const std::vector<Step>& tests = q.frame.steps.volumes;
     std::uint64_t passed = 0;
-    for (const VolumeTest& test : tests) passed += test.stage == Stage::overlapping;
+    for (const Step& test : tests) passed += test.stage == Stage::overlapping;
     EXPECT_EQ(r.passed.size(), passed);
     EXPECT_EQ(r.counts.passed(PassReason::weak_test) + r.counts.passed(PassReason::loose_fit) +
                   r.counts.passed(PassReason::triangles_meet),
@@ -56,12 +56,12 @@ void check_counts(const AttributedQuery& q) {
         is_false[pair.test] = pair.reason != PassReason::triangles_meet;
     Work wasted, useful;
     for (std::size_t i = 0; i < tests.size(); ++i) {
-        const std::uint32_t parent = q.tree.parents[i];
-        (parent != TraversalTree::no_parent && is_false[parent] ? wasted : useful) +=
+        const std::uint32_t parent = q.frame.steps.volumes[i].parent;
+        (parent != no_step && is_false[parent] ? wasted : useful) +=
             {1, 0, operation_cost(q.header.volume, q.header.options.overlap, tests[i].stage)};
     }
-    for (const TriangleTest& test : q.frame.events.triangle_tests)
-        ++(is_false[test.after] ? wasted : useful).triangle_tests;
+    for (const ItemStep& test : q.frame.steps.items)
+        ++(is_false[test.step] ? wasted : useful).triangle_tests;
     EXPECT_EQ(r.counts.wasted, wasted);
     // An exact test saves what a pair that passed a weak one led to, at whatever distance.
     std::vector<char> is_weak(tests.size());
@@ -69,8 +69,8 @@ void check_counts(const AttributedQuery& q) {
         is_weak[pair.test] = pair.reason == PassReason::weak_test;
     std::uint64_t saved = 0;
     for (std::size_t i = 0; i < tests.size(); ++i)
-        for (std::uint32_t at = q.tree.parents[i]; at != TraversalTree::no_parent;
-             at = q.tree.parents[at])
+        for (std::uint32_t at = q.frame.steps.volumes[i].parent; at != no_step;
+             at = q.frame.steps.volumes[at].parent)
             if (is_weak[at]) {
                 ++saved;
                 break;
@@ -85,7 +85,7 @@ void check_counts(const AttributedQuery& q) {
 
 /// The same per depth.
 void check_depths(const AttributedQuery& q) {
-    const Inspection found = inspection(q.frame, q.tree, q.result);
+    const Inspection found = inspection(q.frame, q.result);
     DepthInspection sum;
     for (const DepthInspection& depth : found.depths) {
         sum.tests += depth.tests;
@@ -102,7 +102,7 @@ void check_contacts(const AttributedQuery& q) {
     const std::size_t step = std::max<std::size_t>(1, q.result.passed.size() / 50);
     for (std::size_t k = 0; k < q.result.passed.size(); k += step) {
         const PassedPair& pair = q.result.passed[k];
-        const IndexPair nodes = q.frame.events.volume_tests[pair.test].nodes;
+        const IndexPair nodes = q.frame.steps.volumes[pair.test].nodes;
         const std::set<std::uint32_t> of_a = triangles_below(q.a.topology(), nodes.a),
                                       of_b = triangles_below(q.b.topology(), nodes.b);
         const bool contact = std::any_of(
@@ -195,8 +195,7 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     header.options.max_pairs = 1;
     const TraceFrame frame = record_frame(a, b, 0, pose, header);
     ASSERT_FALSE(frame.found.complete);
-    const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame,
-                                    traversal_tree(header, frame), contacts);
+    const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame, contacts);
     EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
     // The roots are of a pair that meets, although it is not the one that was found.
     EXPECT_EQ(r.passed.front().reason, PassReason::triangles_meet);
@@ -313,7 +312,7 @@ TEST(AlternativeTest, CatchesTheWeakPairsThatItRejects) {
         for (const PassedPair& pair : query.result.passed) {
             if (pair.reason != PassReason::weak_test) continue;
             ++weak;
-            const IndexPair nodes = query.frame.events.volume_tests[pair.test].nodes;
+            const IndexPair nodes = query.frame.steps.volumes[pair.test].nodes;
             caught += overlap_steps(of_a.volumes[nodes.a], of_b.volumes[nodes.b], placed, other)
                           .decisive()
                           .has_value();

@@ -50,9 +50,8 @@ TEST(BuiltinScenes, Line8LosesAllPairsToOneWrongRejectionOfThePrintedTest) {
     const auto kind = static_cast<std::size_t>(VolumeKind::scb);
     const std::vector<IndexPair> contacts =
         shown.found(VolumeKind::scb, OverlapTest::corrected).pairs;
-    const Attribution attribution =
-        attribute(shown.a().hierarchies[kind], shown.b().hierarchies[kind], header, frame,
-                  traversal_tree(header, frame), contacts);
+    const Attribution attribution = attribute(shown.a().hierarchies[kind],
+                                              shown.b().hierarchies[kind], header, frame, contacts);
     EXPECT_EQ(attribution.wrongly_rejected, (std::vector<WrongRejection>{{0, pairs}}));
 }
 

@@ -19,7 +19,7 @@ TEST(WorstRejections, AreTheSameInWhateverOrderFramesAreAdded) {
     late.frame = 2;
     for (TraceFrame* frame : {&early, &late})
         for (std::uint32_t i = 0; i < 3; ++i)
-            frame->events.volume_tests.push_back({{i, i}, 0, 0, Stage::ball_slab});
+            frame->steps.volumes.push_back({{i, i}, 0, 0, Stage::ball_slab});
     Attribution found;
     found.wrongly_rejected = {{0, 5}, {1, 7}, {2, 5}};
     WorstRejections forward(3), backward(3);
@@ -59,10 +59,10 @@ TEST(WorstPairs, AreEachListedOnceAtTheirWorstFrame) {
         AttributedQuery query(a, b, pose, VolumeKind::scb, OverlapTest::printed);
         query.frame.frame = frame;
         rejections.add(query.frame, query.result);
-        weak.add(query.frame, query.tree, query.result);
+        weak.add(query.frame, query.result);
         const auto raise = [&](std::map<Nodes, std::uint64_t>& most, std::uint32_t test,
                                std::uint64_t value) {
-            const IndexPair nodes = query.frame.events.volume_tests[test].nodes;
+            const IndexPair nodes = query.frame.steps.volumes[test].nodes;
             std::uint64_t& so_far = most[{nodes.a, nodes.b}];
             so_far = std::max(so_far, value);
         };

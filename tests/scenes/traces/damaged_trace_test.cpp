@@ -56,20 +56,20 @@ bool survives(const Bytes& bytes) {
         EXPECT_GT(frame.frame, last);
         last = frame.frame;
         const auto& bodies = trace.header.bodies;
-        for (const VolumeTest& test : frame.events.volume_tests) {
+        for (const Step& test : frame.steps.volumes) {
             EXPECT_LE(test.nodes.a, 2 * bodies[0].mesh.triangles - 2);
             EXPECT_LE(test.nodes.b, 2 * bodies[1].mesh.triangles - 2);
             EXPECT_LT(static_cast<std::size_t>(test.stage), stage_count);
         }
-        for (const TriangleTest& test : frame.events.triangle_tests) {
-            EXPECT_LT(test.triangles.a, bodies[0].mesh.triangles);
-            EXPECT_LT(test.triangles.b, bodies[1].mesh.triangles);
-            EXPECT_LT(test.after, frame.events.volume_tests.size());
+        for (const ItemStep& test : frame.steps.items) {
+            EXPECT_LT(test.items.a, bodies[0].mesh.triangles);
+            EXPECT_LT(test.items.b, bodies[1].mesh.triangles);
+            EXPECT_LT(test.step, frame.steps.volumes.size());
         }
         EXPECT_EQ(std::adjacent_find(frame.found.pairs.begin(), frame.found.pairs.end()),
                   frame.found.pairs.end());
-        const TraversalTree tree = traversal_tree(trace.header, frame);
-        EXPECT_EQ(tree.parents.size(), frame.events.volume_tests.size());
+        const Outcomes outcomes = outcomes_of(trace.header, frame);
+        EXPECT_EQ(outcomes.size(), frame.steps.volumes.size());
     }
     EXPECT_TRUE(diff(trace, trace).equal());
     expect_same(trace, decode_trace(encode_trace(trace), "file"));

@@ -37,7 +37,7 @@ inline void expect_same(const Trace& a, const Trace& b) {
         EXPECT_EQ(f.frame, g.frame);
         EXPECT_EQ(f.b_to_a.rotation, g.b_to_a.rotation);
         EXPECT_EQ(f.b_to_a.translation, g.b_to_a.translation);
-        EXPECT_EQ(f.events, g.events);
+        EXPECT_EQ(f.steps, g.steps);
         EXPECT_EQ(f.found.pairs, g.found.pairs);
         EXPECT_EQ(f.found.n_v, g.found.n_v);
         EXPECT_EQ(f.found.n_p, g.found.n_p);

@@ -1,7 +1,8 @@
-#include "core/analysis/traversal_tree.h"
+#include "core/analysis/outcome.h"
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/costly_tests.h"
 #include "tests/core/analysis/made_query.h"
 
 namespace scb {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t no_parent = MadeQuery::none;
 
-TEST(EngineTraversalTree, ADivisionIsOfTheNodeWhoseChildrenAreTested) {
+TEST(EngineOutcomes, ADivisionIsOfTheNodeWhoseChildrenAreTested) {
     MadeQuery query;
     query.test(no_parent, {0, 0});
     query.test(0, {1, 0});
@@ -19,14 +20,13 @@ TEST(EngineTraversalTree, ADivisionIsOfTheNodeWhoseChildrenAreTested) {
     query.test(3, {1, 7});
     query.test(3, {8, 5});
     query.test(5, {9, 9}, false);
-    EXPECT_EQ(query.tree().outcomes,
+    EXPECT_EQ(query.outcomes(),
               (std::vector{Outcome::divided_a, Outcome::divided_b, Outcome::divided_both,
                            Outcome::divided_both, Outcome::left_over, Outcome::divided_both,
                            Outcome::left_over, rejected_at(Stage::ball_ball)}));
-    EXPECT_EQ(query.tree().parents, query.frame.parents);
 }
 
-TEST(EngineTraversalTree, LeavesMeetWhereSomeOfTheirTrianglesDo) {
+TEST(EngineOutcomes, LeavesMeetWhereSomeOfTheirTrianglesDo) {
     for (const auto& [tests, outcome] :
          {std::pair(std::vector{false, true, false}, Outcome::triangles_meet),
           {std::vector{true, false}, Outcome::triangles_meet},
@@ -34,26 +34,26 @@ TEST(EngineTraversalTree, LeavesMeetWhereSomeOfTheirTrianglesDo) {
         MadeQuery query;
         query.test(no_parent, {0, 0});
         for (std::uint32_t i = 0; i < tests.size(); ++i) query.triangles({i, i}, tests[i]);
-        EXPECT_EQ(query.tree().outcomes[0], outcome);
+        EXPECT_EQ(query.outcomes()[0], outcome);
     }
 }
 
-TEST(EngineTraversalTree, ARejectionStaysOneWhateverTheEngineTestsAfterIt) {
+TEST(EngineOutcomes, ARejectionStaysOneWhateverTheEngineTestsAfterIt) {
     MadeQuery query;
     query.test(no_parent, {0, 0}, false);
     query.triangles({0, 0}, true);
     query.test(0, {1, 0});
-    EXPECT_EQ(query.tree().outcomes[0], rejected_at(Stage::ball_ball));
+    EXPECT_EQ(query.outcomes()[0], rejected_at(Stage::ball_ball));
 }
 
-TEST(EngineTraversalTree, PairsOfObjectsAreFound) {
+TEST(EngineOutcomes, PairsOfObjectsAreFound) {
     MadeQuery query;
     query.header.engine->objects = true;
     query.test(no_parent, {0, 0});
     query.test(0, {1, 2});
     query.test(0, {2, 1});
     query.frame.found.pairs = {{1, 2}};
-    EXPECT_EQ(query.tree().outcomes,
+    EXPECT_EQ(query.outcomes(),
               (std::vector{Outcome::divided_both, Outcome::found, Outcome::left_over}));
 }
 
@@ -64,7 +64,7 @@ TEST(TestSizes, OfSeveralRootsEachHasItsOwn) {
     query.test(no_parent, {5, 5});
     query.test(2, {6, 5});
     query.test(3, {7, 5});
-    EXPECT_EQ(subtree_sizes(query.tree()), (std::vector<std::uint32_t>{2, 1, 3, 2, 1}));
+    EXPECT_EQ(subtree_sizes(query.frame.steps), (std::vector<std::uint32_t>{2, 1, 3, 2, 1}));
 }
 
 }  // namespace
