@@ -83,7 +83,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
                   header.growth};
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
-    asked.layouts = options.time;
+    asked.layouts = options.time && !query.is_self();
     std::vector<int> frames;
     for (const std::size_t i : counted_frames(source.frames().size(), report.sum.counts.all))
         frames.push_back(source.frames()[i]);

@@ -87,8 +87,9 @@ std::vector<std::string> causes(const InspectReport& report) {
     for (std::size_t i = 0; i < (found.alike ? 1 : 2); ++i) {
         const BodyCauses& body = found.bodies[i];
         const MeshFacts& facts = body.facts;
+        const bool alike = found.alike && report.header.kind != QueryKind::self;
         const std::string of = render::counted(facts.triangles, "triangle", "triangles") + " of " +
-                               name(i) + (found.alike ? ", and as many of " + name(1) + "," : "");
+                               name(i) + (alike ? ", and as many of " + name(1) + "," : "");
         if (body.slender)
             sentences.push_back(
                 render::count_text(facts.slender()) + " of " + of +

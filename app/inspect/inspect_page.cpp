@@ -211,7 +211,8 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + " · " +
+    const std::string self = header.kind == QueryKind::self ? " against itself" : "";
+    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + self + " · " +
            std::string(render::volume_title(header.volume)) + " · inspect";
 }
 
@@ -223,8 +224,7 @@ std::string inspect_subtitle(const InspectReport& report) {
     if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
     // The title has the names of two meshes.
     if (header.source.size() == 2) return text;
-    return text + ", " + scenes::printable(header.bodies[0].name) + " and " +
-           scenes::printable(header.bodies[1].name);
+    return text + ", " + bodies_text(header);
 }
 
 std::string inspect_html(const InspectReport& report, const InspectPage& page) {

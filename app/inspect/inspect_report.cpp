@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 #include "app/explain/explain_pictures.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/query/scene_title.h"
 #include "app/query/trace_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
@@ -222,9 +223,8 @@ std::string settings_words(const InspectReport& report, const std::string& over)
 
 std::string inspect_text(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    std::string title = scenes::printable(header.scene + ": " + header.bodies[0].name + " and " +
-                                          header.bodies[1].name) +
-                        ", " + std::string(render::volume_title(header.volume));
+    std::string title = scenes::printable(header.scene) + ": " + bodies_text(header) + ", " +
+                        std::string(render::volume_title(header.volume));
     if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);
     title += build_text(build_options(header));

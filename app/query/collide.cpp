@@ -92,6 +92,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
                    {"source", utf8_names(options.scene.names)},
                    {"bodies", {body(query.a), body(query.b)}},
                    {"volume", volume_kind_name(query.kind)}};
+    if (query.is_self()) result["query"] = "self";
     if (query.kind == VolumeKind::scb) {
         result["test"] = options.query.test;
         if (has_threshold(query.options.overlap.test))
@@ -114,10 +115,12 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
 }
 
 std::string title_of(const CollideCommandOptions& options, const SceneQuery& query) {
-    std::string text = query.scene.name + ": " + query.scene.bodies[query.a].name +
-                       format(" (%zu triangles) and ", query.mesh(query.a).triangles.size()) +
-                       query.scene.bodies[query.b].name +
-                       format(" (%zu triangles), ", query.mesh(query.b).triangles.size()) +
+    const auto body = [&query](std::size_t i) {
+        return query.scene.bodies[i].name +
+               format(" (%zu triangles)", query.mesh(i).triangles.size());
+    };
+    std::string text = query.scene.name + ": " + body(query.a) +
+                       (query.is_self() ? " against itself" : " and " + body(query.b)) + ", " +
                        std::string(volume_kind_name(query.kind)) + " hierarchies";
     if (query.kind == VolumeKind::scb) {
         text += ", test " + options.query.test;
@@ -135,6 +138,7 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
 /// Where queries find nothing: which body lies inside the other, or how far apart the boxes of the
 /// bodies are, in A's frame.
 std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
+    if (query.is_self()) return "\nNo triangles intersect but those that share a vertex.\n";
     if (const std::string claims = inside.claims(query.frames.size()); !claims.empty())
         return "\nNo triangles intersect: " + claims + ".\n" + inside.doubts();
     const Box a = bounding_box(query.mesh(query.a));
@@ -238,7 +242,8 @@ int run(CollideCommandOptions& options, const Console& console) {
         if (watch.signal() != 0) break;
         const Collision found = query.collide(frame);
         sums.add(found);
-        const bool is_apart = found.pairs.empty() && query.options.stop_level < 0;
+        const bool is_apart =
+            found.pairs.empty() && query.options.stop_level < 0 && !query.is_self();
         if (is_apart)
             for (Json& found_inside : inside.add(frame))
                 json_inside.push_back(std::move(found_inside));

@@ -1,4 +1,5 @@
 #include "app/query/query_sources.h"
+#include "app/query/scene_title.h"
 
 #include <algorithm>
 #include <functional>
@@ -54,9 +55,7 @@ std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptio
     return sides;
 }
 
-std::string text_of(const TraceHeader& header) {
-    return header.scene + ", " + header.bodies[0].name + " and " + header.bodies[1].name;
-}
+std::string text_of(const TraceHeader& header) { return header.scene + ", " + bodies_text(header); }
 
 void check_comparable(const QuerySources& sources) {
     const TraceHeader &a = sources[0].header(), &b = sources[1].header();

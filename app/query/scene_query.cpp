@@ -20,6 +20,7 @@ std::array<Pose, 2> SceneQuery::poses(int frame) const {
 }
 
 Pose SceneQuery::b_to_a(int frame) const {
+    if (is_self()) return {};
     const auto [of_a, of_b] = poses(frame);
     return relative_pose(of_a, of_b);
 }
@@ -31,15 +32,18 @@ CollideOptions SceneQuery::mutated_options() const {
 }
 
 Collision SceneQuery::collide(int frame) const {
-    Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
-                                   mutated_options());
+    Collision found = is_self() ? collide_self(hierarchy(a), mesh(a), joined, mutated_options())
+                                : scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b),
+                                               b_to_a(frame), mutated_options());
     mutate(mutation, found, kind, options.overlap);
     return found;
 }
 
 Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
-    Collision found = scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame),
-                                   mutated_options(), recorder);
+    Collision found = is_self()
+                          ? collide_self(hierarchy(a), mesh(a), joined, mutated_options(), recorder)
+                          : scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b),
+                                         b_to_a(frame), mutated_options(), recorder);
     mutate(mutation, found, kind, options.overlap);
     mutate(mutation, recorder.steps);
     return found;
@@ -55,7 +59,9 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
         if (scene.bodies.size() < 2)
             throw InputError(title +
                              " has one body, and a collision needs two; give a scene with two, or "
-                             "two mesh files.");
+                             "two mesh files, or --bodies " +
+                             scene.bodies[0].name + "," + scene.bodies[0].name +
+                             " for the body against itself.");
         throw InputError(title + " has the bodies " + known +
                          "; name two of them with --bodies A,B.");
     }
@@ -71,9 +77,10 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                              scene.name + "'; it has " + known + ".");
         chosen.push_back(i);
     }
-    if (chosen.size() != 2 || chosen[0] == chosen[1])
-        throw InputError("--bodies " + names + ": give two bodies, and not one twice, such as " +
-                         scene.bodies[0].name + "," + scene.bodies.back().name + ".");
+    if (chosen.size() != 2)
+        throw InputError("--bodies " + names + ": give two bodies, such as " +
+                         scene.bodies[0].name + "," + scene.bodies.back().name +
+                         "; one twice is the body against itself.");
     return {chosen[0], chosen[1]};
 }
 
@@ -91,6 +98,7 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
             throw InputError(scene.names[0] + ": of the objects of '" + body.name +
                              "' there are no triangles, and this program's hierarchies are of "
                              "triangles; ask for what was recorded.");
+    if (result.is_self()) result.joined = joined_vertices(result.mesh(result.a));
     result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
     limits.apply(result.options, scenes::deepest(result.topologies));
@@ -108,6 +116,7 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     header.scb_version = SCB_VERSION;
     header.source = utf8_names(scene.names);
     header.scene = query.scene.name;
+    header.kind = query.is_self() ? QueryKind::self : QueryKind::collide;
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t body = side == 0 ? query.a : query.b;
         header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};

@@ -7,18 +7,20 @@
 
 namespace scb::app {
 
-/// Two bodies of a scene, ready for queries frame by frame.
+/// Two bodies of a scene, or one against itself, ready for queries frame by frame.
 struct SceneQuery {
     scenes::Scene scene;
     VolumeKind kind = VolumeKind::scb;
     std::vector<int> frames;                ///< those asked for, ascending
-    std::size_t a = 0, b = 0;               ///< indices of Scene::bodies
+    std::size_t a = 0, b = 0;               ///< indices of Scene::bodies; equal in a self query
+    std::vector<std::uint32_t> joined;      ///< joined_vertices of the mesh of a self query
     std::vector<MeshTopology> topologies;   ///< per mesh
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
     BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
     Mutation mutation = Mutation::none;
 
+    bool is_self() const { return a == b; }
     const Mesh& mesh(std::size_t body) const;
     const AnyHierarchy& hierarchy(std::size_t body) const;
     /// Where A and B are.
@@ -33,8 +35,8 @@ struct SceneQuery {
     CollideOptions mutated_options() const;
 };
 
-/// The bodies that `names` names ("pin,bracket"; the only two also as A and B), or the only two.
-/// Throws InputError where that leaves a choice, or names no body.
+/// The bodies that `names` names ("pin,bracket", or "pin,pin" for a self query; the only two also
+/// as A and B), or the only two. Throws InputError where that leaves a choice, or names no body.
 std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
                                                const std::string& names);
 

@@ -162,7 +162,7 @@ std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
             measured.objects = render::item_count(*body.mesh, *body.tree).count;
             continue;
         }
-        const std::vector<std::uint32_t> welded = weld(*body.mesh);
+        const std::vector<std::uint32_t> welded = joined_vertices(*body.mesh);
         for (std::uint32_t i = 0; i < welded.size(); ++i) measured.points += welded[i] == i;
         measured.facts = mesh_facts(*body.mesh);
         if (measured.levels.size() > most_measured_levels && options.measures)

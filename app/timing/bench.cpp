@@ -47,6 +47,9 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     entry.scene = scene.load(query.frames);
     entry.stem = scene.file_stem(entry.scene.name);
     std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
+    if (entry.a == entry.b)
+        throw InputError("--bodies " + query.bodies +
+                         ": `scb bench` times queries of two bodies; give two.");
     entry.frames = frames_of(entry.scene, query.frames);
     return entry;
 }

@@ -168,6 +168,10 @@ int run(const TuneCommandOptions& options, const Console& console) {
               picture_file(options, scene)})
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = two_bodies(scene, options.query.bodies);
+    if (a == b)
+        throw InputError("--bodies " + options.query.bodies +
+                         ": `scb tune` times queries of two bodies, on packed layouts too; give "
+                         "two, or see the settings that `scb inspect` lists.");
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
     // Of slab cut balls the threshold counts whatever the base's test is.
     QueryOptions doubtful = options.query;

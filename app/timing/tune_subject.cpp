@@ -21,6 +21,7 @@ double process_milliseconds() {
 TuneSubject::TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
                          const std::vector<int>& frames, const BuildOptions& build)
     : scene_(scene), build_(build), mesh_a_(scene.bodies[a].mesh), mesh_b_(scene.bodies[b].mesh) {
+    if (a == b) joined_ = joined_vertices(scene.meshes[mesh_a_].mesh);
     for (const int frame : frames)
         poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
                                        scenes::pose_at(scene.bodies[b].motion, frame)));
@@ -75,9 +76,10 @@ Collision TuneSubject::query(const BuiltSetting& built, const TuneSetting& setti
     CollideOptions options;
     options.overlap = setting.overlap;
     options.descent = setting.descent;
-    return collide((*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
-                   (*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame],
-                   options);
+    const AnyHierarchy& a = (*built.hierarchies)[mesh_a_];
+    if (!joined_.empty()) return collide_self(a, scene_.meshes[mesh_a_].mesh, joined_, options);
+    return collide(a, scene_.meshes[mesh_a_].mesh, (*built.hierarchies)[mesh_b_],
+                   scene_.meshes[mesh_b_].mesh, poses_[frame], options);
 }
 
 Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
@@ -89,6 +91,10 @@ Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
 void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {
     CollideOptions slow;
     slow.overlap.test = OverlapTest::extents;
+    if (!joined_.empty()) {
+        collide_self((*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh, joined_, slow);
+        return;
+    }
     collide((*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh,
             (*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
             relative_pose(poses_[frame], Pose{}), slow);

@@ -21,7 +21,8 @@ struct BuiltLayout {
     double ms = 0;  ///< of building and packing
 };
 
-/// A scene, two of its bodies, frames, and what queries of them need.
+/// A scene, two of its bodies, or one twice for a self query, frames, and what queries of them
+/// need.
 class TuneSubject {
   public:
     TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
@@ -30,6 +31,8 @@ class TuneSubject {
     std::size_t frames() const { return poses_.size(); }
 
     BuiltSetting build(const TuneSetting& setting);
+    /// Whether there are queries on packed layouts: of two bodies.
+    bool has_layouts() const { return joined_.empty(); }
     /// Throws InputError where the layout cannot hold a mesh.
     BuiltLayout pack(const BuiltSetting& built, const PackedLayout& layout) const;
 
@@ -60,6 +63,7 @@ class TuneSubject {
     const scenes::Scene& scene_;
     BuildOptions build_;
     std::size_t mesh_a_, mesh_b_;
+    std::vector<std::uint32_t> joined_;  // of a self query
     Split splits_[2];
     std::vector<Pose> poses_;  // per frame
     PackedWorkspace workspace_;

@@ -109,6 +109,10 @@ class Columns {
             of_kind.volumes = volume_kind_name(kind);
             sources->emplace_back(scene, of_kind, query, QueryLimits{}, false);
         }
+        if (sources->front().query().is_self())
+            throw InputError("--bodies " + query.bodies +
+                             ": the page shows queries of two bodies; see a body against itself "
+                             "with `scb render rejections` and `scb inspect`.");
         for (QuerySource& source : *sources)
             add(source, std::string(render::volume_title(source.query().kind)), scene.names);
         subject_.sources.push_back(std::move(sources));

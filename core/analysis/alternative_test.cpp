@@ -38,7 +38,7 @@ AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
     result.overlap = other;
     CollideOptions options = header.options;
     options.overlap = other;
-    const Collision found = collide(a, mesh_a, b, mesh_b, frame.b_to_a, options);
+    const Collision found = asked_again(a, mesh_a, b, mesh_b, header, frame, options);
     result.pairs = found.pairs.size();
     result.all = {found.n_v, found.n_p, operation_count(header.volume, other, found.stages)};
     const auto* scbs_a = std::get_if<Hierarchy<Scb>>(&a);

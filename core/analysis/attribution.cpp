@@ -39,23 +39,36 @@ struct Followers {
 };
 
 /// For each test, how many of the pairs of triangles that intersect its nodes hold.
-std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
+std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b, QueryKind kind,
                                           const TraceFrame& frame,
                                           std::span<const IndexPair> contacts) {
     const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b);
     const std::vector<Step>& tests = frame.steps.volumes;
     const Followers followers(tests);
+    // Of a self query: per node the step that begins with it and its sibling.
+    std::vector<std::uint32_t> roots(kind == QueryKind::self ? a.nodes.size() : 0, none);
+    for (std::uint32_t i = 0; i < tests.size() && !roots.empty(); ++i)
+        if (tests[i].parent == none) roots[tests[i].nodes.a] = i;
+    const auto root_of = [&](IndexPair at) {
+        if (roots.empty()) return tests.empty() ? none : 0;
+        std::uint32_t left = a.nodes[0].left;
+        while (holds(a, left, at.a) == holds(a, left, at.b))
+            left = a.nodes[holds(a, left, at.a) ? left : left + 1].left;
+        return roots[left];
+    };
     std::vector<std::uint64_t> below(tests.size());
     for (const IndexPair& contact : contacts) {
-        std::uint32_t test = tests.empty() ? none : 0;
+        IndexPair at{position_a[contact.a], position_b[contact.b]};
+        // The left triangle is below the first node of each step.
+        if (!roots.empty() && at.a > at.b) std::swap(at.a, at.b);
+        std::uint32_t test = root_of(at);
         while (test != none) {
             ++below[test];
             const std::uint32_t parent = test;
             test = none;
             for (std::uint32_t child = followers.first[parent]; child != none;
                  child = followers.next[child])
-                if (holds(a, tests[child].nodes.a, position_a[contact.a]) &&
-                    holds(b, tests[child].nodes.b, position_b[contact.b])) {
+                if (holds(a, tests[child].nodes.a, at.a) && holds(b, tests[child].nodes.b, at.b)) {
                     test = child;
                     break;
                 }
@@ -68,7 +81,8 @@ std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b,
 std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame) {
     const std::vector<Step>& tests = frame.steps.volumes;
     std::vector<Work> below(tests.size());
-    for (const ItemStep& test : frame.steps.items) ++below[test.step].triangle_tests;
+    for (const ItemStep& test : frame.steps.items)
+        below[test.step].triangle_tests += test.neighbors ? 0 : 1;
     for (std::size_t i = tests.size(); i-- > 0;) {
         if (tests[i].parent == none) continue;
         Work& parent = below[tests[i].parent];
@@ -162,7 +176,7 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, std::span<const IndexPair> contacts) {
     const std::vector<std::uint64_t> below =
-        contacts_below(topology_of(a), topology_of(b), frame, contacts);
+        contacts_below(topology_of(a), topology_of(b), header.kind, frame, contacts);
     return std::visit(
         [&]<class V>(const Hierarchy<V>& hierarchy) {
             return attribute(header, frame,
@@ -171,12 +185,20 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
         a);
 }
 
+Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                      const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
+                      const CollideOptions& options) {
+    if (header.kind == QueryKind::self)
+        return collide_self(a, mesh_a, joined_vertices(mesh_a), options);
+    return collide(a, mesh_a, b, mesh_b, frame.b_to_a, options);
+}
+
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
                                     const AnyHierarchy& b, const Mesh& mesh_b,
                                     const TraceHeader& header, const TraceFrame& frame) {
     const bool sound = header.volume != VolumeKind::scb || is_sound(header.options.overlap.test);
     if (sound && frame.found.complete && header.options.stop_level < 0) return frame.found.pairs;
-    return collide(a, mesh_a, b, mesh_b, frame.b_to_a).pairs;
+    return asked_again(a, mesh_a, b, mesh_b, header, frame, {}).pairs;
 }
 
 }  // namespace scb

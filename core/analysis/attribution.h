@@ -61,6 +61,11 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, std::span<const IndexPair> contacts);
 
+/// The query of a frame, asked again with other options.
+Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                      const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
+                      const CollideOptions& options);
+
 /// All pairs of triangles that intersect, at the pose of a frame: those that the query found, or,
 /// where it ended before it had them all or its test is not sound, those of another query.
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,

@@ -24,30 +24,31 @@ EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes) {
 
 namespace {
 
-std::vector<Outcome> with_ends(std::vector<Outcome> endings, bool of_nodes) {
+std::vector<Outcome> with_ends(std::vector<Outcome> endings, QueryKind kind, bool of_nodes) {
     if (of_nodes)
         endings.push_back(Outcome::found);
     else
         endings.insert(endings.end(), {Outcome::triangles_apart, Outcome::triangles_meet});
+    if (kind == QueryKind::self && !of_nodes) endings.push_back(Outcome::neighbors);
     endings.push_back(Outcome::left_over);
     return endings;
 }
 
 }  // namespace
 
-std::vector<Outcome> endings_of(VolumeKind kind, const CollideOptions& options) {
+std::vector<Outcome> endings_of(VolumeKind volume, const CollideOptions& options, QueryKind kind) {
     std::vector<Outcome> endings;
-    for (const Stage stage : stages_of(kind, options.overlap))
+    for (const Stage stage : stages_of(volume, options.overlap))
         endings.push_back(rejected_at(stage));
-    return with_ends(std::move(endings), options.stop_level >= 0);
+    return with_ends(std::move(endings), kind, options.stop_level >= 0);
 }
 
 std::vector<Outcome> endings_of(const TraceHeader& header) {
-    if (!header.engine) return endings_of(header.volume, header.options);
+    if (!header.engine) return endings_of(header.volume, header.options, header.kind);
     std::vector<Outcome> endings;
     for (const NamedStage& stage : header.engine->stages)
         endings.push_back(rejected_at(stage.stage));
-    return with_ends(std::move(endings), pairs_are_nodes(header));
+    return with_ends(std::move(endings), QueryKind::collide, pairs_are_nodes(header));
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,

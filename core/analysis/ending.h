@@ -23,7 +23,8 @@ EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes);
 /// The endings that such queries can have, in order: the stages of the
 /// test, then the others. `triangles_apart` and `triangles_meet` where
 /// triangles were tested, else `found`; `left_over` last.
-std::vector<Outcome> endings_of(VolumeKind kind, const CollideOptions& options);
+std::vector<Outcome> endings_of(VolumeKind volume, const CollideOptions& options,
+                                QueryKind kind = QueryKind::collide);
 std::vector<Outcome> endings_of(const TraceHeader& header);
 
 /// The tests of a frame by how they ended, whoever made them: "overlapping" first, then the stages

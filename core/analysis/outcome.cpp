@@ -12,6 +12,8 @@ std::string_view outcome_name(Outcome outcome) {
             return "triangles meet";
         case Outcome::found:
             return "found";
+        case Outcome::neighbors:
+            return "neighbors";
         case Outcome::left_over:
             return "left over";
         case Outcome::divided_a:
@@ -50,7 +52,7 @@ Outcomes outcomes_of(const Steps& steps, std::span<const IndexPair> found_nodes)
         if (test.hit)
             leaves = Outcome::triangles_meet;
         else if (leaves != Outcome::triangles_meet)
-            leaves = Outcome::triangles_apart;
+            leaves = test.neighbors ? Outcome::neighbors : Outcome::triangles_apart;
     }
     return outcomes;
 }

@@ -16,13 +16,14 @@ enum class Outcome : std::uint8_t {
     triangles_apart = stage_count,  ///< two leaves that overlap, whose triangles do not intersect
     triangles_meet,                 ///< two leaves that overlap, whose triangles intersect
     found,                          ///< nodes that overlap at the level where the query stopped
+    neighbors,     ///< two leaves that overlap, whose triangles share a vertex, in a self query
     left_over,     ///< they overlap, but the query had its pairs before it came to divide them
     divided_a,     ///< they overlap; the children of A's node were tested next
     divided_b,     ///< they overlap; the children of B's node were tested next
     divided_both,  ///< they overlap; the children of both were: other engines do so
 };
 /// How many outcomes end a path, and indices below which they are: but for foreign stages.
-inline constexpr std::size_t ending_count = stage_count + 4;
+inline constexpr std::size_t ending_count = stage_count + 5;
 /// Above all outcomes.
 inline constexpr std::size_t outcome_end = 192;
 
@@ -39,8 +40,9 @@ constexpr bool is_ending(Outcome outcome) {
            is_foreign(static_cast<Stage>(outcome));
 }
 
-/// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "left over",
-/// "divided a", "divided b", "divided both". Foreign stages have no name, see stage_words.
+/// "slab-cylinder", ... of rejections; "triangles apart", "triangles meet", "found", "neighbors",
+/// "left over", "divided a", "divided b", "divided both". Foreign stages have no name, see
+/// stage_words.
 std::string_view outcome_name(Outcome outcome);
 
 /// The outcome of each step of a query.

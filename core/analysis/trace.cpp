@@ -64,6 +64,11 @@ Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame) {
     return outcomes_of(frame.steps, nodes);
 }
 
+IndexPair pair_of(const TraceHeader& header, const ItemStep& test) {
+    const auto [a, b] = test.items;
+    return header.kind == QueryKind::self && b < a ? IndexPair{b, a} : test.items;
+}
+
 IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes) {
     const auto& [a, b] = frame.trees;
     return {a ? a->number(nodes.a) : nodes.a, b ? b->number(nodes.b) : nodes.b};
@@ -123,6 +128,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                 fields.push_back(setting);
         return fields;
     }
+    if (header.kind == QueryKind::self) fields.push_back({"query", "self"});
     fields.push_back({"split", std::string(split_method_name(header.split))});
     fields.push_back({"volume", std::string(volume_kind_name(header.volume))});
     // Only what has an effect on these volumes.

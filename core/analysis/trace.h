@@ -10,6 +10,7 @@
 #include "core/analysis/outcome.h"
 #include "core/hierarchy/volume_tree.h"
 #include "scb/any_collide.h"
+#include "scb/query.h"
 
 namespace scb {
 
@@ -63,7 +64,8 @@ struct TraceHeader {
     /// it is: it takes no part in comparisons.
     std::vector<std::string> source;
     std::string scene;
-    std::array<TraceBody, 2> bodies;  ///< A and B
+    QueryKind kind = QueryKind::collide;
+    std::array<TraceBody, 2> bodies;  ///< A and B; of a self query the same body twice
     VolumeKind volume = VolumeKind::scb;
     BallGrowth growth = BallGrowth::ritter;
     double margin = 0;
@@ -105,6 +107,9 @@ struct Trace {
     std::vector<TraceFrame> frames;  ///< ascending by number, each once
 };
 
+/// The pair of triangles that a test found: of a self query the lower one first.
+IndexPair pair_of(const TraceHeader& header, const ItemStep& test);
+
 /// The outcomes of a frame's steps.
 Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame);
 
@@ -119,10 +124,10 @@ std::optional<int> other_tree_at(const TraceEngine& a, const TraceEngine& b, std
 /// engines at a frame that both have, are others.
 bool same_nodes(const TraceHeader& a, const TraceHeader& b);
 
-/// What was asked, in a fixed order: scene, bodies, meshes, split, volume, growth, margin, test and
-/// threshold where they mean anything to the volume; descent, pairs at most, level. Of another
-/// engine scene, bodies, meshes, engine, volume, the trees at the first frame, and its settings.
-/// Neither version nor source.
+/// What was asked, in a fixed order: scene, bodies, meshes, "query" of a self query, split, volume,
+/// growth, margin, test and threshold where they mean anything to the volume; descent, pairs at
+/// most, level. Of another engine scene, bodies, meshes, engine, volume, the trees at the first
+/// frame, and its settings. Neither version nor source.
 std::vector<TraceField> fields_of(const TraceHeader& header);
 
 }  // namespace scb

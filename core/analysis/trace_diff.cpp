@@ -109,13 +109,13 @@ bool same_pose(const Pose& a, const Pose& b) {
 }
 
 /// The volume test from which the pair came: other engines need not tell of one.
-std::optional<std::size_t> test_of(const TraceFrame& frame, const Outcomes& outcomes, bool of_nodes,
-                                   IndexPair pair) {
+std::optional<std::size_t> test_of(const TraceHeader& header, const TraceFrame& frame,
+                                   const Outcomes& outcomes, bool of_nodes, IndexPair pair) {
     if (of_nodes)
         for (std::size_t i = 0; i < outcomes.size(); ++i)
             if (outcomes[i] == Outcome::found && frame.steps.volumes[i].nodes == pair) return i;
     for (const ItemStep& t : frame.steps.items)
-        if (t.hit && t.items == pair) return t.step;
+        if (t.hit && pair_of(header, t) == pair) return t.step;
     return std::nullopt;
 }
 
@@ -134,7 +134,8 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
     const IndexPair told = d.of_nodes ? numbers_of(finder, pair) : pair;
     LostPair lost{finder.frame, told, false, !other.found.complete, std::nullopt, 0};
     if (!d.nodes_comparable) return lost;
-    const std::optional<std::size_t> from = test_of(finder, finder_outcomes, d.of_nodes, pair);
+    const std::optional<std::size_t> from =
+        test_of(finder_header, finder, finder_outcomes, d.of_nodes, pair);
     if (!from) return lost;
     // The finder came down from the roots step by step, so these are all ancestors of the pair.
     std::set<std::uint32_t> ancestors_a, ancestors_b;

@@ -46,6 +46,8 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
                         : "their triangles " + triangles + " intersect");
         case Outcome::found:
             return "overlap, found at the level to stop at";
+        case Outcome::neighbors:
+            return "overlap; their triangles " + triangles + " share a vertex";
         case Outcome::left_over:
             return "overlap, left over when the query had its pairs";
     }

@@ -27,8 +27,8 @@ TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame,
             ItemStep of_leaves = triangle_tests[next];
             of_leaves.step = static_cast<std::uint32_t>(result.steps.volumes.size());
             result.steps.items.push_back(of_leaves);
-            ++found.n_p;
-            if (of_leaves.hit) found.pairs.push_back(of_leaves.items);
+            found.n_p += of_leaves.neighbors ? 0 : 1;
+            if (of_leaves.hit) found.pairs.push_back(pair_of(header, of_leaves));
         }
         place[i] = static_cast<std::uint32_t>(result.steps.volumes.size());
         if (test.parent != no_step) test.parent = place[test.parent];

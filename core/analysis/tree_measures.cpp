@@ -60,7 +60,7 @@ std::vector<TreeVolume> volumes_of(const VolumeTree& tree) {
 }  // namespace
 
 HierarchyMeasures tree_measures(const VolumeTree& tree, const Mesh& mesh, int threads) {
-    const std::vector<std::uint32_t> welded = weld(mesh);
+    const std::vector<std::uint32_t> welded = joined_vertices(mesh);
     ItemCorners corners(mesh.triangles.size());
     for (std::size_t t = 0; t < corners.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) corners[t][i] = welded[mesh.triangles[t][i]];

@@ -32,7 +32,8 @@ std::vector<std::uint32_t> triangle_heat(const Steps& steps, const TreeShape& sh
         return side == 0 ? pair.a : pair.b;
     };
     if (of == HeatOf::triangles) {
-        for (const ItemStep& test : steps.items) ++heat[index_on_side(test.items)];
+        for (const ItemStep& test : steps.items)
+            if (!test.neighbors) ++heat[index_on_side(test.items)];
         return heat;
     }
     std::vector<std::uint32_t> tests(shape.size());

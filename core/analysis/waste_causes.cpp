@@ -53,7 +53,7 @@ VainTests& VainTests::operator+=(const VainTests& other) {
 VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame) {
     VainTests vain;
     for (const ItemStep& test : frame.steps.items) {
-        if (test.hit) continue;
+        if (test.hit || test.neighbors) continue;
         const Vec3 n = normal_of(mesh_a, test.items.a),
                    m = transform_direction(frame.b_to_a, normal_of(mesh_b, test.items.b));
         ++vain.tests;

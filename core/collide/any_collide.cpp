@@ -39,6 +39,25 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
     });
 }
 
+Collision collide_self(const AnyHierarchy& side, const Mesh& mesh,
+                       std::span<const std::uint32_t> joined, const CollideOptions& options) {
+    return std::visit(
+        [&]<class V>(const Hierarchy<V>& of) {
+            return collide_self(SelfCollider<V>{of, mesh, joined}, options);
+        },
+        side);
+}
+
+Collision collide_self(const AnyHierarchy& side, const Mesh& mesh,
+                       std::span<const std::uint32_t> joined, const CollideOptions& options,
+                       StepRecorder& recorder) {
+    return std::visit(
+        [&]<class V>(const Hierarchy<V>& of) {
+            return collide_self(SelfCollider<V>{of, mesh, joined}, options, recorder);
+        },
+        side);
+}
+
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options) {
     return with_volume_type(kind, [&]<Volume V>() -> std::span<const Stage> {
         if constexpr (ConvexVolume<V>) return convex_stages();

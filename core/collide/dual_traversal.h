@@ -3,64 +3,16 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
-#include <limits>
-#include <stdexcept>
+#include <span>
 #include <type_traits>
-#include <vector>
 
 #include "core/collide/query_placement.h"
 #include "core/overlap/test_functors.h"
+#include "core/traverse/traverse.h"
 #include "scb/collide.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
-
-/// No observer; its calls compile away.
-struct NoObserver {};
-
-/// Whether O is an observer. Calls that do nothing still change how a compiler orders instructions,
-/// so without an observer there are no calls.
-template <class O>
-inline constexpr bool observed = !std::same_as<O, NoObserver>;
-
-/// Hands the tests of one query to an observer, as numbered steps. Throws std::length_error where a
-/// number or a depth does not fit into a step.
-template <class O>
-class StepNumbers {
-  public:
-    explicit StepNumbers(O& observer) : observer_(observer) {}
-
-    /// Returns the number of the step.
-    std::uint32_t volume_test(IndexPair nodes, int depth_a, int depth_b, Stage stage,
-                              std::uint32_t parent) {
-        constexpr int deepest = std::numeric_limits<std::uint16_t>::max();
-        if (depth_a > deepest || depth_b > deepest || next_ == no_step)
-            throw std::length_error("a query too deep or too long to be observed");
-        observer_.volume_test(Step{nodes, static_cast<std::uint16_t>(depth_a),
-                                   static_cast<std::uint16_t>(depth_b), stage, parent});
-        return next_++;
-    }
-    void item_test(const ItemStep& items) { observer_.item_test(items); }
-
-  private:
-    O& observer_;
-    std::uint32_t next_ = 0;
-};
-
-/// Of no observer.
-template <>
-class StepNumbers<NoObserver> {
-  public:
-    explicit StepNumbers(NoObserver&) {}
-};
-
-/// An argument of the traversal. Without an observer it goes by value, which takes no instruction.
-template <class O>
-using StepsArgument = std::conditional_t<observed<O>, StepNumbers<O>&, StepNumbers<NoObserver>>;
-
-/// The number of a step, where an observer receives steps.
-template <class O>
-using StepNumber = std::conditional_t<observed<O>, std::uint32_t, NoObserver>;
 
 /// The area and the volume by which a node is chosen to be divided: its own, but for volumes that
 /// have a quicker one.
@@ -113,91 +65,120 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
     }
 }
 
-/// The traversal, compiled for one volume type, overlap test, descent rule and observer.
-template <DescentRule rule, Volume V, class Test, class O>
-void traverse(const Collider<V>& a, const Collider<V>& b, const Placement& placed, const Test& test,
-              const CollideOptions& options, O& observer, Collision& result) {
-    const Topology& topology_a = *a.hierarchy.topology;
-    const Topology& topology_b = *b.hierarchy.topology;
-    const TopologyNode* const nodes_a = topology_a.nodes.data();
-    const TopologyNode* const nodes_b = topology_b.nodes.data();
-    const V* const volumes_a = a.hierarchy.volumes.data();
-    const V* const volumes_b = b.hierarchy.volumes.data();
+/// Pairs of nodes of two bodies, or of one body with itself: how they are tested and divided.
+template <DescentRule rule, Volume V, class Test>
+class CollidePolicy {
+  public:
+    /// `joined`: empty for two bodies, else see SelfCollider.
+    CollidePolicy(const Collider<V>& a, const Collider<V>& b, const Placement& placed,
+                  const Test& test, const CollideOptions& options,
+                  std::span<const std::uint32_t> joined, Collision& result)
+        : a_(a),
+          b_(b),
+          placed_(placed),
+          test_(test),
+          options_(options),
+          joined_(joined),
+          result_(result) {}
 
-    // Pairs that overlap and are to be divided. Each division leaves at most one pair behind on
-    // the way down, so the stack is no longer than the two depths together.
-    struct Pending {
-        std::uint32_t a, b;
-        int depth_a, depth_b;
-        [[no_unique_address]] StepNumber<O> step;
-    };
-    std::vector<Pending> pending;
-    pending.reserve(256);
-
-    const auto found = [&](std::uint32_t i, std::uint32_t j) {
-        result.pairs.push_back({i, j});
-        if (result.pairs.size() >= options.max_pairs) result.complete = false;
-    };
-    // A pair that overlaps is tested for triangles at once, or divided later. The steps are an
-    // argument, since a capture would be stored even without an observer.
-    const auto visit = [&](StepsArgument<O> steps, std::uint32_t i, std::uint32_t j, int depth_a,
-                           int depth_b, StepNumber<O> parent) {
-        const Stage stage = test(volumes_a[i], volumes_b[j], placed);
-        ++result.stages[static_cast<std::size_t>(stage)];
-        StepNumber<O> step{};
-        if constexpr (observed<O>)
-            step = steps.volume_test({i, j}, depth_a, depth_b, stage, parent);
-        if (stage != Stage::overlapping) return;
-        const bool at_end_a = nodes_a[i].is_leaf() || depth_a == options.stop_level;
-        const bool at_end_b = nodes_b[j].is_leaf() || depth_b == options.stop_level;
-        if (!at_end_a || !at_end_b) {
-            pending.push_back({i, j, depth_a, depth_b, step});
-            return;
-        }
-        if (options.stop_level >= 0) return found(i, j);
-        const std::uint32_t triangle_a = topology_a.order[nodes_a[i].first];
-        const std::uint32_t triangle_b = topology_b.order[nodes_b[j].first];
-        ++result.n_p;
-        const bool intersect =
-            triangles_overlap(corners(a.mesh, triangle_a),
-                              transform_corners(placed.b_to_a, corners(b.mesh, triangle_b)));
-        if constexpr (observed<O>) steps.item_test({{triangle_a, triangle_b}, step, intersect});
-        if (intersect) found(triangle_a, triangle_b);
-    };
-
-    StepNumbers<O> steps(observer);
-    StepNumber<O> root{};
-    if constexpr (observed<O>) root = no_step;
-    visit(steps, 0, 0, 0, 0, root);
-    while (!pending.empty() && result.complete) {
-        const Pending p = pending.back();
-        pending.pop_back();
-        const int depth = p.depth_a + p.depth_b;
-        result.depth = std::max(result.depth, depth + 1);
-        const bool at_end_a = nodes_a[p.a].is_leaf() || p.depth_a == options.stop_level;
-        const bool at_end_b = nodes_b[p.b].is_leaf() || p.depth_b == options.stop_level;
-        if (at_end_b ||
-            (!at_end_a && descends_into_a<rule>(volumes_a[p.a], volumes_b[p.b], depth))) {
-            const std::uint32_t left = nodes_a[p.a].left;
-            visit(steps, left, p.b, p.depth_a + 1, p.depth_b, p.step);
-            if (result.complete) visit(steps, left + 1, p.b, p.depth_a + 1, p.depth_b, p.step);
-        } else {
-            const std::uint32_t left = nodes_b[p.b].left;
-            visit(steps, p.a, left, p.depth_a, p.depth_b + 1, p.step);
-            if (result.complete) visit(steps, p.a, left + 1, p.depth_a, p.depth_b + 1, p.step);
+    template <class Visit>
+    void begin(const Visit& visit) const {
+        if (joined_.empty()) return visit({0, 0, 0, 0});
+        // Each node's left part against its right part: together all pairs, each once.
+        const std::vector<std::uint16_t> depths = node_depths(*a_.hierarchy.topology);
+        for (std::uint32_t node = 0; node < depths.size() && !is_done(); ++node) {
+            const bool below = options_.stop_level >= 0 && depths[node] >= options_.stop_level;
+            if (below || nodes_a_[node].is_leaf()) continue;
+            const std::uint32_t left = nodes_a_[node].left;
+            const int depth = depths[node] + 1;
+            result_.depth = std::max(result_.depth, 2 * depth);
+            visit({left, left + 1, depth, depth});
         }
     }
-}
+
+    Stage test(const NodePair& pair) const {
+        const Stage stage = test_(volumes_a_[pair.a], volumes_b_[pair.b], placed_);
+        ++result_.stages[static_cast<std::size_t>(stage)];
+        return stage;
+    }
+
+    bool is_end(const NodePair& pair) const { return at_end_a(pair) && at_end_b(pair); }
+
+    /// Tests the triangles of two leaves.
+    template <class Report>
+    void end(const NodePair& pair, const Report& report) const {
+        if (options_.stop_level >= 0) return found({pair.a, pair.b});
+        const std::uint32_t a = a_.hierarchy.topology->order[nodes_a_[pair.a].first],
+                            b = b_.hierarchy.topology->order[nodes_b_[pair.b].first];
+        if (!joined_.empty() && share_vertex(a, b)) return report({a, b}, false, true);
+        ++result_.n_p;
+        const bool hit = triangles_overlap(corners(a_.mesh, a),
+                                           transform_corners(placed_.b_to_a, corners(b_.mesh, b)));
+        report({a, b}, hit, false);
+        if (hit) found(joined_.empty() || a < b ? IndexPair{a, b} : IndexPair{b, a});
+    }
+
+    template <class Visit>
+    void divide(const NodePair& p, const Visit& visit) const {
+        const int depth = p.depth_a + p.depth_b;
+        result_.depth = std::max(result_.depth, depth + 1);
+        if (at_end_b(p) ||
+            (!at_end_a(p) && descends_into_a<rule>(volumes_a_[p.a], volumes_b_[p.b], depth))) {
+            const std::uint32_t left = nodes_a_[p.a].left;
+            visit({left, p.b, p.depth_a + 1, p.depth_b});
+            if (!is_done()) visit({left + 1, p.b, p.depth_a + 1, p.depth_b});
+        } else {
+            const std::uint32_t left = nodes_b_[p.b].left;
+            visit({p.a, left, p.depth_a, p.depth_b + 1});
+            if (!is_done()) visit({p.a, left + 1, p.depth_a, p.depth_b + 1});
+        }
+    }
+
+    bool is_done() const { return !result_.complete; }
+
+  private:
+    void found(IndexPair pair) const {
+        result_.pairs.push_back(pair);
+        if (result_.pairs.size() >= options_.max_pairs) result_.complete = false;
+    }
+    bool at_end_a(const NodePair& pair) const {
+        return nodes_a_[pair.a].is_leaf() || pair.depth_a == options_.stop_level;
+    }
+    bool at_end_b(const NodePair& pair) const {
+        return nodes_b_[pair.b].is_leaf() || pair.depth_b == options_.stop_level;
+    }
+    bool share_vertex(std::uint32_t a, std::uint32_t b) const {
+        for (const std::uint32_t of_a : a_.mesh.triangles[a])
+            for (const std::uint32_t of_b : b_.mesh.triangles[b])
+                if (joined_[of_a] == joined_[of_b]) return true;
+        return false;
+    }
+
+    const Collider<V>&a_, &b_;
+    const Placement& placed_;
+    const Test& test_;
+    const CollideOptions& options_;
+    const std::span<const std::uint32_t> joined_;
+    Collision& result_;
+    const TopologyNode* const nodes_a_ = a_.hierarchy.topology->nodes.data();
+    const TopologyNode* const nodes_b_ = b_.hierarchy.topology->nodes.data();
+    const V* const volumes_a_ = a_.hierarchy.volumes.data();
+    const V* const volumes_b_ = b_.hierarchy.volumes.data();
+};
 
 /// The traversal with the test and the rule that the options name; its counts and sorted pairs.
+/// `joined`: empty for two bodies, else see SelfCollider.
 template <Volume V, class O>
 Collision dual_traversal(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
-                         const CollideOptions& options, O& observer) {
+                         const CollideOptions& options, O& observer,
+                         std::span<const std::uint32_t> joined = {}) {
     Collision result;
     const Placement placed = query_placement(a.hierarchy, b.hierarchy, b_to_a);
     with_overlap_test<V>(options.overlap, [&](const auto& test) {
         const auto run = [&]<DescentRule rule>() {
-            traverse<rule>(a, b, placed, test, options, observer, result);
+            CollidePolicy<rule, V, std::remove_cvref_t<decltype(test)>> policy(
+                a, b, placed, test, options, joined, result);
+            traverse(policy, observer);
         };
         switch (options.descent) {
             case DescentRule::radius:

@@ -24,9 +24,7 @@ struct LeafOrder {
 
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology);
 
-/// For every vertex, the first vertex at the same position; for one that is not finite, nothing of
-/// use. The part of leaf_order that needs no topology.
-std::vector<std::uint32_t> weld(const Mesh& mesh);
+/// The same; `welded` are the joined_vertices of the mesh.
 LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
                      const std::vector<std::uint32_t>& welded, int threads = 1);
 

@@ -11,7 +11,7 @@ MeshTopology mesh_topology(const Mesh& mesh, const TopologyOptions& options) {
     parallel_invoke(
         options.threads,
         [&] { result.topology = std::make_shared<Topology>(build_topology(mesh, options)); },
-        [&] { welded = weld(mesh); });
+        [&] { welded = joined_vertices(mesh); });
     result.points = leaf_order(mesh, *result.topology, welded, options.threads);
     return result;
 }

@@ -41,7 +41,8 @@ bool fold_together(const TriangleCorners& a, const TriangleCorners& b, double to
 
 }  // namespace
 
-SelfPairs::SelfPairs(const Mesh& mesh, const Mesh& rest) : mesh_(mesh), joined_(weld(rest)) {}
+SelfPairs::SelfPairs(const Mesh& mesh, const Mesh& rest)
+    : mesh_(mesh), joined_(joined_vertices(rest)) {}
 
 bool SelfPairs::may_share_vertex(std::uint32_t i, std::uint32_t j, double distance) const {
     for (const std::uint32_t a : mesh_.triangles[i])
@@ -93,12 +94,7 @@ bool SelfPairs::may_meet_elsewhere(std::uint32_t i, std::uint32_t j, double tole
 }
 
 std::vector<IndexPair> SelfPairs::all(const Hierarchy<Obb>& hierarchy) const {
-    const Collider<Obb> body{hierarchy, mesh_};
-    std::vector<IndexPair> pairs = collide(body, body, Pose{}).pairs;
-    std::erase_if(pairs, [this](const IndexPair& pair) {
-        return pair.a >= pair.b || share_vertex(pair.a, pair.b);
-    });
-    return pairs;
+    return collide_self(SelfCollider<Obb>{hierarchy, mesh_, joined_}).pairs;
 }
 
 }  // namespace scb

@@ -1,6 +1,7 @@
 #include "render/figures/pairs_figure.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/body_names.h"
@@ -27,11 +28,23 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
     return indices;
 }
 
+/// The triangles, or nodes, in pairs of a body; of a self query those of both sides.
+std::vector<std::uint32_t> in_pairs(const TraceHeader& header, const TraceFrame& frame,
+                                    std::size_t side) {
+    if (header.kind != QueryKind::self) return side_of(frame.found.pairs, side);
+    std::vector<IndexPair> both = frame.found.pairs;
+    for (const IndexPair pair : frame.found.pairs) both.push_back({pair.b, pair.a});
+    return side_of(both, 0);
+}
+
+/// How many bodies are drawn.
+std::size_t body_count(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
+
 /// The leaves of one side that overlapped, though their triangles are apart.
 std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t side) {
     std::vector<IndexPair> leaves;
     for (const ItemStep& test : frame.steps.items)
-        if (!test.hit) leaves.push_back(frame.steps.volumes[test.step].nodes);
+        if (!test.hit && !test.neighbors) leaves.push_back(frame.steps.volumes[test.step].nodes);
     return side_of(leaves, side);
 }
 
@@ -105,15 +118,15 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
                 const PairsStyle& style, std::uint32_t first_pair_id) {
     Pane pane;
-    for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t side = 0; side < body_count(header); ++side) {
         const QueryBody& body = bodies[side];
         // Before the whole mesh, since of what coincides the first is seen.
         if (!pairs_are_nodes(header))
             pane.meshes.push_back(
-                marked_triangles(body, side_of(frame.found.pairs, side), body_color(side)));
+                marked_triangles(body, in_pairs(header, frame, side), body_color(side)));
         pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
         if (pairs_are_nodes(header))
-            add_volumes(pane, body, side_of(frame.found.pairs, side),
+            add_volumes(pane, body, in_pairs(header, frame, side),
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
             add_leaves(pane, body, apart_leaves(frame, side),
@@ -134,21 +147,22 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     const Collision& found = frame.found;
     std::vector<PanelItem> items;
     const Theme& theme = *style.theme;
-    const std::vector<std::string> names = column_names(items, {bodies[0].name, bodies[1].name});
-    items.emplace_back(
-        PanelRow{"body", names, {dimmed_body_color(0, theme), dimmed_body_color(1, theme)}, true});
-    const std::vector<ItemCount> counts = {item_count(*bodies[0].mesh, *bodies[0].tree),
-                                           item_count(*bodies[1].mesh, *bodies[1].tree)};
-    items.emplace_back(PanelRow{std::string(item_words(counts)),
-                                {count_text(counts[0].count), count_text(counts[1].count)}});
-    const std::vector<std::uint32_t> of_a = side_of(found.pairs, 0), of_b = side_of(found.pairs, 1);
     const bool nodes = pairs_are_nodes(header);
-    const auto shown = [&](std::size_t side) {
-        return nodes ? seen_color(body_color(side), node_opacity, theme) : body_color(side);
-    };
-    items.emplace_back(PanelRow{nodes ? "nodes" : "in pairs",
-                                {count_text(of_a.size()), count_text(of_b.size())},
-                                {shown(0), shown(1)}});
+    std::vector<std::string> body_names, counts, in_pairs_counts;
+    std::vector<std::optional<Rgba8>> body_colors, shown;
+    std::vector<ItemCount> item_counts;
+    for (std::size_t side = 0; side < body_count(header); ++side) {
+        body_names.push_back(bodies[side].name);
+        body_colors.push_back(dimmed_body_color(side, theme));
+        item_counts.push_back(item_count(*bodies[side].mesh, *bodies[side].tree));
+        counts.push_back(count_text(item_counts.back().count));
+        in_pairs_counts.push_back(count_text(in_pairs(header, frame, side).size()));
+        shown.push_back(nodes ? seen_color(body_color(side), node_opacity, theme)
+                              : body_color(side));
+    }
+    items.emplace_back(PanelRow{"body", column_names(items, body_names), body_colors, true});
+    items.emplace_back(PanelRow{std::string(item_words(item_counts)), counts});
+    items.emplace_back(PanelRow{nodes ? "nodes" : "in pairs", in_pairs_counts, shown});
     items.emplace_back(PanelHeading{""});
     items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
@@ -174,7 +188,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
                                     const TraceFrame& frame, const PairsStyle& style) {
     std::vector<PanelItem> items;
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < body_count(header); ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
     if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});

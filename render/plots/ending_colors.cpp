@@ -39,6 +39,8 @@ Look look_of(Outcome ending, const Theme& theme) {
             return {"triangles meet", vermillion};
         case Outcome::found:
             return {"overlap", vermillion};
+        case Outcome::neighbors:
+            return {"triangles share a vertex", Rgba8{0xD9, 0xB3, 0x82}};
         case Outcome::left_over:
             return {"left over", theme.left_over};
         case Outcome::divided_a:

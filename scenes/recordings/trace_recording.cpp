@@ -156,8 +156,9 @@ void TraceRecording::add(const TraceFrame& frame, const std::array<Pose, 2>& pos
         const Step& test = frame.steps.volumes[i];
         event(static_cast<RecordTag>(test.stage), test.nodes);
         for (; next < triangle_tests.size() && triangle_tests[next].step == i; ++next)
-            event(triangle_tests[next].hit ? RecordTag::items_meet : RecordTag::items_apart,
-                  triangle_tests[next].items);
+            if (!triangle_tests[next].neighbors)
+                event(triangle_tests[next].hit ? RecordTag::items_meet : RecordTag::items_apart,
+                      triangle_tests[next].items);
     }
     if (tests_triangles_)
         for (const IndexPair pair : frame.found.pairs) event(RecordTag::pair, pair);

@@ -13,9 +13,12 @@
 namespace scb::scenes {
 namespace {
 
-// How a volume test ended, as a byte: `divided` covers pairs that are left over too.
-enum Symbol : std::uint8_t { divided, leaves_apart, leaves_meet, rejected_first };
-constexpr std::uint8_t of_b = 0x80;  // on the first test after a division: of B's node
+// How a volume test ended, in the lower six bits of a byte: `divided` covers pairs that are left
+// over too.
+enum Symbol : std::uint8_t { divided, leaves_apart, leaves_meet, rejected_first, neighbors = 62 };
+constexpr std::uint8_t of_b = 0x80;     // on the first test after a division: of B's node
+constexpr std::uint8_t is_root = 0x40;  // on a test that no other led to, of a self query
+constexpr std::uint8_t symbol_bits = 0x3f;
 static_assert(stage_count == 28 && static_cast<int>(Stage::overlapping) == 0,
               "stages are written as their numbers: another list needs another version, one that "
               "only grew does not");
@@ -29,6 +32,8 @@ std::uint8_t symbol_of(Outcome outcome) {
         case Outcome::triangles_meet:
         case Outcome::found:
             return leaves_meet;
+        case Outcome::neighbors:
+            return neighbors;
         case Outcome::divided_a:
         case Outcome::divided_b:
         case Outcome::divided_both:
@@ -59,6 +64,8 @@ struct FrameBuilder {
     ByteReader& news;
     TraceFrame& frame;
     std::vector<Divided> pending{};
+    std::uint32_t last_root = 0;
+    std::set<std::uint32_t> roots{};
     std::string failure{};
 
     /// The number that belongs to a node, from `begin` to below `end`, and to no other node.
@@ -98,10 +105,34 @@ struct FrameBuilder {
         return left;
     }
 
+    /// The left child of a node of a self query against the right one.
+    void visit_root(std::uint8_t symbol) {
+        if (header.kind != QueryKind::self || !pending.empty()) {
+            failure = "a test without a parent stands within a query";
+            return;
+        }
+        const std::int64_t change = news.signed_varint();
+        const std::uint64_t depth = news.varint();
+        const std::int64_t last_node = 2 * std::int64_t{header.bodies[0].mesh.triangles} - 2;
+        if (change > last_node || change < -last_node) {
+            failure = "an index is out of range";
+            return;
+        }
+        const std::int64_t left = last_root + change;
+        if (left < 1 || left % 2 == 0 || left + 1 > last_node ||
+            !roots.insert(static_cast<std::uint32_t>(left)).second) {
+            failure = "an index is out of range";
+            return;
+        }
+        last_root = static_cast<std::uint32_t>(left);
+        const int level = static_cast<int>(std::min<std::uint64_t>(depth, 0x10000));
+        visit(symbol, {last_root, last_root + 1}, level, level, no_step);
+    }
+
     void visit(std::uint8_t symbol, IndexPair pair, int depth_a, int depth_b,
                std::uint32_t parent) {
         Stage stage = Stage::overlapping;
-        if (symbol >= rejected_first) {
+        if (symbol >= rejected_first && symbol != neighbors) {
             const int number = symbol - rejected_first + 1;
             stage = static_cast<Stage>(number);
             const auto stages = stages_of(header.volume, header.options.overlap);
@@ -126,16 +157,20 @@ struct FrameBuilder {
         ++found.stages[static_cast<std::size_t>(stage)];
         found.depth = std::max(found.depth, depth_a + depth_b);
         if (symbol == divided) pending.push_back({pair, depth_a, depth_b, step});
-        if (symbol != leaves_apart && symbol != leaves_meet) return;
+        if (symbol == neighbors && header.kind != QueryKind::self)
+            failure = "there are neighbors in a query of two bodies";
+        if (symbol != leaves_apart && symbol != leaves_meet && symbol != neighbors) return;
         if (header.options.stop_level >= 0) {
-            if (symbol == leaves_apart) failure = "there are triangles where no leaves are";
+            if (symbol != leaves_meet) failure = "there are triangles where no leaves are";
             found.pairs.push_back(pair);
             return;
         }
         const IndexPair triangles = {triangle_of(0, pair.a), triangle_of(1, pair.b)};
-        frame.steps.items.push_back({triangles, step, symbol == leaves_meet});
+        frame.steps.items.push_back({triangles, step, symbol == leaves_meet, symbol == neighbors});
+        if (symbol == neighbors) return;
         ++found.n_p;
-        if (symbol == leaves_meet) found.pairs.push_back(triangles);
+        if (symbol != leaves_meet) return;
+        found.pairs.push_back(pair_of(header, frame.steps.items.back()));
     }
 };
 
@@ -152,11 +187,17 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
         for (int column = 0; column < 3; ++column) plain.real(frame.b_to_a.rotation(row, column));
     for (int row = 0; row < 3; ++row) plain.real(frame.b_to_a.translation[row]);
     plain.varint(tests.size());
-    std::size_t triangles = 0;
+    std::size_t triangles = 0, siblings = 0;
+    std::uint32_t last_root = 0;
     for (std::size_t i = 0; i < tests.size(); ++i) {
         std::uint8_t symbol = symbol_of(outcomes[i]);
-        // Tests after the first come two by two.
-        if (const std::uint32_t parent = frame.steps.volumes[i].parent; i % 2 == 1) {
+        const std::uint32_t parent = tests[i].parent;
+        if (parent == no_step && header.kind == QueryKind::self) {
+            symbol |= is_root;
+            news.signed_varint(std::int64_t{tests[i].nodes.a} - last_root);
+            news.varint(tests[i].depth_a);
+            last_root = tests[i].nodes.a;
+        } else if (parent != no_step && siblings++ % 2 == 0) {
             const IndexPair divided_pair = tests[parent].nodes;
             if (outcomes[parent] == Outcome::divided_a) {
                 tell(news, nodes[0].left, divided_pair.a, tests[i].nodes.a, nodes[0].last_left);
@@ -166,7 +207,8 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
             }
         }
         plain.byte(symbol);
-        if (outcomes[i] != Outcome::triangles_apart && outcomes[i] != Outcome::triangles_meet)
+        if (outcomes[i] != Outcome::triangles_apart && outcomes[i] != Outcome::triangles_meet &&
+            outcomes[i] != Outcome::neighbors)
             continue;
         const IndexPair pair = frame.steps.items[triangles++].items;
         tell(news, nodes[0].triangle, tests[i].nodes.a, pair.a, nodes[0].last_triangle);
@@ -191,33 +233,45 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     if (!(rigidity_defect(frame.b_to_a) < 1e-6) || !frame.b_to_a.translation.allFinite())
         return "a pose is not rigid";
     const auto symbols = plain.take(plain.varint());
-    if (!plain.ok || symbols.empty()) return "a frame has no tests";
+    if (!plain.ok || (symbols.empty() && header.kind != QueryKind::self))
+        return "a frame has no tests";
     if (number >= most_frames) return "the number of a frame is out of range";
     frame.frame = static_cast<int>(number);
     frame.steps.volumes.reserve(symbols.size());
 
     FrameBuilder builder{header, nodes, plain, frame};
-    builder.visit(symbols[0], {0, 0}, 0, 0, no_step);
-    for (std::size_t i = 1; i < symbols.size() && builder.failure.empty(); i += 2) {
+    std::size_t next = 0;
+    if (header.kind == QueryKind::collide) builder.visit(symbols[next++], {0, 0}, 0, 0, no_step);
+    bool is_cut = false;
+    while (next < symbols.size() && builder.failure.empty()) {
+        if ((symbols[next] & is_root) != 0) {
+            builder.visit_root(symbols[next++] & symbol_bits);
+            continue;
+        }
         if (builder.pending.empty()) return "there are tests after the last one";
         const Divided p = builder.pending.back();
         builder.pending.pop_back();
-        const bool divides_a = (symbols[i] & of_b) == 0;
+        const bool divides_a = (symbols[next] & of_b) == 0;
         const std::uint32_t left =
             divides_a ? builder.left_of(0, p.nodes.a) : builder.left_of(1, p.nodes.b);
         const int depth_a = p.depth_a + (divides_a ? 1 : 0),
                   depth_b = p.depth_b + (divides_a ? 0 : 1);
-        for (std::uint32_t child = 0; child < 2 && i + child < symbols.size(); ++child)
+        is_cut = next + 1 == symbols.size();
+        for (std::uint32_t child = 0; child < 2 && next < symbols.size(); ++child) {
+            const std::uint8_t symbol =
+                child == 0 ? symbols[next] & static_cast<std::uint8_t>(~of_b) : symbols[next];
+            ++next;
             builder.visit(
-                child == 0 ? symbols[i] & static_cast<std::uint8_t>(~of_b) : symbols[i + 1],
+                symbol,
                 divides_a ? IndexPair{left + child, p.nodes.b} : IndexPair{p.nodes.a, left + child},
                 depth_a, depth_b, p.step);
+        }
     }
     if (!builder.failure.empty()) return builder.failure;
     if (!plain.bytes.empty()) return "a frame is longer than its tests";
     Collision& found = frame.found;
     found.complete = found.pairs.size() < header.options.max_pairs;
-    if (found.complete && (!builder.pending.empty() || symbols.size() % 2 == 0))
+    if (found.complete && (!builder.pending.empty() || is_cut))
         return "the tests end before the query did";
     if (found.n_u != transform_count(header.volume, found.stages, header.options.overlap))
         return "its counts are not those of its tests";

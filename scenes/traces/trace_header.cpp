@@ -6,8 +6,8 @@
 namespace scb::scenes {
 namespace {
 
-// How the hierarchies were built, in a byte.
-constexpr std::uint8_t ritter_bit = 1, cost_bit = 2;
+// How the hierarchies were built and which kind of query it is, in a byte.
+constexpr std::uint8_t ritter_bit = 1, cost_bit = 2, self_bit = 4;
 
 }  // namespace
 
@@ -26,7 +26,8 @@ std::vector<std::uint8_t> header_bytes(const TraceHeader& header) {
     // By name, so that the order of the lists may change.
     out.text(volume_kind_name(header.volume));
     out.byte(static_cast<std::uint8_t>((header.growth == BallGrowth::ritter ? ritter_bit : 0) |
-                                       (header.split == SplitMethod::cost ? cost_bit : 0)));
+                                       (header.split == SplitMethod::cost ? cost_bit : 0) |
+                                       (header.kind == QueryKind::self ? self_bit : 0)));
     out.real(header.margin);
     out.text(overlap_test_name(header.options.overlap.test));
     out.real(header.options.overlap.threshold);
@@ -56,15 +57,17 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
     const std::uint8_t build = in.byte();
     header.growth = (build & ritter_bit) != 0 ? BallGrowth::ritter : BallGrowth::radius;
     header.split = (build & cost_bit) != 0 ? SplitMethod::cost : SplitMethod::section_3;
+    header.kind = (build & self_bit) != 0 ? QueryKind::self : QueryKind::collide;
     header.margin = in.real();
     const auto test = overlap_test_of(in.text());
     header.options.overlap.threshold = in.real();
     const auto descent = descent_rule_of(in.text());
     header.options.max_pairs = static_cast<std::size_t>(in.varint());
     const std::int64_t level = in.signed_varint();
-    legal &= build <= (ritter_bit | cost_bit) && level >= -1 && level <= 0xffff &&
+    legal &= build <= (ritter_bit | cost_bit | self_bit) && level >= -1 && level <= 0xffff &&
              header.options.max_pairs >= 1 && header.margin >= 0 && header.margin <= 1 &&
              header.options.overlap.threshold >= 0 && header.options.overlap.threshold <= 1;
+    legal &= header.kind != QueryKind::self || header.bodies[0].mesh == header.bodies[1].mesh;
     if (!in.ok || !in.bytes.empty() || !legal || !volume || !test || !descent) return std::nullopt;
     header.volume = *volume;
     header.options.overlap.test = *test;

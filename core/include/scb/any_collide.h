@@ -16,6 +16,16 @@ Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy&
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options,
                   StepRecorder& recorder);
 
+/// `collide_self` for a hierarchy whose volume type was chosen at run time; `joined` as in
+/// SelfCollider.
+Collision collide_self(const AnyHierarchy& side, const Mesh& mesh,
+                       std::span<const std::uint32_t> joined, const CollideOptions& options = {});
+
+/// The same, with every test recorded.
+Collision collide_self(const AnyHierarchy& side, const Mesh& mesh,
+                       std::span<const std::uint32_t> joined, const CollideOptions& options,
+                       StepRecorder& recorder);
+
 /// The stages at which a query on these volumes can reject.
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);
 

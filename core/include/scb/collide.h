@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "scb/descent_rule.h"
@@ -22,6 +23,18 @@ struct Collider {
     const Hierarchy<V>& hierarchy;
     /// The mesh; its indices are those of the pairs that are found.
     const Mesh& mesh;
+};
+
+/// The one side of a self query. Refers, does not own.
+template <Volume V>
+struct SelfCollider {
+    /// The hierarchy.
+    const Hierarchy<V>& hierarchy;
+    /// The mesh; its indices are those of the pairs that are found.
+    const Mesh& mesh;
+    /// Per vertex the vertex that stands for all at its position, see joined_vertices. Triangles
+    /// with such a vertex in common are neighbors, and no pair.
+    std::span<const std::uint32_t> joined;
 };
 
 /// How a query goes, and when it ends.
@@ -81,5 +94,22 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
                   const CollideOptions& options, O& observer) {
     return collide(a, b, b_to_a, options, calls_of(observer));
 }
+
+/// Finds the triangles of one mesh that intersect and share no vertex: each pair once, the lower
+/// triangle first. The left part of each node is tested against its right part, so that a query has
+/// as many steps without a parent as the hierarchy has inner nodes. A pair of nodes of `stop_level`
+/// has the node first that is left of the other. Otherwise as collide.
+template <Volume V>
+Collision collide_self(const SelfCollider<V>& side, const CollideOptions& options = {});
+
+/// The same, and `recorder` keeps every test.
+template <Volume V>
+Collision collide_self(const SelfCollider<V>& side, const CollideOptions& options,
+                       StepRecorder& recorder);
+
+/// The same, and `calls` receives every test.
+template <Volume V>
+Collision collide_self(const SelfCollider<V>& side, const CollideOptions& options,
+                       const ObserverCalls& calls);
 
 }  // namespace scb

@@ -62,4 +62,8 @@ void check_mesh(const Mesh& mesh, std::string_view name);
 /// The box of the vertices that triangles use.
 Box bounding_box(const Mesh& mesh);
 
+/// Per vertex the first vertex at the same position (0 and -0 are equal): vertices of one value are
+/// one vertex. A vertex that is not finite has the value 2^32 - 1.
+std::vector<std::uint32_t> joined_vertices(const Mesh& mesh);
+
 }  // namespace scb

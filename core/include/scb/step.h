@@ -43,6 +43,8 @@ struct ItemStep {
     std::uint32_t step = 0;
     /// Whether the triangles have a point in common.
     bool hit = false;
+    /// In a self query: the triangles share a vertex, so that they were not tested.
+    bool neighbors = false;
 
     /// Whether all members are equal.
     friend bool operator==(const ItemStep&, const ItemStep&) = default;

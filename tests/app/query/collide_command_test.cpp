@@ -176,6 +176,37 @@ TEST(CollideCommand, ListsThePairs) {
     EXPECT_EQ(file_text(file), expected);
 }
 
+TEST(CollideCommand, FindsThePairsOfABodyAgainstItself) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "pairs.csv";
+    const ProgramRun table = run_scb("collide soup --frame 0 --bodies A,A --pairs-out " + file);
+    ASSERT_EQ(table.status, 0) << table.err;
+    EXPECT_EQ(
+        lines(table.out)[0],
+        "soup: A (2000 triangles) against itself, scb hierarchies, test symmetric, descent by "
+        "radius");
+    const json found = json::parse(run_scb("collide soup --frame 0 --bodies A,A --json").out);
+    EXPECT_EQ(found["query"], "self");
+    const std::vector<std::string> rows = lines(file_text(file));
+    EXPECT_EQ(found["frames"][0]["pairs"], rows.size() - 1);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        unsigned frame = 0, a = 0, b = 0;
+        ASSERT_EQ(std::sscanf(rows[i].c_str(), "%u,%u,%u", &frame, &a, &b), 3);
+        EXPECT_LT(a, b);
+    }
+    // Whatever the volumes are.
+    EXPECT_EQ(json::parse(run_scb("collide soup --frame 0 --bodies A,A --volume rss --json")
+                              .out)["frames"][0]["pairs"],
+              rows.size() - 1);
+    for (const char* command : {"bench soup --bodies A,A", "tune soup --bodies A,A"}) {
+        const ProgramRun run = run_scb(command);
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_NE(run.err.find("two bodies"), std::string::npos) << run.err;
+    }
+    const ProgramRun one = run_scb("collide cone --bodies B,B");
+    EXPECT_EQ(one.status, 0) << one.err;
+}
+
 TEST(CollideCommand, SaysThatThePrintedTestMissesPairs) {
     const ProgramRun run = run_scb("collide spheres-l1 --frames 100 --test printed --json");
     EXPECT_EQ(run.status, 0);
@@ -211,7 +242,6 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --threshold nan", "give a cosine from 0 to 1"},
              {"spheres-l1 --descent up", "--descent up: give radius, area, volume or alternating"},
              {"spheres-l1 --bodies A", "give two bodies"},
-             {"spheres-l1 --bodies A,A", "give two bodies"},
              {"spheres-l1 --bodies A,C", "is not a body"},
              {"spheres-l1 --level 99", "have the levels 0 to"},
              {"spheres-l1 --max-pairs 0", "give at least 1"},

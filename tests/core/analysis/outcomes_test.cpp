@@ -46,6 +46,14 @@ TEST(EngineOutcomes, ARejectionStaysOneWhateverTheEngineTestsAfterIt) {
     EXPECT_EQ(query.outcomes()[0], rejected_at(Stage::ball_ball));
 }
 
+TEST(Outcomes, TrianglesThatShareAVertexAreNeighbors) {
+    MadeQuery query;
+    query.test(no_parent, {0, 0});
+    query.triangles({0, 1}, false);
+    query.frame.steps.items.back().neighbors = true;
+    EXPECT_EQ(query.outcomes(), Outcomes{Outcome::neighbors});
+}
+
 TEST(EngineOutcomes, PairsOfObjectsAreFound) {
     MadeQuery query;
     query.header.engine->objects = true;

@@ -11,8 +11,11 @@ inline TraceFrame record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame
     const auto kind = static_cast<std::size_t>(header.volume);
     StepRecorder recorder;
     TraceFrame result{frame, b_to_a, {}, {}};
-    result.found = collide(a.hierarchies[kind], a.mesh, b.hierarchies[kind], b.mesh, b_to_a,
-                           header.options, recorder);
+    result.found = header.kind == QueryKind::self
+                       ? collide_self(a.hierarchies[kind], a.mesh, joined_vertices(a.mesh),
+                                      header.options, recorder)
+                       : collide(a.hierarchies[kind], a.mesh, b.hierarchies[kind], b.mesh, b_to_a,
+                                 header.options, recorder);
     result.steps = std::move(recorder.steps);
     return result;
 }
@@ -25,6 +28,7 @@ inline Trace record_trace(const BuiltMesh& a, const BuiltMesh& b, TraceHeader he
     header.scene = "slide";
     header.bodies = {TraceBody{"left", fingerprint(a.mesh)},
                      TraceBody{"right", fingerprint(b.mesh)}};
+    if (header.kind == QueryKind::self) header.bodies[1] = header.bodies[0];
     Trace trace{header, {}};
     for (const int frame : frames) {
         Pose pose;
@@ -38,6 +42,12 @@ inline TraceHeader asking(VolumeKind volume, OverlapTest test) {
     TraceHeader header;
     header.volume = volume;
     header.options.overlap.test = test;
+    return header;
+}
+
+inline TraceHeader asking_self(VolumeKind volume) {
+    TraceHeader header = asking(volume, OverlapTest::symmetric);
+    header.kind = QueryKind::self;
     return header;
 }
 

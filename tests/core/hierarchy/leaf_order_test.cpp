@@ -43,7 +43,7 @@ TEST(LeafOrder, NumbersPointsAsLeavesFirstUseThem) {
 TEST(LeafOrder, IsTheSameForAnyNumberOfThreads) {
     const Mesh mesh = random_soup(42, 20000, 0.05);  // more than a thread takes at a time
     const Topology topology = build_topology(mesh);
-    const std::vector<std::uint32_t> welded = weld(mesh);
+    const std::vector<std::uint32_t> welded = joined_vertices(mesh);
     const LeafOrder one = leaf_order(mesh, topology, welded);
     for (const int threads : {2, 5}) {
         const LeafOrder other = leaf_order(mesh, topology, welded, threads);

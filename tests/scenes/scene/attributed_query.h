@@ -19,8 +19,9 @@ struct AttributedQuery {
     Attribution result;
 
     AttributedQuery(const BuiltMesh& mesh_a, const BuiltMesh& mesh_b, const Pose& pose,
-                    VolumeKind kind, OverlapTest test)
+                    VolumeKind kind, OverlapTest test, QueryKind query = QueryKind::collide)
         : a(mesh_a), b(mesh_b), header(asking(kind, test)) {
+        header.kind = query;
         frame = record_frame(a, b, 0, pose, header);
         const auto i = static_cast<std::size_t>(kind);
         contacts = all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);

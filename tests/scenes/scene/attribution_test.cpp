@@ -14,6 +14,7 @@
 #include "core/explain/overlap_steps.h"
 #include "core/explain/pair_explanation.h"
 #include "scenes/scene/builtin.h"
+#include "scenes/shapes/procedural.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/scenes/scene/attributed_query.h"
 #include "tests/unless_sanitized.h"
@@ -105,9 +106,12 @@ void check_contacts(const AttributedQuery& q) {
         const IndexPair nodes = q.frame.steps.volumes[pair.test].nodes;
         const std::set<std::uint32_t> of_a = triangles_below(q.a.topology(), nodes.a),
                                       of_b = triangles_below(q.b.topology(), nodes.b);
-        const bool contact = std::any_of(
-            q.contacts.begin(), q.contacts.end(),
-            [&](const IndexPair& c) { return of_a.contains(c.a) && of_b.contains(c.b); });
+        const bool contact =
+            std::any_of(q.contacts.begin(), q.contacts.end(), [&](const IndexPair& c) {
+                return (of_a.contains(c.a) && of_b.contains(c.b)) ||
+                       (q.header.kind == QueryKind::self && of_a.contains(c.b) &&
+                        of_b.contains(c.a));
+            });
         EXPECT_EQ(contact, pair.reason == PassReason::triangles_meet) << pair.test;
         EXPECT_EQ(pair.reason == PassReason::weak_test,
                   !contact && pair.exact == Contact::disjoint);
@@ -181,6 +185,19 @@ TEST(Attribution, AddsUpOnEveryBuiltinSceneForEveryHierarchyAndTest) {
     EXPECT_GT(weak, 0u);
     EXPECT_GT(loose, 0u);
     EXPECT_GT(wrong, 0u) << "line 8 as printed rejects volumes that overlap";
+}
+
+TEST(Attribution, AddsUpOfABodyAgainstItself) {
+    const BuiltMesh body(soup_mesh({300, 0.6, 0.15, 1}));
+    for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::obb, VolumeKind::aabb})
+        for (const OverlapTest test : {OverlapTest::symmetric, OverlapTest::printed}) {
+            SCOPED_TRACE(volume_kind_name(kind));
+            const AttributedQuery query(body, body, Pose{}, kind, test, QueryKind::self);
+            ASSERT_GT(query.contacts.size(), 50u);
+            check_counts(query);
+            check_depths(query);
+            check_contacts(query);
+        }
 }
 
 TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {

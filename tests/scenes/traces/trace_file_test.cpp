@@ -35,6 +35,13 @@ TEST(TraceFile, GivesBackWhatItWasGiven) {
     headers.back().split = SplitMethod::cost;
     headers.back().margin = 0.125;
     headers.back().options.overlap.threshold = 0.3;
+    for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::obb}) {
+        headers.push_back(asking_self(kind));
+        headers.push_back(headers.back());
+        headers.back().options.max_pairs = 3;
+        headers.push_back(asking_self(kind));
+        headers.back().options.stop_level = 4;
+    }
     for (const TraceHeader& header : headers) {
         const Trace trace = small_trace(header);
         const Bytes bytes = encode_trace(trace);

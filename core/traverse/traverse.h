@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "core/traverse/step_numbers.h"
+
+namespace scb {
+
+/// A pair of nodes whose volumes overlap, to be divided.
+template <class O>
+struct Pending {
+    NodePair pair;
+    [[no_unique_address]] StepNumber<O> step;
+};
+
+/// Divides the pair first that was added last. Each division leaves at most one pair behind on the
+/// way down, so the stack is no longer than the two depths together.
+template <class O>
+class DepthFirst {
+  public:
+    DepthFirst() { pending_.reserve(256); }
+
+    bool empty() const { return pending_.empty(); }
+    void push(const Pending<O>& pair) { pending_.push_back(pair); }
+    Pending<O> pop() {
+        const Pending<O> last = pending_.back();
+        pending_.pop_back();
+        return last;
+    }
+
+  private:
+    std::vector<Pending<O>> pending_;
+};
+
+/// Traverses pairs of nodes as the policy says, and hands each test to the observer. A policy has:
+///
+///     void begin(visit)         calls visit(pair) for each pair that no other pair leads to
+///     Stage test(pair)          tests the volumes of a pair
+///     bool is_end(pair)         whether a pair that overlaps is not divided
+///     void end(pair, report)    tests its items, and calls report(items, hit, neighbors)
+///     void divide(pair, visit)  calls visit(child) for each child of a pair
+///     bool is_done()            whether the query ends before all pairs are divided
+template <template <class> class Order = DepthFirst, class Policy, class O>
+void traverse(Policy& policy, O& observer) {
+    Order<O> pending;
+    // The steps are an argument, since a capture would be stored even without an observer.
+    const auto visit = [&](StepsArgument<O> steps, const NodePair& pair, StepNumber<O> parent) {
+        const Stage stage = policy.test(pair);
+        StepNumber<O> step{};
+        if constexpr (observed<O>) step = steps.volume_test(pair, stage, parent);
+        if (stage != Stage::overlapping) return;
+        if (!policy.is_end(pair)) return pending.push({pair, step});
+        policy.end(pair, [&](IndexPair items, bool hit, bool neighbors) {
+            if constexpr (observed<O>) steps.item_test({items, step, hit, neighbors});
+        });
+    };
+    StepNumbers<O> steps(observer);
+    StepNumber<O> none{};
+    if constexpr (observed<O>) none = no_step;
+    policy.begin([&](const NodePair& root) {
+        visit(steps, root, none);
+        while (!pending.empty() && !policy.is_done()) {
+            const Pending<O> next = pending.pop();
+            policy.divide(next.pair,
+                          [&](const NodePair& child) { visit(steps, child, next.step); });
+        }
+    });
+}
+
+}  // namespace scb
