@@ -109,7 +109,7 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
 
 void print_events(const TraceHeader& header, const TraceFrame& frame) {
     const Outcomes outcomes = outcomes_of(header, frame);
-    const BodyNames names = body_names(header),
+    const BodyNames names = side_names(header),
                     bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
     const int width = number_width(frame);
     std::string text =
@@ -129,7 +129,7 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
 void print_events_json(const TraceHeader& header, const TraceFrame& frame,
                        const std::string& indent) {
     const Outcomes outcomes = outcomes_of(header, frame);
-    const BodyNames bodies = body_names(header);
+    const BodyNames bodies = side_names(header);
     std::string text;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         Json row = {{"test", i}};

@@ -38,6 +38,10 @@ BodyNames body_names(const TraceHeader& header) {
     return {header.bodies[0].name, header.bodies[1].name};
 }
 
+BodyNames side_names(const TraceHeader& header) {
+    return header.kind == QueryKind::self ? BodyNames{"A", "B"} : body_names(header);
+}
+
 BuildOptions build_options(const TraceHeader& header) {
     BuildOptions options;
     options.fit.growth = header.growth;

@@ -77,6 +77,9 @@ struct TraceHeader {
 };
 
 BodyNames body_names(const TraceHeader& header);
+/// The names of A and B in words about a test: of a self query "A" and "B", the left and the right
+/// node.
+BodyNames side_names(const TraceHeader& header);
 /// Whether the pairs that were found are such of nodes: those of a level, or of objects.
 bool pairs_are_nodes(const TraceHeader& header);
 /// The stage as stage_name has it, or as the engine calls it.

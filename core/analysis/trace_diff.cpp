@@ -242,7 +242,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.meshes_differ = !result.nodes_comparable;
     result.of_engines = a.engine || b.engine;
     result.nodes_comparable &= same_nodes(a, b);
-    result.bodies = body_names(a);
+    result.bodies = side_names(a);
     result.of_nodes = pairs_are_nodes(a);
     result.pairs_comparable =
         !result.meshes_differ && pairs_are_nodes(b) == result.of_nodes &&
