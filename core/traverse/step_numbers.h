@@ -69,4 +69,23 @@ using StepsArgument = std::conditional_t<observed<O>, StepNumbers<O>&, StepNumbe
 template <class O>
 using StepNumber = std::conditional_t<observed<O>, std::uint32_t, NoObserver>;
 
+/// Hands the tests of items that a step led to to an observer.
+template <class O>
+struct ItemReport {
+    StepNumbers<O>& steps;
+    std::uint32_t step;
+
+    void operator()(IndexPair items, bool hit, bool neighbors) const {
+        steps.item_test({items, step, hit, neighbors});
+    }
+};
+
+/// To no observer.
+template <>
+struct ItemReport<NoObserver> {
+    ItemReport(StepNumbers<NoObserver>, NoObserver) {}
+
+    void operator()(IndexPair, bool, bool) const {}
+};
+
 }  // namespace scb

@@ -50,9 +50,7 @@ void traverse(Policy& policy, O& observer) {
         if constexpr (observed<O>) step = steps.volume_test(pair, stage, parent);
         if (stage != Stage::overlapping) return;
         if (!policy.is_end(pair)) return pending.push({pair, step});
-        policy.end(pair, [&](IndexPair items, bool hit, bool neighbors) {
-            if constexpr (observed<O>) steps.item_test({items, step, hit, neighbors});
-        });
+        policy.end(pair, ItemReport<O>{steps, step});
     };
     StepNumbers<O> steps(observer);
     StepNumber<O> none{};

@@ -14,8 +14,7 @@ struct CountingObserver {
     void item_test(const ItemStep& items) { intersections += items.hit; }
 };
 
-template void traverse<DescentRule::radius>(const Collider<Scb>&, const Collider<Scb>&,
-                                            const Placement&, const ScbTest<OverlapOptions{}.test>&,
-                                            const CollideOptions&, SCB_OBSERVER&, Collision&);
+using Policy = CollidePolicy<DescentRule::radius, Scb, ScbTest<OverlapOptions{}.test>>;
+template void traverse<DepthFirst, Policy>(Policy&, SCB_OBSERVER&);
 
 }  // namespace scb
