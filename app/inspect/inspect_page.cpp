@@ -211,9 +211,8 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    const std::string self = header.kind == QueryKind::self ? " against itself" : "";
-    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + self + " · " +
-           std::string(render::volume_title(header.volume)) + " · inspect";
+    return scene_title(header) + " · " + std::string(render::volume_title(header.volume)) +
+           " · inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {

@@ -210,8 +210,7 @@ Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
 std::string QueryView::title(const std::string& what) const {
     const TraceHeader &header = sources_.front().header(), &other = sources_.back().header();
     const std::string volumes = render::volume_title(header);
-    const std::string self = header.kind == QueryKind::self ? " against itself" : "";
-    return scene_title(header.scene, header.bodies[0].name, header.bodies[1].name) + self + " · " +
+    return scene_title(header) + " · " +
            (volumes == render::volume_title(other) ? volumes + " · " : "") + what;
 }
 

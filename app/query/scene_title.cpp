@@ -16,4 +16,10 @@ std::string scene_title(const std::string& scene, const std::string& a, const st
     return scenes::printable(twice ? mesh + " with itself" : scene);
 }
 
+std::string scene_title(const TraceHeader& header) {
+    const auto [a, b] = body_names(header);
+    return scene_title(header.scene, a, b) +
+           (header.kind == QueryKind::self ? " against itself" : "");
+}
+
 }  // namespace scb::app

@@ -4,7 +4,7 @@
 
 #include "core/analysis/outcome.h"
 #include "core/hierarchy/tree_shape.h"
-#include "scb/step_recorder.h"
+#include "scb/step.h"
 
 namespace scb {
 

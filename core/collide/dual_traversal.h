@@ -1,12 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "core/collide/query_placement.h"
+#include "core/geometry/share_vertex.h"
 #include "core/overlap/test_functors.h"
 #include "core/traverse/traverse.h"
 #include "scb/collide.h"
@@ -79,21 +83,26 @@ class CollidePolicy {
           test_(test),
           options_(options),
           joined_(joined),
-          result_(result) {}
+          result_(result),
+          depths_(joined.empty() ? std::vector<std::uint16_t>()
+                                 : node_depths(*a.hierarchy.topology)) {}
 
-    template <class Visit>
-    void begin(const Visit& visit) const {
-        if (joined_.empty()) return visit({0, 0, 0, 0});
-        // Each node's left part against its right part: together all pairs, each once.
-        const std::vector<std::uint16_t> depths = node_depths(*a_.hierarchy.topology);
-        for (std::uint32_t node = 0; node < depths.size() && !is_done(); ++node) {
-            const bool below = options_.stop_level >= 0 && depths[node] >= options_.stop_level;
-            if (below || nodes_a_[node].is_leaf()) continue;
-            const std::uint32_t left = nodes_a_[node].left;
-            const int depth = depths[node] + 1;
-            result_.depth = std::max(result_.depth, 2 * depth);
-            visit({left, left + 1, depth, depth});
+    std::optional<NodePair> next_root() {
+        if (is_done()) return std::nullopt;
+        if (joined_.empty()) {
+            if (next_root_++ > 0) return std::nullopt;
+            return NodePair{0, 0, 0, 0};
         }
+        // Each node's left part against its right part: together all pairs, each once.
+        for (; next_root_ < depths_.size(); ++next_root_) {
+            const int depth = depths_[next_root_];
+            const bool below = options_.stop_level >= 0 && depth >= options_.stop_level;
+            if (below || nodes_a_[next_root_].is_leaf()) continue;
+            const std::uint32_t left = nodes_a_[next_root_++].left;
+            result_.depth = std::max(result_.depth, 2 * (depth + 1));
+            return NodePair{left, left + 1, depth + 1, depth + 1};
+        }
+        return std::nullopt;
     }
 
     Stage test(const NodePair& pair) const {
@@ -104,34 +113,34 @@ class CollidePolicy {
 
     bool is_end(const NodePair& pair) const { return at_end_a(pair) && at_end_b(pair); }
 
-    /// Tests the triangles of two leaves.
-    template <class Report>
-    void end(const NodePair& pair, const Report& report) const {
-        if (options_.stop_level >= 0) return found({pair.a, pair.b});
+    /// Tests the triangles of two leaves. Out of line, so that the loop over the volumes is small.
+    [[gnu::noinline]] std::optional<ItemTest> end(const NodePair& pair) const {
+        if (options_.stop_level >= 0) {
+            found({pair.a, pair.b});
+            return std::nullopt;
+        }
         const std::uint32_t a = a_.hierarchy.topology->order[nodes_a_[pair.a].first],
                             b = b_.hierarchy.topology->order[nodes_b_[pair.b].first];
-        if (!joined_.empty() && share_vertex(a, b)) return report({a, b}, false, true);
+        if (!joined_.empty() && share_vertex(a_.mesh, joined_, a, b))
+            return ItemTest{{a, b}, false, true};
         ++result_.n_p;
         const bool hit = triangles_overlap(corners(a_.mesh, a),
                                            transform_corners(placed_.b_to_a, corners(b_.mesh, b)));
-        report({a, b}, hit, false);
         if (hit) found(joined_.empty() || a < b ? IndexPair{a, b} : IndexPair{b, a});
+        return ItemTest{{a, b}, hit, false};
     }
 
-    template <class Visit>
-    void divide(const NodePair& p, const Visit& visit) const {
+    std::array<NodePair, 2> divide(const NodePair& p) const {
         const int depth = p.depth_a + p.depth_b;
         result_.depth = std::max(result_.depth, depth + 1);
         if (at_end_b(p) ||
             (!at_end_a(p) && descends_into_a<rule>(volumes_a_[p.a], volumes_b_[p.b], depth))) {
             const std::uint32_t left = nodes_a_[p.a].left;
-            visit({left, p.b, p.depth_a + 1, p.depth_b});
-            if (!is_done()) visit({left + 1, p.b, p.depth_a + 1, p.depth_b});
-        } else {
-            const std::uint32_t left = nodes_b_[p.b].left;
-            visit({p.a, left, p.depth_a, p.depth_b + 1});
-            if (!is_done()) visit({p.a, left + 1, p.depth_a, p.depth_b + 1});
+            return {
+                {{left, p.b, p.depth_a + 1, p.depth_b}, {left + 1, p.b, p.depth_a + 1, p.depth_b}}};
         }
+        const std::uint32_t left = nodes_b_[p.b].left;
+        return {{{p.a, left, p.depth_a, p.depth_b + 1}, {p.a, left + 1, p.depth_a, p.depth_b + 1}}};
     }
 
     bool is_done() const { return !result_.complete; }
@@ -147,12 +156,6 @@ class CollidePolicy {
     bool at_end_b(const NodePair& pair) const {
         return nodes_b_[pair.b].is_leaf() || pair.depth_b == options_.stop_level;
     }
-    bool share_vertex(std::uint32_t a, std::uint32_t b) const {
-        for (const std::uint32_t of_a : a_.mesh.triangles[a])
-            for (const std::uint32_t of_b : b_.mesh.triangles[b])
-                if (joined_[of_a] == joined_[of_b]) return true;
-        return false;
-    }
 
     const Collider<V>&a_, &b_;
     const Placement& placed_;
@@ -160,6 +163,8 @@ class CollidePolicy {
     const CollideOptions& options_;
     const std::span<const std::uint32_t> joined_;
     Collision& result_;
+    const std::vector<std::uint16_t> depths_;  ///< of the nodes, of a self query
+    std::uint32_t next_root_ = 0;
     const TopologyNode* const nodes_a_ = a_.hierarchy.topology->nodes.data();
     const TopologyNode* const nodes_b_ = b_.hierarchy.topology->nodes.data();
     const V* const volumes_a_ = a_.hierarchy.volumes.data();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/share_vertex.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/hierarchy/leaf_order.h"
 #include "scb/triangle_overlap.h"
@@ -73,10 +74,7 @@ std::size_t SelfPairs::arrange(std::uint32_t i, std::uint32_t j, TriangleCorners
 }
 
 bool SelfPairs::share_vertex(std::uint32_t i, std::uint32_t j) const {
-    for (const std::uint32_t a : mesh_.triangles[i])
-        for (const std::uint32_t b : mesh_.triangles[j])
-            if (joined_[a] == joined_[b]) return true;
-    return false;
+    return scb::share_vertex(mesh_, joined_, i, j);
 }
 
 bool SelfPairs::may_meet_elsewhere(std::uint32_t i, std::uint32_t j, double tolerance) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/traverse/step_numbers.h"
@@ -34,12 +36,12 @@ class DepthFirst {
 
 /// Traverses pairs of nodes as the policy says, and hands each test to the observer. A policy has:
 ///
-///     void begin(visit)         calls visit(pair) for each pair that no other pair leads to
-///     Stage test(pair)          tests the volumes of a pair
-///     bool is_end(pair)         whether a pair that overlaps is not divided
-///     void end(pair, report)    tests its items, and calls report(items, hit, neighbors)
-///     void divide(pair, visit)  calls visit(child) for each child of a pair
-///     bool is_done()            whether the query ends before all pairs are divided
+///     optional<NodePair> next_root()      a pair that no other pair leads to; nothing: no more
+///     Stage test(pair)                    tests the volumes of a pair
+///     bool is_end(pair)                   whether a pair that overlaps is not divided
+///     optional<ItemTest> end(pair)        tests the items of such a pair; nothing: has no items
+///     array<NodePair, 2> divide(pair)     the children of a pair, in their order
+///     bool is_done()                      whether the query ends before all pairs are divided
 template <template <class> class Order = DepthFirst, class Policy, class O>
 void traverse(Policy& policy, O& observer) {
     Order<O> pending;
@@ -50,19 +52,21 @@ void traverse(Policy& policy, O& observer) {
         if constexpr (observed<O>) step = steps.volume_test(pair, stage, parent);
         if (stage != Stage::overlapping) return;
         if (!policy.is_end(pair)) return pending.push({pair, step});
-        policy.end(pair, ItemReport<O>{steps, step});
+        [[maybe_unused]] const std::optional<ItemTest> tested = policy.end(pair);
+        if constexpr (observed<O>) steps.item_test(tested, step);
     };
     StepNumbers<O> steps(observer);
     StepNumber<O> none{};
     if constexpr (observed<O>) none = no_step;
-    policy.begin([&](const NodePair& root) {
-        visit(steps, root, none);
+    for (std::optional<NodePair> root = policy.next_root(); root; root = policy.next_root()) {
+        visit(steps, *root, none);
         while (!pending.empty() && !policy.is_done()) {
             const Pending<O> next = pending.pop();
-            policy.divide(next.pair,
-                          [&](const NodePair& child) { visit(steps, child, next.step); });
+            const std::array<NodePair, 2> children = policy.divide(next.pair);
+            visit(steps, children[0], next.step);
+            if (!policy.is_done()) visit(steps, children[1], next.step);
         }
-    });
+    }
 }
 
 }  // namespace scb

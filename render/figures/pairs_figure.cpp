@@ -28,24 +28,24 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
     return indices;
 }
 
-/// The triangles, or nodes, in pairs of a body; of a self query those of both sides.
-std::vector<std::uint32_t> in_pairs(const TraceHeader& header, const TraceFrame& frame,
-                                    std::size_t side) {
-    if (header.kind != QueryKind::self) return side_of(frame.found.pairs, side);
-    std::vector<IndexPair> both = frame.found.pairs;
-    for (const IndexPair pair : frame.found.pairs) both.push_back({pair.b, pair.a});
-    return side_of(both, 0);
+/// The indices of a body in these pairs. In a self query both sides are of the one body.
+std::vector<std::uint32_t> of_body(const TraceHeader& header, std::vector<IndexPair> pairs,
+                                   std::size_t side) {
+    if (header.kind != QueryKind::self) return side_of(pairs, side);
+    for (std::size_t i = pairs.size(); i-- > 0;) pairs.push_back({pairs[i].b, pairs[i].a});
+    return side_of(pairs, 0);
 }
 
 /// How many bodies are drawn.
 std::size_t body_count(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
 
 /// The leaves of one side that overlapped, though their triangles are apart.
-std::vector<std::uint32_t> apart_leaves(const TraceFrame& frame, std::size_t side) {
+std::vector<std::uint32_t> apart_leaves(const TraceHeader& header, const TraceFrame& frame,
+                                        std::size_t side) {
     std::vector<IndexPair> leaves;
     for (const ItemStep& test : frame.steps.items)
         if (!test.hit && !test.neighbors) leaves.push_back(frame.steps.volumes[test.step].nodes);
-    return side_of(leaves, side);
+    return of_body(header, std::move(leaves), side);
 }
 
 void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
@@ -86,14 +86,14 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
 Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.25); }
 
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
-                     const TraceFrame& frame, const PairsStyle& style) {
+                     const TraceHeader& header, const TraceFrame& frame, const PairsStyle& style) {
     if (!style.leaves) return;
     const Rgba8 color = seen_color(ending_color(Outcome::triangles_apart, *style.theme),
                                    leaf_opacity, *style.theme);
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < body_count(header); ++side)
         items.emplace_back(PanelLegendRow{
             color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
-            count_text(apart_leaves(frame, side).size()), "", side == 1});
+            count_text(apart_leaves(header, frame, side).size()), "", side == 1});
 }
 
 }  // namespace
@@ -123,13 +123,13 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
         // Before the whole mesh, since of what coincides the first is seen.
         if (!pairs_are_nodes(header))
             pane.meshes.push_back(
-                marked_triangles(body, in_pairs(header, frame, side), body_color(side)));
+                marked_triangles(body, of_body(header, frame.found.pairs, side), body_color(side)));
         pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
         if (pairs_are_nodes(header))
-            add_volumes(pane, body, in_pairs(header, frame, side),
+            add_volumes(pane, body, of_body(header, frame.found.pairs, side),
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
-            add_leaves(pane, body, apart_leaves(frame, side),
+            add_leaves(pane, body, apart_leaves(header, frame, side),
                        ending_color(Outcome::triangles_apart, *style.theme), side == 1);
     }
     if (pairs_are_nodes(header)) return pane;
@@ -156,7 +156,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
         body_colors.push_back(dimmed_body_color(side, theme));
         item_counts.push_back(item_count(*bodies[side].mesh, *bodies[side].tree));
         counts.push_back(count_text(item_counts.back().count));
-        in_pairs_counts.push_back(count_text(in_pairs(header, frame, side).size()));
+        in_pairs_counts.push_back(count_text(of_body(header, frame.found.pairs, side).size()));
         shown.push_back(nodes ? seen_color(body_color(side), node_opacity, theme)
                               : body_color(side));
     }
@@ -178,7 +178,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     }
     items.emplace_back(PanelKey{theme.text, "where triangles meet"});
     items.emplace_back(PanelKey{hidden_color(theme), "hidden by a body"});
-    add_leaves_keys(items, bodies, frame, style);
+    add_leaves_keys(items, bodies, header, frame, style);
     items.emplace_back(PanelNote{"strong colors: triangles that intersect"});
     if (style.leaves)
         items.emplace_back(PanelNote{"leaves: those that overlap while their triangles are apart"});
@@ -192,7 +192,7 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
     if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
-    add_leaves_keys(items, bodies, frame, style);
+    add_leaves_keys(items, bodies, header, frame, style);
     return items;
 }
 

@@ -209,6 +209,10 @@ void RecordedQueries::check_parents() {
         while (node != no_index && node != above) node = shape.parents[node];
         return node == above;
     };
+    const bool has_parents =
+        std::any_of(query_.events.begin(), query_.events.end(),
+                    [](const EngineEvent& event) { return event.parent != no_index; });
+    if (!has_parents) return;
     std::vector<IndexPair> tested;
     for (EngineEvent& event : query_.events) {
         if (event.kind != EngineEvent::Kind::volumes) continue;

@@ -98,7 +98,7 @@ inline void expect_same(const Collision& a, const Collision& b) {
     EXPECT_EQ(a.complete, b.complete);
 }
 
-/// The counts are those of the steps, the pairs are those that the steps found.
+/// Compares the counts and the pairs of an answer with its steps.
 inline void expect_counts_of_steps(const Collision& found, const Steps& steps,
                                    const QueryVariant& variant) {
     StageCounts stages{};
