@@ -114,20 +114,18 @@ class CollidePolicy {
     bool is_end(const NodePair& pair) const { return at_end_a(pair) && at_end_b(pair); }
 
     /// Tests the triangles of two leaves. Out of line, so that the loop over the volumes is small.
-    [[gnu::noinline]] std::optional<ItemTest> end(const NodePair& pair) const {
-        if (options_.stop_level >= 0) {
-            found({pair.a, pair.b});
-            return std::nullopt;
-        }
+    template <class Report>
+    [[gnu::noinline]] void end(const NodePair& pair, const Report& report) {
+        if (options_.stop_level >= 0) return found({pair.a, pair.b});
         const std::uint32_t a = a_.hierarchy.topology->order[nodes_a_[pair.a].first],
                             b = b_.hierarchy.topology->order[nodes_b_[pair.b].first];
         if (!joined_.empty() && share_vertex(a_.mesh, joined_, a, b))
-            return ItemTest{{a, b}, false, true};
+            return report({a, b}, false, true);
         ++result_.n_p;
         const bool hit = triangles_overlap(corners(a_.mesh, a),
                                            transform_corners(placed_.b_to_a, corners(b_.mesh, b)));
+        report({a, b}, hit, false);
         if (hit) found(joined_.empty() || a < b ? IndexPair{a, b} : IndexPair{b, a});
-        return ItemTest{{a, b}, hit, false};
     }
 
     std::array<NodePair, 2> divide(const NodePair& p) const {

@@ -3,7 +3,6 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -15,12 +14,6 @@ namespace scb {
 struct NodePair {
     std::uint32_t a, b;
     int depth_a, depth_b;
-};
-
-/// The test of the items of two nodes.
-struct ItemTest {
-    IndexPair items;
-    bool hit, neighbors;  ///< see ItemStep
 };
 
 /// No observer; its calls compile away.
@@ -49,10 +42,7 @@ class StepNumbers {
                                    parent});
         return next_++;
     }
-    /// Of the items that the step led to, if it has any.
-    void item_test(const std::optional<ItemTest>& test, std::uint32_t step) {
-        if (test) observer_.item_test(ItemStep{test->items, step, test->hit, test->neighbors});
-    }
+    void item_test(const ItemStep& items) { observer_.item_test(items); }
 
   private:
     static constexpr int deepest = std::numeric_limits<std::uint16_t>::max();
@@ -78,5 +68,25 @@ using StepsArgument = std::conditional_t<observed<O>, StepNumbers<O>&, StepNumbe
 /// The number of a step, where an observer receives steps.
 template <class O>
 using StepNumber = std::conditional_t<observed<O>, std::uint32_t, NoObserver>;
+
+/// Hands the item tests that a step led to to an observer.
+template <class O>
+struct ItemReport {
+    StepNumbers<O>& steps;
+    std::uint32_t step;
+
+    void operator()(IndexPair items, bool hit, bool neighbors) const {
+        steps.item_test({items, step, hit, neighbors});
+    }
+};
+
+/// To no observer.
+template <>
+struct ItemReport<NoObserver> {
+    ItemReport() = default;
+    ItemReport(StepNumbers<NoObserver>, NoObserver) {}
+
+    void operator()(IndexPair, bool, bool) const {}
+};
 
 }  // namespace scb

@@ -39,7 +39,8 @@ class DepthFirst {
 ///     optional<NodePair> next_root()      a pair that no other pair leads to; nothing: no more
 ///     Stage test(pair)                    tests the volumes of a pair
 ///     bool is_end(pair)                   whether a pair that overlaps is not divided
-///     optional<ItemTest> end(pair)        tests the items of such a pair; nothing: has no items
+///     void end(pair, report)              tests the items of such a pair, and calls
+///                                         report(items, hit, neighbors) for each test
 ///     array<NodePair, 2> divide(pair)     the children of a pair, in their order
 ///     bool is_done()                      whether the query ends before all pairs are divided
 template <template <class> class Order = DepthFirst, class Policy, class O>
@@ -52,8 +53,7 @@ void traverse(Policy& policy, O& observer) {
         if constexpr (observed<O>) step = steps.volume_test(pair, stage, parent);
         if (stage != Stage::overlapping) return;
         if (!policy.is_end(pair)) return pending.push({pair, step});
-        [[maybe_unused]] const std::optional<ItemTest> tested = policy.end(pair);
-        if constexpr (observed<O>) steps.item_test(tested, step);
+        policy.end(pair, ItemReport<O>{steps, step});
     };
     StepNumbers<O> steps(observer);
     StepNumber<O> none{};
