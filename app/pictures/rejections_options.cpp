@@ -18,10 +18,10 @@ namespace {
 /// of a CAD model can be seen.
 constexpr double default_focus = 0.5;
 
-std::string names_of(const TraceHeader& header, const std::vector<Outcome>& endings) {
+std::string names_of(const TraceHeader& header, const std::vector<Stage>& endings) {
     std::string names;
-    for (const Outcome ending : endings)
-        names += (names.empty() ? "" : ", ") + ending_words(header, ending);
+    for (const Stage ending : endings)
+        names += (names.empty() ? "" : ", ") + stage_words(header, ending);
     return names;
 }
 
@@ -51,14 +51,14 @@ render::RejectionsStyle RejectionsOptions::style(const QuerySources& sources) co
     const QuerySource& source = sources.front();
     render::RejectionsStyle result;
     result.by = by;
-    std::vector<Outcome> known;
+    std::vector<Stage> known;
     for (const QuerySource& each : sources)
-        for (const Outcome ending : endings_of(each.header()))
+        for (const Stage ending : endings_of(each.header()))
             if (std::find(known.begin(), known.end(), ending) == known.end())
                 known.push_back(ending);
     if (!stages.empty())
         for (const std::string& name : scenes::split_list(stages)) {
-            std::optional<Outcome> ending;
+            std::optional<Stage> ending;
             for (const QuerySource& each : sources)
                 if (!ending) ending = ending_of(each.header(), name);
             if (!ending || std::find(known.begin(), known.end(), *ending) == known.end())

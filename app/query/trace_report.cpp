@@ -99,10 +99,9 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     }
     if (test.parent) {
         result["parent"] = nodes(*test.parent);
-        result["parent"]["divided"] =
-            test.parent_outcome == Outcome::divided_both
-                ? "both"
-                : bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1];
+        result["parent"]["divided"] = test.parent_outcome == Stage::divided_both
+                                          ? "both"
+                                          : bodies[test.parent_outcome == Stage::divided_a ? 0 : 1];
     }
     return result;
 }

@@ -33,14 +33,14 @@ Json groups_json(const TraceHeader& header) {
     for (std::size_t i = 0; i < light.size(); ++i) {
         // Those at which the triangles of two leaves were tested, which are drawn in their place.
         const bool triangles =
-            std::all_of(light[i].endings.begin(), light[i].endings.end(), [](Outcome ending) {
-                return ending == Outcome::triangles_apart || ending == Outcome::triangles_meet;
+            std::all_of(light[i].endings.begin(), light[i].endings.end(), [](Stage ending) {
+                return ending == Stage::triangles_apart || ending == Stage::triangles_meet;
             });
         const bool meet = std::find(light[i].endings.begin(), light[i].endings.end(),
-                                    Outcome::triangles_meet) != light[i].endings.end();
+                                    Stage::triangles_meet) != light[i].endings.end();
         std::string stages;  // as --stages of scb render rejections names them
-        for (const Outcome ending : light[i].endings)
-            stages += (stages.empty() ? "" : ",") + ending_words(header, ending);
+        for (const Stage ending : light[i].endings)
+            stages += (stages.empty() ? "" : ",") + stage_words(header, ending);
         groups.push_back({{"label", scenes::printable(light[i].label)},
                           {"stages", file_word(stages)},
                           {"light", color_json(light[i].color)},

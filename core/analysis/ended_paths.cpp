@@ -10,7 +10,7 @@ namespace {
 struct End {
     std::uint32_t node;
     std::uint16_t depth;
-    Outcome ending;
+    Stage ending;
 };
 
 EndedPaths summary(std::span<const End> ends) {
@@ -20,13 +20,13 @@ EndedPaths summary(std::span<const End> ends) {
     result.tests = static_cast<std::uint32_t>(ends.size());
     result.first = ends.front().ending;
     result.last = ends.back().ending;
-    std::array<std::uint32_t, outcome_end> counts{};
+    std::array<std::uint32_t, StageTable::most_rows> counts{};
     for (const End& end : ends) {
         ++counts[static_cast<std::size_t>(end.ending)];
         result.rejected += is_rejection(end.ending);
     }
     const auto most = std::max_element(counts.begin(), counts.end());
-    result.dominant = static_cast<Outcome>(most - counts.begin());
+    result.dominant = static_cast<Stage>(most - counts.begin());
     result.of_dominant = *most;
     return result;
 }
@@ -39,7 +39,7 @@ std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& out
     std::map<std::uint32_t, std::uint32_t> passed_on;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const Step& test = frame.steps.volumes[i];
-        const Outcome outcome = outcomes[i];
+        const Stage outcome = outcomes[i];
         if (!is_ending(outcome)) {
             ++passed_on[side == 0 ? test.nodes.a : test.nodes.b];
             continue;

@@ -15,15 +15,15 @@ struct EndedPaths {
     std::uint32_t tests = 0;     ///< paths that ended here
     std::uint32_t rejected = 0;  ///< of these, those whose volumes were rejected
     std::uint32_t tested = 0;    ///< all tests of the node, also those that were passed on
-    Outcome first{}, last{};     ///< in the order of the tests
-    Outcome dominant{};          ///< the most frequent one; of equally frequent ones the first in
-                                 ///< the order of Outcome
+    Stage first{}, last{};       ///< in the order of the tests
+    Stage dominant{};            ///< the most frequent one; of equally frequent ones the first in
+                                 ///< the order of Stage
     std::uint32_t of_dominant = 0;
 };
 
 /// Which paths count.
 struct EndedPathsFilter {
-    std::vector<Outcome> endings;                                       ///< empty: all
+    std::vector<Stage> endings;                                         ///< empty: all
     int least_depth = 0, most_depth = std::numeric_limits<int>::max();  ///< of the node
 };
 

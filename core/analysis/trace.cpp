@@ -55,11 +55,7 @@ bool pairs_are_nodes(const TraceHeader& header) {
 }
 
 std::string stage_words(const TraceHeader& header, Stage stage) {
-    if (header.engine)
-        for (const NamedStage& named : header.engine->stages)
-            if (named.stage == stage) return named.name;
-    if (is_foreign(stage)) return "stage " + std::to_string(foreign_number(stage));
-    return std::string(stage_name(stage));
+    return std::string(header.stages.row(stage).name);
 }
 
 Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame) {

@@ -40,17 +40,11 @@ struct TraceField {
     friend bool operator==(const TraceField&, const TraceField&) = default;
 };
 
-/// A stage, as whoever made the test calls it.
-struct NamedStage {
-    Stage stage{};
-    std::string name;
-};
-
 /// Another engine, of whose queries there is a trace.
 struct TraceEngine {
     std::string name;                  ///< as it calls itself, or the recording's
     std::string volumes;               ///< "OBB", "AABB", see volumes_titles
-    std::vector<NamedStage> stages;    ///< at which its tests can reject
+    std::vector<Stage> stages;         ///< at which its tests can reject, in its order
     bool objects = false;              ///< its pairs are of objects that nothing is known of
     std::vector<TraceField> settings;  ///< as it told them
     /// By frame, of A and B: by these trees that are alike can be told, see tree_hash.
@@ -71,6 +65,7 @@ struct TraceHeader {
     double margin = 0;
     SplitMethod split = SplitMethod::section_3;
     CollideOptions options;
+    StageTable stages;  ///< the ways in which tests can end
     /// Set where another engine made the queries: what stands between the bodies and this then says
     /// nothing.
     std::optional<TraceEngine> engine{};
@@ -82,7 +77,7 @@ BodyNames body_names(const TraceHeader& header);
 BodyNames side_names(const TraceHeader& header);
 /// Whether the pairs that were found are such of nodes: those of a level, or of objects.
 bool pairs_are_nodes(const TraceHeader& header);
-/// The stage as stage_name has it, or as the engine calls it.
+/// The name of a stage in the header's table.
 std::string stage_words(const TraceHeader& header, Stage stage);
 /// How the hierarchies were built.
 BuildOptions build_options(const TraceHeader& header);

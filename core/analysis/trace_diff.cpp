@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "core/analysis/ending.h"
 #include "core/collide/pairs_hash.h"
 
 namespace scb {
@@ -50,15 +51,16 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
 /// them.
 std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b) {
     std::vector<std::string> names = {stage_words(a, Stage::overlapping)};
-    const auto add = [&names](const std::string& name) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    const auto add = [&names](std::string name) {
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(std::move(name));
     };
     for (const std::span<const Stage> test :
          {stages_of(OverlapTest::corrected), scb2_stages(), convex_stages(), obb_stages()})
         for (const Stage stage : test) add(std::string(stage_name(stage)));
     for (const TraceHeader* header : {&a, &b})
         if (header->engine)
-            for (const NamedStage& named : header->engine->stages) add(named.name);
+            for (const Stage stage : header->engine->stages) add(stage_words(*header, stage));
     return names;
 }
 
@@ -83,15 +85,12 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const Outcomes& out
     return same ? std::nullopt : std::optional(test);
 }
 
-/// The frame of B with the stages of A where these have the same names: an engine's numbers are of
-/// one recording.
+/// The frame of B with the stages of A's table, by name.
 TraceFrame with_stages_of(const TraceHeader& a, const TraceHeader& b, TraceFrame frame) {
+    constexpr Stage not_of_a{255};
     std::map<Stage, Stage> renamed;
-    for (const NamedStage& of_b : b.engine->stages) {
-        renamed[of_b.stage] = Stage{255};  // none of A's
-        for (const NamedStage& of_a : a.engine->stages)
-            if (of_a.name == of_b.name) renamed[of_b.stage] = of_a.stage;
-    }
+    for (const Stage stage : b.engine->stages)
+        renamed[stage] = a.stages.find(stage_words(b, stage)).value_or(not_of_a);
     for (Step& test : frame.steps.volumes)
         if (const auto found = renamed.find(test.stage); found != renamed.end())
             test.stage = found->second;
@@ -113,7 +112,7 @@ std::optional<std::size_t> test_of(const TraceHeader& header, const TraceFrame& 
                                    const Outcomes& outcomes, bool of_nodes, IndexPair pair) {
     if (of_nodes)
         for (std::size_t i = 0; i < outcomes.size(); ++i)
-            if (outcomes[i] == Outcome::found && frame.steps.volumes[i].nodes == pair) return i;
+            if (outcomes[i] == Stage::found && frame.steps.volumes[i].nodes == pair) return i;
     for (const ItemStep& t : frame.steps.items)
         if (t.hit && pair_of(header, t) == pair) return t.step;
     return std::nullopt;
@@ -145,7 +144,7 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
         if (finder.steps.volumes[i].parent == no_step) break;
     }
     for (std::size_t i = 0; i < other.steps.volumes.size(); ++i) {
-        const Outcome outcome = other_outcomes[i];
+        const Stage outcome = other_outcomes[i];
         const IndexPair nodes = other.steps.volumes[i].nodes;
         if (is_divided(outcome) || !ancestors_a.contains(nodes.a) || !ancestors_b.contains(nodes.b))
             continue;
@@ -193,10 +192,8 @@ void TraceCounts::add(const TraceHeader& header, const TraceFrame& frame) {
     n_v += found.n_v;
     n_p += found.n_p;
     if (!header.engine) n_u = n_u.value_or(0) + found.n_u;
-    std::array<std::uint64_t, 256> tests{};
-    std::copy(found.stages.begin(), found.stages.end(), tests.begin());
-    for (const Step& test : frame.steps.volumes)
-        if (is_foreign(test.stage)) ++tests[static_cast<std::size_t>(test.stage)];
+    EndingCounts tests{};
+    for (const Step& test : frame.steps.volumes) ++tests[static_cast<std::size_t>(test.stage)];
     for (std::size_t s = 0; s < tests.size(); ++s)
         if (tests[s] != 0) stages[stage_words(header, static_cast<Stage>(s))] += tests[s];
 }

@@ -35,14 +35,14 @@ struct FrameDifference {
 /// A volume test and what it belongs to, for users: nodes are the numbers that numbers_of has.
 struct TracedTest {
     Step test;
-    Outcome outcome{};
+    Stage outcome{};
     std::string stage;  ///< where it ended, see stage_words
     /// Of two leaves that overlap; of several the first that intersect, else the first.
     std::optional<ItemStep> triangles;
     std::size_t triangle_tests = 0, intersecting = 0;  ///< how many there are of them
     std::optional<Step> parent;  ///< of the pair whose division led here; the roots
                                  ///< have none
-    Outcome parent_outcome{};
+    Stage parent_outcome{};
 };
 
 /// Where two traces part: the same frame and the same test, counted from 0, before which all tests

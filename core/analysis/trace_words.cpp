@@ -24,18 +24,18 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
         test.triangles ? pair_text(test.triangles->items.a, test.triangles->items.b) : "";
     if (is_rejection(test.outcome)) return "rejected at " + test.stage;
     switch (test.outcome) {
-        case Outcome::divided_a:
+        case Stage::divided_a:
             return "overlap, passed on to the children of " + bodies[0] + "'s node";
-        case Outcome::divided_b:
+        case Stage::divided_b:
             return "overlap, passed on to the children of " + bodies[1] + "'s node";
-        case Outcome::divided_both:
+        case Stage::divided_both:
             return "overlap, passed on to the children of both";
-        case Outcome::triangles_apart:
+        case Stage::triangles_apart:
             return "overlap; " + (test.triangle_tests > 1
                                       ? "of " + std::to_string(test.triangle_tests) +
                                             " pairs of their triangles none intersects"
                                       : "their triangles " + triangles + " do not intersect");
-        case Outcome::triangles_meet:
+        case Stage::triangles_meet:
             return "overlap; " +
                    (test.triangle_tests > 1
                         ? "of " + std::to_string(test.triangle_tests) +
@@ -44,22 +44,23 @@ std::string words_of(const TracedTest& test, const BodyNames& bodies) {
                                                       : " intersect, the first ") +
                               triangles
                         : "their triangles " + triangles + " intersect");
-        case Outcome::found:
+        case Stage::found:
             return "overlap, found at the level to stop at";
-        case Outcome::neighbors:
+        case Stage::neighbors:
             return "overlap; their triangles " + triangles + " share a vertex";
-        case Outcome::left_over:
+        case Stage::left_over:
             return "overlap, left over when the query had its pairs";
+        default:
+            return {};
     }
-    return {};
 }
 
 std::string words_of_parent(const TracedTest& test, const BodyNames& bodies) {
     if (!test.parent) return "these are the roots";
     const std::string divided =
-        test.parent_outcome == Outcome::divided_both
+        test.parent_outcome == Stage::divided_both
             ? "both nodes were"
-            : bodies[test.parent_outcome == Outcome::divided_a ? 0 : 1] + "'s node was";
+            : bodies[test.parent_outcome == Stage::divided_a ? 0 : 1] + "'s node was";
     return "reached from " + words_of(*test.parent) + ", where " + divided + " divided";
 }
 

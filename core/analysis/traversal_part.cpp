@@ -17,7 +17,8 @@ TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame,
     std::size_t next = 0;
     for (const std::uint32_t i : chosen) {
         Step test = frame.steps.volumes[i];
-        if (!is_foreign(test.stage)) ++found.stages[static_cast<std::size_t>(test.stage)];
+        if (const auto stage = static_cast<std::size_t>(test.stage); stage < stage_count)
+            ++found.stages[stage];
         found.depth = std::max(found.depth, test.depth_a + test.depth_b);
         if (pairs_of_nodes && test.stage == Stage::overlapping &&
             std::binary_search(frame.found.pairs.begin(), frame.found.pairs.end(), test.nodes))

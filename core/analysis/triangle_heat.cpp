@@ -5,8 +5,8 @@
 namespace scb {
 
 std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes) {
-    const auto is_true = [](Outcome outcome) {
-        return outcome == Outcome::triangles_meet || outcome == Outcome::found;
+    const auto is_true = [](Stage outcome) {
+        return outcome == Stage::triangles_meet || outcome == Stage::found;
     };
     std::vector<bool> meets(outcomes.size()), wasted(outcomes.size());
     // Parents come before their children.

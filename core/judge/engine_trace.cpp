@@ -49,18 +49,7 @@ bool exist(const EngineQuery& query, IndexPair items) {
 
 }  // namespace
 
-Stage stage_of_engine(std::uint8_t number, std::string_view name) {
-    const std::optional<Stage> own = stage_of(name);
-    return own && *own != Stage::overlapping ? *own : foreign_stage(number);
-}
-
 TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages) {
-    const auto stage_at = [&stages](std::uint8_t number) {
-        const auto told = stages.find(number);
-        return number == 0            ? Stage::overlapping
-               : told != stages.end() ? told->second
-                                      : foreign_stage(number);
-    };
     TraceFrame frame{query.frame, query.b_to_a, {}, {}, {}};
     Collision& found = frame.found;
     TestLinks links(query);
@@ -88,12 +77,13 @@ TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
             place.push_back(no_index);
             continue;
         }
-        const Stage stage = stage_at(event.stage);
+        const Stage stage = event.stage == 0 ? Stage::overlapping : stages.at(event.stage);
         place.push_back(static_cast<std::uint32_t>(frame.steps.volumes.size()));
         frame.steps.volumes.push_back({nodes, depth_of(query.sides[0], nodes.a),
                                        depth_of(query.sides[1], nodes.b), stage,
                                        led_by == no_index ? no_step : place[led_by]});
-        if (!is_foreign(stage)) ++found.stages[static_cast<std::size_t>(stage)];
+        if (const auto row = static_cast<std::size_t>(stage); row < stage_count)
+            ++found.stages[row];
         const Step& test = frame.steps.volumes.back();
         found.depth = std::max(found.depth, test.depth_a + test.depth_b);
     }

@@ -79,10 +79,8 @@ py::array FrameTests::pairs() const {
 
 py::dict FrameTests::outcome_names() const {
     py::dict names;
-    for (const Outcome outcome : all_->occurring)
-        names[py::int_(static_cast<int>(outcome))] = is_ending(outcome)
-                                                         ? ending_words(all_->header, outcome)
-                                                         : std::string(outcome_name(outcome));
+    for (const Stage outcome : all_->occurring)
+        names[py::int_(static_cast<int>(outcome))] = stage_words(all_->header, outcome);
     return names;
 }
 

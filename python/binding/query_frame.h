@@ -38,7 +38,7 @@ class FrameTests {
         TraceHeader header;
         TraceFrame frame;
         Outcomes outcomes;
-        std::set<Outcome> occurring;  ///< of these
+        std::set<Stage> occurring;  ///< of these
     };
     std::shared_ptr<const All> all_;
 

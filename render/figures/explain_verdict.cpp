@@ -74,9 +74,8 @@ std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure) {
                                  : "test";
     if (figure.ending.empty())
         lines.push_back({test + ":  " + ending_words(stage), theme.text, FontWeight::bold,
-                         stage == Stage::overlapping
-                             ? std::nullopt
-                             : std::optional(ending_color(rejected_at(stage), theme))});
+                         stage == Stage::overlapping ? std::nullopt
+                                                     : std::optional(ending_color(stage, theme))});
     else
         lines.push_back({figure.ending, theme.text, FontWeight::bold});
     lines.push_back({"exact:  " + exact_words(found.certificate), theme.text, FontWeight::bold});

@@ -133,7 +133,7 @@ Rgba8 pass_reason_color(PassReason reason, const Theme& theme) {
         case PassReason::triangles_meet:
             return theme.mesh;
         case PassReason::loose_fit:
-            return ending_color(Outcome::triangles_apart, theme);
+            return ending_color(Stage::triangles_apart, theme);
         case PassReason::weak_test:
             break;
     }

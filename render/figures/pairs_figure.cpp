@@ -88,8 +88,8 @@ Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
                      const TraceHeader& header, const TraceFrame& frame, const PairsStyle& style) {
     if (!style.leaves) return;
-    const Rgba8 color = seen_color(ending_color(Outcome::triangles_apart, *style.theme),
-                                   leaf_opacity, *style.theme);
+    const Rgba8 color =
+        seen_color(ending_color(Stage::triangles_apart, *style.theme), leaf_opacity, *style.theme);
     for (std::size_t side = 0; side < body_count(header); ++side)
         items.emplace_back(PanelLegendRow{
             color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
@@ -130,7 +130,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
             add_leaves(pane, body, apart_leaves(header, frame, side),
-                       ending_color(Outcome::triangles_apart, *style.theme), side == 1);
+                       ending_color(Stage::triangles_apart, *style.theme), side == 1);
     }
     if (pairs_are_nodes(header)) return pane;
     pane.segments = contact_segments(bodies, frame, first_pair_id);

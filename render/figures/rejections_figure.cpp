@@ -14,7 +14,7 @@ namespace scb::render {
 namespace {
 
 /// The ending that a node's color tells, or its most frequent one where that tells a share.
-Outcome told_ending(const EndedPaths& node, NodeColor by) {
+Stage told_ending(const EndedPaths& node, NodeColor by) {
     return by == NodeColor::first ? node.first : by == NodeColor::last ? node.last : node.dominant;
 }
 
@@ -33,9 +33,9 @@ double area_of(const QueryBody& body, std::uint32_t triangle) {
 std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPaths& node,
                                             NodeColor by) {
     std::vector<std::uint32_t> triangles;
-    const Outcome ending = told_ending(node, by);
+    const Stage ending = told_ending(node, by);
     if (body.tree->is_leaf(node.node) &&
-        (ending == Outcome::triangles_apart || ending == Outcome::triangles_meet))
+        (ending == Stage::triangles_apart || ending == Stage::triangles_meet))
         for (const std::uint32_t triangle : body.tree->items(node.node))
             if (triangle < body.mesh->triangles.size() && area_of(body, triangle) > 0)
                 triangles.push_back(triangle);
@@ -44,8 +44,8 @@ std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPa
 
 /// What is left over may hold much of the front, and would hide it.
 double opacity_of(Rgba8 color, const RejectionsStyle& style) {
-    return color == ending_color(Outcome::left_over, *style.theme) ? style.opacity / 5
-                                                                   : style.opacity;
+    return color == ending_color(Stage::left_over, *style.theme) ? style.opacity / 5
+                                                                 : style.opacity;
 }
 
 /// What a node may hide: the square about its volume; of triangles that are drawn instead, between
@@ -93,8 +93,8 @@ void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, const Rejecti
     }
 }
 
-bool is_shown(Outcome ending, const RejectionsStyle& style) {
-    const std::vector<Outcome>& endings = style.filter.endings;
+bool is_shown(Stage ending, const RejectionsStyle& style) {
+    const std::vector<Stage>& endings = style.filter.endings;
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
@@ -115,7 +115,7 @@ std::string volumes_text(std::size_t side, const std::string& name) {
 std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceFrame& frame,
                                              const Outcomes& outcomes, std::size_t side,
                                              EndedPathsFilter filter) {
-    filter.endings = {Outcome::triangles_meet};
+    filter.endings = {Stage::triangles_meet};
     std::vector<std::uint32_t> triangles;
     for (const EndedPaths& leaf : ended_paths(frame, outcomes, side, filter))
         for (const std::uint32_t triangle : body.tree->items(leaf.node))
@@ -129,7 +129,7 @@ std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceF
 /// more often.
 std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& frame,
                                    const Outcomes& outcomes, const RejectionsStyle& style) {
-    if (style.by == NodeColor::share || !is_shown(Outcome::triangles_meet, style)) return {};
+    if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return {};
     std::array<std::vector<std::uint32_t>, 2> shown;
     for (std::size_t side = 0; side < 2; ++side)
         if (style.sides[side])
@@ -142,7 +142,7 @@ std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& 
         if (!of_a && !std::binary_search(shown[1].begin(), shown[1].end(), pair.b)) continue;
         line.id =
             of_a ? bodies[0].first_triangle_id + pair.a : bodies[1].first_triangle_id + pair.b;
-        line.color = ending_color(Outcome::triangles_meet, *style.theme);
+        line.color = ending_color(Stage::triangles_meet, *style.theme);
         line.width = 1.5;
         line.on_top = true;
         lines.push_back(line);
@@ -221,7 +221,7 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style) {
 
 EndingCounts shown_counts(EndingCounts counts, const RejectionsStyle& style) {
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (!is_shown(static_cast<Outcome>(i), style)) counts[i] = 0;
+        if (!is_shown(static_cast<Stage>(i), style)) counts[i] = 0;
     return counts;
 }
 
@@ -229,7 +229,7 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
     std::vector<EndingGroup> groups = ending_groups(header, *style.theme);
     std::erase_if(groups, [&](const EndingGroup& group) {
         return std::none_of(group.endings.begin(), group.endings.end(),
-                            [&](Outcome ending) { return is_shown(ending, style); });
+                            [&](Stage ending) { return is_shown(ending, style); });
     });
     return groups;
 }
@@ -244,7 +244,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
     if (style.by == NodeColor::share) {
         std::uint64_t rejected = 0, passed = 0;
         for (std::size_t i = 0; i < counts.size(); ++i)
-            (is_rejection(static_cast<Outcome>(i)) ? rejected : passed) += counts[i];
+            (is_rejection(static_cast<Stage>(i)) ? rejected : passed) += counts[i];
         for (const auto& [label, count] :
              {std::pair("rejected", rejected), std::pair("not rejected", passed)})
             items.emplace_back(PanelRow{
@@ -253,7 +253,7 @@ std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFram
     }
     for (const EndingGroup& group : shown_groups(header, style)) {
         const std::uint64_t count = count_of(group, counts);
-        if (count == 0 && group.endings.front() == Outcome::left_over) continue;
+        if (count == 0 && group.endings.front() == Stage::left_over) continue;
         // What is left over is translucent.
         const double opacity = opacity_of(group.color, style);
         const Rgba8 color =
@@ -286,8 +286,8 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
     for (PanelItem& item : endings_legend(header, frame, outcomes, style))
         items.push_back(std::move(item));
-    if (const auto leaves = counts[static_cast<std::size_t>(Outcome::triangles_apart)] +
-                            counts[static_cast<std::size_t>(Outcome::triangles_meet)];
+    if (const auto leaves = counts[static_cast<std::size_t>(Stage::triangles_apart)] +
+                            counts[static_cast<std::size_t>(Stage::triangles_meet)];
         header.engine && leaves > 0 && frame.found.n_p > leaves)
         items.emplace_back(PanelNote{"triangles: pairs of leaves, which have several"});
     items.emplace_back(PanelHeading{"nodes drawn"});

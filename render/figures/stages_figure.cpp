@@ -37,7 +37,7 @@ std::vector<PanelItem> panel_of(const StagesFigure& figure) {
                                     PanelHeading{"paths that ended, mean per frame"}};
     for (std::size_t g = 0; g < figure.groups.size(); ++g) {
         const EndingGroup& group = figure.groups[g];
-        if (means[g] == 0 && group.endings.front() == Outcome::left_over) continue;
+        if (means[g] == 0 && group.endings.front() == Stage::left_over) continue;
         items.emplace_back(PanelLegendRow{group.color, std::string(group.label),
                                           mean_text(means[g]), share_text(means[g], all)});
     }

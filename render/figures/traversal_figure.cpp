@@ -113,7 +113,7 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes&
     for (const EndingGroup& group : groups) {
         const std::uint64_t count = count_of(group, counts);
         // Of queries that were not told to stop early there is nothing to explain.
-        if (group.endings.front() == Outcome::left_over && count == 0) continue;
+        if (group.endings.front() == Stage::left_over && count == 0) continue;
         keys.push_back({std::string(group.label), group.color, count});
     }
     return keys;

@@ -13,7 +13,7 @@ namespace scb::render {
 struct EndingGroup {
     std::string label;  ///< "slab A, ball B", "faces of A", "triangles apart"
     Rgba8 color;
-    std::vector<Outcome> endings;
+    std::vector<Stage> endings;
 };
 
 /// There are never more groups than that.
@@ -24,12 +24,12 @@ inline constexpr std::size_t most_groups = 48;
 /// or green and yellow (a slab and a cylinder, or what comes last); what it let pass is purple
 /// where the triangles were apart and vermillion where they meet. What the query left over has the
 /// theme's color.
-std::vector<EndingGroup> ending_groups(const std::vector<Outcome>& endings, const Theme& theme);
-/// Those of such queries. The stages of another engine have their own names, and are colored in
-/// the order of their numbers; what is behind the ninth is one group, as are stages of one name.
+std::vector<EndingGroup> ending_groups(const std::vector<Stage>& endings, const Theme& theme,
+                                       const StageTable& stages = {});
+/// The groups of the endings that the header's queries can have.
 std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& theme);
 
-Rgba8 ending_color(Outcome ending, const Theme& theme);
+Rgba8 ending_color(Stage ending, const Theme& theme);
 
 /// Of the counts, those of the group.
 std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts);

@@ -51,17 +51,16 @@ class GroupIndex {
     explicit GroupIndex(const std::vector<EndingGroup>& groups)
         : divided_(static_cast<std::uint32_t>(groups.size())) {
         for (std::uint32_t g = 0; g < groups.size(); ++g)
-            for (const Outcome ending : groups[g].endings)
-                of_[static_cast<std::size_t>(ending)] = g;
+            for (const Stage ending : groups[g].endings) of_[static_cast<std::size_t>(ending)] = g;
     }
-    std::uint32_t operator()(Outcome outcome) const {
+    std::uint32_t operator()(Stage outcome) const {
         return is_ending(outcome) ? of_[static_cast<std::size_t>(outcome)] : divided_;
     }
     std::uint32_t divided() const { return divided_; }
 
   private:
     std::uint32_t divided_;
-    std::array<std::uint32_t, outcome_end> of_{};
+    std::array<std::uint32_t, StageTable::most_rows> of_{};
 };
 
 /// One column of a row. Areas are exact: a column is as wide as there are tests, and a test as wide

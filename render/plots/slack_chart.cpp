@@ -131,7 +131,7 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
         }
         const OverlapStep& step = chart.steps->steps[row.step];
         overlay.rectangle({rect.x, y + (small - swatch) / 2 + 1, swatch, swatch},
-                          ending_color(rejected_at(step.stage), theme));
+                          ending_color(step.stage, theme));
         overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
         int length =
             step.slack != 0 ? static_cast<int>(std::lround(std::abs(step.slack) * scale)) : 0;

@@ -18,8 +18,8 @@ bool are_predicted(const QueryBodies& bodies, const Steps& steps, const Outcomes
         if (next >= volumes.size() || volumes[next].nodes != nodes ||
             volumes[next].parent != parent)
             return false;
-        const Outcome outcome = outcomes[next];
-        if (outcome == Outcome::divided_a || outcome == Outcome::divided_b) divided.push_back(next);
+        const Stage outcome = outcomes[next];
+        if (outcome == Stage::divided_a || outcome == Stage::divided_b) divided.push_back(next);
         ++next;
         return true;
     };
@@ -28,7 +28,7 @@ bool are_predicted(const QueryBodies& bodies, const Steps& steps, const Outcomes
         const std::uint32_t parent = divided.back();
         divided.pop_back();
         const IndexPair nodes = volumes[parent].nodes;
-        const bool of_a = outcomes[parent] == Outcome::divided_a;
+        const bool of_a = outcomes[parent] == Stage::divided_a;
         const TreeShape& shape = of_a ? a : b;
         for (std::uint32_t child = shape.first_child[of_a ? nodes.a : nodes.b]; child != no_index;
              child = shape.next_sibling[child])
@@ -73,9 +73,9 @@ QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
                          const std::vector<EndingGroup>& groups, BlockStore& store) {
     std::vector<std::uint8_t> bytes = worth_bits(frame.steps, outcomes, attribution);
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const Outcome outcome = outcomes[i];
+        const Stage outcome = outcomes[i];
         if (is_divided(outcome)) {
-            bytes[i] |= outcome == Outcome::divided_b ? 1 : 0;
+            bytes[i] |= outcome == Stage::divided_b ? 1 : 0;
             continue;
         }
         const auto group =

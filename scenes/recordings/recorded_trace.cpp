@@ -152,22 +152,21 @@ void RecordedTrace::take_stages(const RecordedQueries& queries) {
     std::vector<std::uint8_t> order = queries.stage_order();
     for (const std::uint8_t number : used)
         if (!queries.stages().contains(number)) order.push_back(number);
-    // Colors go by numbers: those at which tests ended have the first.
-    std::vector<std::uint8_t> used_first = order;
-    std::stable_partition(used_first.begin(), used_first.end(),
-                          [&used](std::uint8_t number) { return used.contains(number); });
+    std::map<std::uint8_t, std::string> names;
     std::set<std::string> taken = {std::string(stage_name(Stage::overlapping))};
     for (const std::uint8_t number : order) {
-        const auto place = std::find(used_first.begin(), used_first.end(), number);
-        const auto told = queries.stages().find(number);
-        std::string name =
-            told != queries.stages().end() ? told->second : "stage " + std::to_string(number);
+        const auto named = queries.stages().find(number);
+        std::string& name = names[number];
+        name = named != queries.stages().end() ? named->second : "stage " + std::to_string(number);
         // Counts go by names.
         while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
-        stages_[number] =
-            stage_of_engine(static_cast<std::uint8_t>(place - used_first.begin() + 1), name);
-        header_.engine->stages.push_back({stages_[number], name});
     }
+    // Stages at which tests ended come first, and have the first colors.
+    for (const bool are_used : {true, false})
+        for (const std::uint8_t number : order)
+            if (used.contains(number) == are_used)
+                stages_[number] = header_.stages.add(names[number]);
+    for (const std::uint8_t number : order) header_.engine->stages.push_back(stages_[number]);
 }
 
 const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {

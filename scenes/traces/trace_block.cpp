@@ -23,24 +23,20 @@ static_assert(stage_count == 28 && static_cast<int>(Stage::overlapping) == 0,
               "stages are written as their numbers: another list needs another version, one that "
               "only grew does not");
 
-std::uint8_t symbol_of(Outcome outcome) {
+std::uint8_t symbol_of(Stage outcome) {
     if (is_rejection(outcome))
         return static_cast<std::uint8_t>(rejected_first + static_cast<int>(outcome) - 1);
     switch (outcome) {
-        case Outcome::triangles_apart:
+        case Stage::triangles_apart:
             return leaves_apart;
-        case Outcome::triangles_meet:
-        case Outcome::found:
+        case Stage::triangles_meet:
+        case Stage::found:
             return leaves_meet;
-        case Outcome::neighbors:
+        case Stage::neighbors:
             return neighbors;
-        case Outcome::divided_a:
-        case Outcome::divided_b:
-        case Outcome::divided_both:
-        case Outcome::left_over:
-            break;
+        default:
+            return divided;
     }
-    return divided;
 }
 
 /// Writes the number that belongs to a node where the reader does not know it yet.
@@ -199,7 +195,7 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
             last_root = tests[i].nodes.a;
         } else if (parent != no_step && siblings++ % 2 == 0) {
             const IndexPair divided_pair = tests[parent].nodes;
-            if (outcomes[parent] == Outcome::divided_a) {
+            if (outcomes[parent] == Stage::divided_a) {
                 tell(news, nodes[0].left, divided_pair.a, tests[i].nodes.a, nodes[0].last_left);
             } else {
                 symbol |= of_b;
@@ -207,8 +203,8 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
             }
         }
         plain.byte(symbol);
-        if (outcomes[i] != Outcome::triangles_apart && outcomes[i] != Outcome::triangles_meet &&
-            outcomes[i] != Outcome::neighbors)
+        if (outcomes[i] != Stage::triangles_apart && outcomes[i] != Stage::triangles_meet &&
+            outcomes[i] != Stage::neighbors)
             continue;
         const IndexPair pair = frame.steps.items[triangles++].items;
         tell(news, nodes[0].triangle, tests[i].nodes.a, pair.a, nodes[0].last_triangle);

@@ -8,9 +8,10 @@
 
 namespace scb {
 
-/// How an overlap test of two volumes A and B ended: with `overlapping`, or at the stage that
-/// rejected the pair. One list for all tests, so that counts, traces and colors mean the same for
-/// each of them.
+/// How a test of two volumes A and B ended: with `overlapping`, or at the stage that rejected the
+/// pair. All tests share one list, so that counts, traces and colors agree. The rows behind the
+/// tests' stages say what followed where volumes overlap. An engine's stages come last, see
+/// StageTable.
 enum class Stage : std::uint8_t {
     overlapping,  ///< not rejected
 
@@ -51,29 +52,33 @@ enum class Stage : std::uint8_t {
 
     // Convex volumes by their farthest points; center_line comes before.
     search,  ///< along a direction that the search for the closest points came to
+
+    // What followed a test of two volumes that overlap. The path of the traversal ended:
+    triangles_apart,  ///< at two leaves, whose triangles do not intersect
+    triangles_meet,   ///< at two leaves, whose triangles intersect
+    found,            ///< at nodes of the level at which the query stopped
+    neighbors,        ///< at two leaves of a self query, whose triangles share a vertex
+    left_over,        ///< since the query had enough pairs before it divided these nodes
+    // Or it went on, with the tests of children:
+    divided_a,     ///< of A's node
+    divided_b,     ///< of B's node
+    divided_both,  ///< of both nodes, as engines test them
 };
-/// How many stages there are, `overlapping` included.
+/// The number of results of a test: `overlapping`, and the stages that reject.
 inline constexpr std::size_t stage_count = 28;
+/// The number of rows that this project names.
+inline constexpr std::size_t named_stage_count = stage_count + 8;
 
-/// A stage of a test that is none of this project's, by the number of who made it, 1 to 127. It has
-/// no name here, and is above all others.
-constexpr Stage foreign_stage(std::uint8_t number) { return static_cast<Stage>(64 + number); }
-/// Whether it is one of `foreign_stage`.
-constexpr bool is_foreign(Stage stage) { return static_cast<std::uint8_t>(stage) > 64; }
-/// Its number there, where it is foreign.
-constexpr std::uint8_t foreign_number(Stage stage) {
-    return static_cast<std::uint8_t>(static_cast<std::uint8_t>(stage) - 64);
-}
-
-/// Tests per stage, indexed by Stage; foreign ones have no place.
+/// Tests per stage, indexed by Stage; an engine's own stages are not counted here.
 using StageCounts = std::array<std::uint64_t, stage_count>;
 
 /// The sum of all counts: N_v of equation 1.
 std::uint64_t test_count(const StageCounts& counts);
 
-/// "overlapping", "ball-ball", "slab-cylinder", "axis-a0", "axis-a0xb2", ...
+/// "overlapping", "ball-ball", "slab-cylinder", "axis-a0xb2", "triangles meet", ...; of a stage
+/// below named_stage_count.
 std::string_view stage_name(Stage stage);
-/// The stage of this name, or nothing where there is none.
+/// The stage of this name, if any.
 std::optional<Stage> stage_of(std::string_view name);
 
 }  // namespace scb

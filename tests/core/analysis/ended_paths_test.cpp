@@ -36,26 +36,26 @@ TEST(Endings, AreTheTestsThatWereNotPassedOn) {
         const TraceFrame frame = some_frame(header);
         const Outcomes outcomes = outcomes_of(header, frame);
         std::uint64_t passed_on = 0;
-        for (const Outcome outcome : outcomes)
-            passed_on += outcome == Outcome::divided_a || outcome == Outcome::divided_b;
+        for (const Stage outcome : outcomes)
+            passed_on += outcome == Stage::divided_a || outcome == Stage::divided_b;
         EndingCounts sum{};
         std::uint64_t ended = 0;
         for (const EndingCounts& counts : endings_by_depth(frame, outcomes))
-            for (std::size_t i = 0; i < ending_count; ++i) {
+            for (std::size_t i = 0; i < named_stage_count; ++i) {
                 sum[i] += counts[i];
                 ended += counts[i];
             }
         EXPECT_EQ(ended + passed_on, frame.found.n_v);
         for (std::size_t s = 1; s < stage_count; ++s) EXPECT_EQ(sum[s], frame.found.stages[s]);
-        const auto at = [&](Outcome ending) { return sum[static_cast<std::size_t>(ending)]; };
-        EXPECT_EQ(at(Outcome::triangles_meet) + at(Outcome::found), frame.found.pairs.size());
-        EXPECT_EQ(at(Outcome::triangles_meet) + at(Outcome::triangles_apart), frame.found.n_p);
-        EXPECT_EQ(at(Outcome::left_over) > 0, !frame.found.complete);
+        const auto at = [&](Stage ending) { return sum[static_cast<std::size_t>(ending)]; };
+        EXPECT_EQ(at(Stage::triangles_meet) + at(Stage::found), frame.found.pairs.size());
+        EXPECT_EQ(at(Stage::triangles_meet) + at(Stage::triangles_apart), frame.found.n_p);
+        EXPECT_EQ(at(Stage::left_over) > 0, !frame.found.complete);
         // What a query of these options can have covers what it has.
-        const std::vector<Outcome> known = endings_of(header.volume, header.options);
-        for (std::size_t i = 1; i < ending_count; ++i)
+        const std::vector<Stage> known = endings_of(header.volume, header.options);
+        for (std::size_t i = 1; i < named_stage_count; ++i)
             EXPECT_TRUE(sum[i] == 0 || std::find(known.begin(), known.end(),
-                                                 static_cast<Outcome>(i)) != known.end());
+                                                 static_cast<Stage>(i)) != known.end());
     }
 }
 
@@ -78,16 +78,10 @@ TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
     EXPECT_EQ(ending_counts(frame, outcomes)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
 }
 
-TEST(Endings, HaveNames) {
-    std::set<std::string_view> names;
-    for (std::size_t i = 1; i < ending_count; ++i) {
-        const auto ending = static_cast<Outcome>(i);
-        names.insert(outcome_name(ending));
-    }
-    EXPECT_EQ(names.size(), ending_count - 1);
+TEST(Endings, AreFoundByTheirNames) {
     for (const TraceHeader& header : headers()) {
-        for (const Outcome ending : endings_of(header))
-            EXPECT_EQ(ending_of(header, outcome_name(ending)), ending);
+        for (const Stage ending : endings_of(header))
+            EXPECT_EQ(ending_of(header, stage_name(ending)), ending);
         EXPECT_FALSE(ending_of(header, "overlapping"));
     }
 }
@@ -97,7 +91,7 @@ TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
         for (const std::size_t side : {0u, 1u}) {
             const TraceFrame frame = some_frame(header);
             const Outcomes outcomes = outcomes_of(header, frame);
-            std::map<std::uint32_t, std::vector<Outcome>> ends;
+            std::map<std::uint32_t, std::vector<Stage>> ends;
             std::map<std::uint32_t, std::uint32_t> tested;
             for (std::size_t i = 0; i < outcomes.size(); ++i) {
                 const Step& test = frame.steps.volumes[i];
@@ -110,14 +104,14 @@ TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
             auto expected = ends.begin();
             for (const EndedPaths& node : front) {
                 ASSERT_EQ(node.node, expected->first);
-                const std::vector<Outcome>& list = expected->second;
+                const std::vector<Stage>& list = expected->second;
                 EXPECT_EQ(node.tests, list.size());
                 EXPECT_EQ(node.tested, tested[node.node]);
                 EXPECT_EQ(node.first, list.front());
                 EXPECT_EQ(node.last, list.back());
                 EXPECT_EQ(node.rejected, std::count_if(list.begin(), list.end(), is_rejection));
-                for (std::size_t i = 0; i < ending_count; ++i) {
-                    const auto ending = static_cast<Outcome>(i);
+                for (std::size_t i = 0; i < named_stage_count; ++i) {
+                    const auto ending = static_cast<Stage>(i);
                     const auto count = std::count(list.begin(), list.end(), ending);
                     EXPECT_LE(count, node.of_dominant);
                     EXPECT_TRUE(ending >= node.dominant || count < node.of_dominant);
@@ -134,7 +128,7 @@ TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
     const Outcomes outcomes = outcomes_of(header, frame);
     const std::vector<std::uint16_t> depths = node_depths(mesh().topology());
     EndedPathsFilter filter;
-    filter.endings = {Outcome::triangles_apart, rejected_at(Stage::ball_ball)};
+    filter.endings = {Stage::triangles_apart, Stage::ball_ball};
     filter.least_depth = 3;
     filter.most_depth = 9;
     std::uint64_t tests = 0, all = 0;
@@ -147,7 +141,7 @@ TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const Step& test = frame.steps.volumes[i];
         all += test.depth_b >= 3 && test.depth_b <= 9 &&
-               (outcomes[i] == Outcome::triangles_apart || test.stage == Stage::ball_ball);
+               (outcomes[i] == Stage::triangles_apart || test.stage == Stage::ball_ball);
     }
     EXPECT_GT(all, 0u);
     EXPECT_EQ(tests, all);

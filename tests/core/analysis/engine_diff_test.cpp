@@ -6,24 +6,22 @@
 namespace scb {
 namespace {
 
-/// One query in which the first child of the roots is rejected at this stage.
-Trace rejecting(Stage stage, const std::vector<NamedStage>& stages) {
+/// One query in which the first child of the roots is rejected at the stage of this index.
+Trace rejecting(std::size_t index, const std::vector<std::string>& stages) {
     MadeQuery query;
-    query.header.engine->stages = stages;
+    for (const std::string& name : stages)
+        query.header.engine->stages.push_back(query.header.stages.add(name));
     query.test(MadeQuery::none, {0, 0});
     query.test(0, {1, 0});
     query.test(0, {2, 0});
     query.triangles({4, 4}, true);
-    query.frame.steps.volumes[1].stage = stage;
+    query.frame.steps.volumes[1].stage = query.header.engine->stages.at(index);
     return {query.header, {query.frame}};
 }
 
 TEST(EngineTraceDiff, StagesAreTheSameWhereTheirNamesAre) {
-    const Stage first = foreign_stage(1), second = foreign_stage(2);
-    const Trace a = rejecting(first, {{first, "axes"}, {second, "edges"}}),
-                same = rejecting(second, {{first, "edges"}, {second, "axes"}}),
-                other = rejecting(first, {{first, "edges"}, {second, "axes"}}),
-                unknown = rejecting(first, {{first, "corners"}});
+    const Trace a = rejecting(0, {"axes", "edges"}), same = rejecting(1, {"edges", "axes"}),
+                other = rejecting(0, {"edges", "axes"}), unknown = rejecting(0, {"corners"});
     EXPECT_TRUE(diff(a, same).equal());
     EXPECT_FALSE(diff(a, same).first);
     for (const Trace* b : {&other, &unknown}) {
@@ -37,9 +35,8 @@ TEST(EngineTraceDiff, StagesAreTheSameWhereTheirNamesAre) {
 }
 
 TEST(EngineTraceDiff, NodesAreComparedWhereBothTreesAreAlike) {
-    const Stage stage = foreign_stage(1);
     for (const std::size_t side : {0u, 1u}) {
-        Trace a = rejecting(stage, {{stage, "axes"}}), b = a;
+        Trace a = rejecting(0, {"axes"}), b = a;
         a.header.engine->trees = {{0, {5, 6}}, {3, {7, 8}}, {4, {1, 1}}};
         b.header.engine->trees = {{0, {5, 6}}, {3, {7, 8}}, {5, {2, 2}}};
         EXPECT_TRUE(diff(a, b).equal()) << "no frame is in both where they differ";
@@ -55,8 +52,7 @@ TEST(EngineTraceDiff, NodesAreComparedWhereBothTreesAreAlike) {
 }
 
 TEST(EngineTraceDiff, MeshesAreTheSameWhereTheirCountsAre) {
-    const Stage stage = foreign_stage(1);
-    Trace a = rejecting(stage, {{stage, "axes"}});
+    Trace a = rejecting(0, {"axes"});
     a.header.bodies[0].mesh = a.header.bodies[1].mesh = {20, 12, 77};
     Trace b = a;
     b.header.bodies[0].mesh.hash = 78;  // 32 bits of the coordinates
@@ -66,7 +62,7 @@ TEST(EngineTraceDiff, MeshesAreTheSameWhereTheirCountsAre) {
     a.header.engine.reset();
     EXPECT_FALSE(same_meshes(a.header, b.header));
     for (const std::size_t side : {0u, 1u}) {
-        Trace other = rejecting(stage, {{stage, "axes"}}), fewer = other;
+        Trace other = rejecting(0, {"axes"}), fewer = other;
         for (Trace* trace : {&other, &fewer})
             trace->header.bodies[0].mesh = trace->header.bodies[1].mesh = {20, 12, 77};
         --fewer.header.bodies[side].mesh.vertices;

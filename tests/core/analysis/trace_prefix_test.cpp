@@ -29,7 +29,7 @@ TEST(TracePrefix, AreTheQueryUpToThere) {
             const Outcomes outcomes = outcomes_of(header, part);
             for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(part.steps.volumes[i], whole.steps.volumes[i]);
-                EXPECT_TRUE(outcomes[i] == of_whole[i] || outcomes[i] == Outcome::left_over);
+                EXPECT_TRUE(outcomes[i] == of_whole[i] || outcomes[i] == Stage::left_over);
             }
         }
         // All of them, and more than there are.

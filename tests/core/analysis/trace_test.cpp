@@ -51,22 +51,21 @@ TEST(Outcomes, FollowsTheHierarchies) {
                     ASSERT_LT(p, i);
                     const IndexPair parent = tests[p].nodes, child = tests[i].nodes;
                     const auto turn = static_cast<std::uint32_t>(children[p]++);
-                    if (outcomes[p] == Outcome::divided_a) {
+                    if (outcomes[p] == Stage::divided_a) {
                         EXPECT_EQ(child, (IndexPair{nodes_a[parent.a].left + turn, parent.b}));
                     } else {
-                        ASSERT_EQ(outcomes[p], Outcome::divided_b);
+                        ASSERT_EQ(outcomes[p], Stage::divided_b);
                         EXPECT_EQ(child, (IndexPair{parent.a, nodes_b[parent.b].left + turn}));
                     }
                 }
                 std::size_t meet = 0, found = 0;
                 for (std::size_t i = 0; i < tests.size(); ++i) {
-                    const Outcome o = outcomes[i];
+                    const Stage o = outcomes[i];
                     EXPECT_EQ(is_rejection(o), tests[i].stage != Stage::overlapping);
-                    EXPECT_EQ(children[i],
-                              o == Outcome::divided_a || o == Outcome::divided_b ? 2 : 0);
-                    EXPECT_NE(o, Outcome::left_over);
-                    meet += o == Outcome::triangles_meet;
-                    found += o == Outcome::found;
+                    EXPECT_EQ(children[i], o == Stage::divided_a || o == Stage::divided_b ? 2 : 0);
+                    EXPECT_NE(o, Stage::left_over);
+                    meet += o == Stage::triangles_meet;
+                    found += o == Stage::found;
                 }
                 EXPECT_EQ(level < 0 ? meet : found, frame.found.pairs.size());
                 EXPECT_EQ(level < 0 ? found : meet, 0u);
@@ -78,8 +77,8 @@ TEST(Outcomes, PairsMayBeLeftOver) {
     header.options.max_pairs = 1;
     const TraceFrame frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
     const Outcomes outcomes = outcomes_of(header, frame);
-    EXPECT_EQ(outcomes.back(), Outcome::triangles_meet);
-    EXPECT_GT(std::count(outcomes.begin(), outcomes.end(), Outcome::left_over), 0);
+    EXPECT_EQ(outcomes.back(), Stage::triangles_meet);
+    EXPECT_GT(std::count(outcomes.begin(), outcomes.end(), Stage::left_over), 0);
 }
 
 // ---------------------------------------------------------------------------------- fingerprint
@@ -213,15 +212,15 @@ TEST(TraceDiff, AQueryThatEndsEarlierLeavesPairsOver) {
     // They part where the second leaves over what the first divides, not where it ends.
     ASSERT_TRUE(d.first && d.first->b);
     EXPECT_LT(d.first->test, b.frames[0].steps.volumes.size());
-    EXPECT_EQ(d.first->b->outcome, Outcome::left_over);
-    EXPECT_NE(d.first->a->outcome, Outcome::left_over);
+    EXPECT_EQ(d.first->b->outcome, Stage::left_over);
+    EXPECT_NE(d.first->a->outcome, Stage::left_over);
     EXPECT_EQ(d.first->a->test, d.first->b->test);
     // Of the pairs that it lacks it left the nodes over, or had ended.
     EXPECT_EQ(d.pairs_only_in_b, 0u);
     EXPECT_EQ(d.pairs_only_in_a, d.sum_a.pairs - d.sum_b.pairs);
     ASSERT_FALSE(d.lost.empty());
     for (const LostPair& lost : d.lost)
-        EXPECT_TRUE(!lost.lost_at || lost.lost_at->outcome == Outcome::left_over);
+        EXPECT_TRUE(!lost.lost_at || lost.lost_at->outcome == Stage::left_over);
 }
 
 TEST(TraceDiff, OneThatEndsEarlierHasNothingThere) {
@@ -289,8 +288,8 @@ TEST(TraceDiff, LevelsToStopAtPartWhereOneGoesOn) {
     EXPECT_EQ(d.pairs_only_in_a, 0u);
     ASSERT_TRUE(d.first && d.first->a && d.first->b);
     EXPECT_EQ(d.first->a->test, d.first->b->test);
-    EXPECT_EQ(d.first->a->outcome, Outcome::found);
-    EXPECT_NE(d.first->b->outcome, Outcome::found);
+    EXPECT_EQ(d.first->a->outcome, Stage::found);
+    EXPECT_NE(d.first->b->outcome, Stage::found);
 }
 
 TEST(TraceDiff, FramesThatOnlyOneHas) {
@@ -389,14 +388,14 @@ TEST(TracedTest, OfSeveralTrianglesSaysHowManyAndNamesOneThatIntersects) {
     TraceFrame frame;
     frame.steps.volumes = {{{5, 7}, 0, 0, Stage::overlapping}};
     frame.steps.items = {{{1, 2}, 0, false}, {{3, 4}, 0, true}, {{5, 6}, 0, true}};
-    Outcomes outcomes = {Outcome::triangles_meet};
+    Outcomes outcomes = {Stage::triangles_meet};
     EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles 2 intersect, the first (3, 4)");
     frame.steps.items[2].hit = false;
     EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles 1 intersects, (3, 4)");
     frame.steps.items[1].hit = false;
-    outcomes = {Outcome::triangles_apart};
+    outcomes = {Stage::triangles_apart};
     EXPECT_EQ(words_of(traced_test({}, frame, outcomes, 0), {"A", "B"}),
               "overlap; of 3 pairs of their triangles none intersects");
 }

@@ -70,13 +70,13 @@ TEST(TriangleHeat, ATestIsWastedWhereNothingBelowItsParentMeets) {
     Outcomes outcomes;
     // 0 led to 1 and 4, 1 to 2 and 3, 4 to 5.
     const Steps steps = steps_with_parents({no_step, 0, 1, 1, 0, 4});
-    for (const Outcome met : {Outcome::triangles_meet, Outcome::found}) {
-        outcomes = {Outcome::divided_a, Outcome::divided_b,      rejected_at(Stage::ball_ball), met,
-                    Outcome::divided_b, Outcome::triangles_apart};
+    for (const Stage met : {Stage::triangles_meet, Stage::found}) {
+        outcomes = {Stage::divided_a, Stage::divided_b,      Stage::ball_ball, met,
+                    Stage::divided_b, Stage::triangles_apart};
         EXPECT_EQ(wasted_tests(steps, outcomes),
                   (std::vector{false, false, false, false, false, true}));
     }
-    outcomes[3] = Outcome::left_over;
+    outcomes[3] = Stage::left_over;
     EXPECT_EQ(wasted_tests(steps, outcomes), (std::vector{false, true, true, true, true, true}));
 }
 

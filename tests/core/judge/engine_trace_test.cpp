@@ -12,12 +12,6 @@ using Kind = EngineEvent::Kind;
 
 constexpr std::uint32_t none = no_step;
 
-TEST(StageOfEngine, IsThisProjectsOwnWhereItHasTheName) {
-    EXPECT_EQ(stage_of_engine(3, "slab-ball"), Stage::slab_ball);
-    EXPECT_EQ(stage_of_engine(3, "their test"), foreign_stage(3));
-    EXPECT_EQ(stage_of_engine(3, "overlapping"), foreign_stage(3)) << "no test rejects there";
-}
-
 TEST(EngineTrace, HasTheTestsInTheirOrderAndWhatLedToEach) {
     Rows rows;
     rows.query.frame = 7;
@@ -25,13 +19,13 @@ TEST(EngineTrace, HasTheTestsInTheirOrderAndWhatLedToEach) {
                          {Kind::volumes, 0, 1, 1},    {Kind::volumes, 0, 3, 3},
                          {Kind::items_meet, 0, 0, 0}, {Kind::volumes, 6, 3, 4},
                          {Kind::pair, 0, 0, 0}};
-    const TraceFrame frame = trace_frame(rows.query, {{5, Stage::slab_ball}});
+    const TraceFrame frame = trace_frame(rows.query, {{5, Stage::slab_ball}, {6, Stage::slab_a}});
     EXPECT_EQ(frame.frame, 7);
     EXPECT_EQ(frame.steps.volumes, (std::vector<Step>{{{0, 0}, 0, 0, Stage::overlapping, none},
                                                       {{1, 2}, 1, 1, Stage::slab_ball, 0},
                                                       {{1, 1}, 1, 1, Stage::overlapping, 0},
                                                       {{3, 3}, 2, 2, Stage::overlapping, 2},
-                                                      {{3, 4}, 2, 2, foreign_stage(6), 2}}));
+                                                      {{3, 4}, 2, 2, Stage::slab_a, 2}}));
     EXPECT_EQ(frame.steps.items, (std::vector<ItemStep>{{{0, 0}, 3, true}}));
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{0, 0}}));
     EXPECT_EQ(frame.found.n_v, 5u);

@@ -71,13 +71,13 @@ TEST(NodeExplanation, JudgesWhereTheEngineEnded) {
         return explain_nodes(ball, ball, pose, 1e-9, ended).answer;
     };
     EXPECT_EQ(answer(near, Stage::overlapping), Answer::correct);
-    EXPECT_EQ(answer(near, foreign_stage(1)), Answer::false_negative);
+    EXPECT_EQ(answer(near, Stage::axis_a0), Answer::false_negative);
     EXPECT_EQ(answer(far, Stage::overlapping), Answer::false_positive);
-    EXPECT_EQ(answer(far, foreign_stage(127)), Answer::correct);
+    EXPECT_EQ(answer(far, Stage::search), Answer::correct);
     // Within the tolerance either is right.
-    EXPECT_EQ(explain_nodes(ball, ball, near, 0.6, foreign_stage(1)).answer, Answer::correct);
+    EXPECT_EQ(explain_nodes(ball, ball, near, 0.6, Stage::axis_a0).answer, Answer::correct);
     // A step that the engine did not take rejects nothing.
-    EXPECT_TRUE(explain_nodes(ball, ball, far, 0, foreign_stage(1)).steps.decisive().has_value());
+    EXPECT_TRUE(explain_nodes(ball, ball, far, 0, Stage::axis_a0).steps.decisive().has_value());
     EXPECT_FALSE(
         explain_nodes(ball, ball, far, 0, Stage::overlapping).steps.decisive().has_value());
 }

@@ -123,12 +123,12 @@ TEST(Names, OfTestsStagesAndRulesAreReadBack) {
     EXPECT_FALSE(overlap_test_of(""));
 
     names.clear();
-    for (std::size_t s = 0; s < stage_count; ++s) {
+    for (std::size_t s = 0; s < named_stage_count; ++s) {
         const Stage stage = static_cast<Stage>(s);
         EXPECT_EQ(stage_of(stage_name(stage)), stage);
         names.insert(stage_name(stage));
     }
-    EXPECT_EQ(names.size(), stage_count);
+    EXPECT_EQ(names.size(), named_stage_count);
     EXPECT_FALSE(stage_of("ball_ball"));
 
     for (const DescentRule rule : all_descent_rules())

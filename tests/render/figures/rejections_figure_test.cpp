@@ -95,7 +95,7 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
     style.focus = 0.01;
     EXPECT_EQ(lines().size(), query.frame.found.pairs.size());
     for (const Segment& line : lines()) {
-        EXPECT_EQ(line.color, ending_color(Outcome::triangles_meet, light_theme));
+        EXPECT_EQ(line.color, ending_color(Stage::triangles_meet, light_theme));
         EXPECT_TRUE(line.on_top);
     }
     style.sides = {false, true};
@@ -103,7 +103,7 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
     style.filter.most_depth = 1;
     EXPECT_TRUE(lines().empty());
     style.filter = {};
-    style.filter.endings = {Outcome::triangles_apart};
+    style.filter.endings = {Stage::triangles_apart};
     EXPECT_TRUE(lines().empty());
     style.filter = {};
     style.by = NodeColor::share;
@@ -154,8 +154,8 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
     EXPECT_EQ(*pane.meshes[0].chosen, triangles);
     for (const std::uint32_t triangle : triangles) {
         const Rgba8 color = pane.meshes[0].triangle_colors[triangle];
-        EXPECT_TRUE(color == ending_color(Outcome::triangles_apart, light_theme) ||
-                    color == ending_color(Outcome::triangles_meet, light_theme));
+        EXPECT_TRUE(color == ending_color(Stage::triangles_apart, light_theme) ||
+                    color == ending_color(Stage::triangles_meet, light_theme));
     }
     EXPECT_FALSE(shows_no_node(pane));
     EXPECT_TRUE(
@@ -254,7 +254,7 @@ TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
         for (const std::vector<BarPart>& bar : bars()) sum += bar.front().amount;
         return sum;
     }();
-    style.filter.endings = {rejected_at(Stage::ball_ball)};
+    style.filter.endings = {Stage::ball_ball};
     ASSERT_EQ(rows().size(), 1u);
     EXPECT_EQ(rows()[0].text, balls.text);
     EXPECT_EQ(rows()[0].count, balls.count);
@@ -268,10 +268,10 @@ TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
     // Several endings of boxes are one group.
     EndingCounts counts;
     counts.fill(3);
-    style.filter.endings = {rejected_at(Stage::axis_a1)};
+    style.filter.endings = {Stage::axis_a1};
     const EndingCounts shown = shown_counts(counts, style);
     EXPECT_EQ(std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}), 3u);
-    EXPECT_EQ(shown[static_cast<std::size_t>(rejected_at(Stage::axis_a1))], 3u);
+    EXPECT_EQ(shown[static_cast<std::size_t>(Stage::axis_a1)], 3u);
 }
 
 TEST(RejectionsFigure, AScaleHasNoOtherColorsBesideIt) {

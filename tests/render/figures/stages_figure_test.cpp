@@ -19,7 +19,7 @@ StagesFigure figure_of(const std::vector<int>& frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         EndingCounts counts{};
         counts[static_cast<std::size_t>(Stage::slab_ball)] = 100;
-        counts[static_cast<std::size_t>(Outcome::triangles_meet)] = i % 2 == 0 ? 100 : 300;
+        counts[static_cast<std::size_t>(Stage::triangles_meet)] = i % 2 == 0 ? 100 : 300;
         figure.counts.push_back(counts);
     }
     return figure;
@@ -47,17 +47,17 @@ TEST(StagesFigure, AreasAreProportionalToTheCounts) {
         std::vector<int> frames;
         for (int i = 0; i < count; ++i) frames.push_back(3 * i);
         std::map<std::uint32_t, int> pixels = pixels_of(figure_of(frames));
-        const double slab = pixels[key(ending_color(rejected_at(Stage::slab_ball), light_theme))],
-                     meet = pixels[key(ending_color(Outcome::triangles_meet, light_theme))];
+        const double slab = pixels[key(ending_color(Stage::slab_ball, light_theme))],
+                     meet = pixels[key(ending_color(Stage::triangles_meet, light_theme))];
         EXPECT_GT(slab, 1000);
         EXPECT_NEAR(meet / slab, 2, 0.1) << count;
     }
 }
 
 TEST(StagesFigure, OneFrameAndNone) {
-    EXPECT_GT(pixels_of(figure_of({7}))[key(ending_color(Outcome::triangles_meet, light_theme))],
+    EXPECT_GT(pixels_of(figure_of({7}))[key(ending_color(Stage::triangles_meet, light_theme))],
               1000);
-    EXPECT_EQ(pixels_of(figure_of({}))[key(ending_color(Outcome::triangles_meet, light_theme))], 0);
+    EXPECT_EQ(pixels_of(figure_of({}))[key(ending_color(Stage::triangles_meet, light_theme))], 0);
 }
 
 /// Every group that a picture can have, with its theme.
@@ -75,7 +75,7 @@ void for_each_group(Check check) {
 
 TEST(EndingColors, TellGroupsApart) {
     for_each_group(
-        [](const std::vector<EndingGroup>& groups, const std::vector<Outcome>& all, const Theme&) {
+        [](const std::vector<EndingGroup>& groups, const std::vector<Stage>& all, const Theme&) {
             std::size_t endings = 0;
             for (std::size_t i = 0; i < groups.size(); ++i) {
                 endings += groups[i].endings.size();
@@ -91,24 +91,24 @@ TEST(EndingColors, StandOutFromTheBackgroundAndFromDividedPairs) {
     const auto distance = [](Rgba8 a, Rgba8 b) {
         return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
     };
-    for_each_group([&](const std::vector<EndingGroup>& groups, const std::vector<Outcome>&,
-                       const Theme& theme) {
-        for (const EndingGroup& group : groups) {
-            EXPECT_GT(distance(group.color, theme.background), 150) << group.label;
-            EXPECT_GT(distance(group.color, divided_color(theme)), 100) << group.label;
-        }
-    });
+    for_each_group(
+        [&](const std::vector<EndingGroup>& groups, const std::vector<Stage>&, const Theme& theme) {
+            for (const EndingGroup& group : groups) {
+                EXPECT_GT(distance(group.color, theme.background), 150) << group.label;
+                EXPECT_GT(distance(group.color, divided_color(theme)), 100) << group.label;
+            }
+        });
 }
 
 TEST(EndingColors, OnlyWhatIsLeftOverTakesTheThemes) {
-    for (const Outcome ending : endings_of(VolumeKind::scb, {})) {
+    for (const Stage ending : endings_of(VolumeKind::scb, {})) {
         const Rgba8 light = ending_color(ending, light_theme),
                     dark = ending_color(ending, dark_theme);
-        if (ending == Outcome::left_over) {
+        if (ending == Stage::left_over) {
             EXPECT_LT(light.g, 60);
             EXPECT_GT(dark.g, light.g + 100);
         } else {
-            EXPECT_EQ(light, dark) << outcome_name(ending);
+            EXPECT_EQ(light, dark) << stage_name(ending);
         }
     }
 }

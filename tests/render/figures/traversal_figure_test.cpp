@@ -262,10 +262,10 @@ TEST(TraversalFigure, AreasAreProportionalToTests) {
         const auto counts =
             colors_of(drawn(drawing, figure, scb_header(), small_frame(), 1280, 720));
         // One test each: a fifth of the width by a row; the swatches of the legend are the same.
-        const int one = count_in(counts, ending_color(Outcome::triangles_meet, *theme));
+        const int one = count_in(counts, ending_color(Stage::triangles_meet, *theme));
         EXPECT_GT(one, 240 * 30);
         for (const Stage stage : {Stage::slab_cylinder, Stage::ball_slab})
-            EXPECT_NEAR(count_in(counts, ending_color(rejected_at(stage), *theme)), one, one / 50);
+            EXPECT_NEAR(count_in(counts, ending_color(stage, *theme)), one, one / 50);
         // Two that are divided, of 5 tests and of 3; less the digits and the swatch.
         EXPECT_NEAR(count_in(counts, divided_color(*theme)), 8 * one, one / 4);
     }
@@ -277,7 +277,7 @@ TEST(TraversalFigure, SaysThatNothingOverlaps) {
     const auto counts = colors_of(drawn(drawing, {}, scb_header(), none, 1280, 720));
     EXPECT_GT(count_in(counts, light_theme.accent), 50);
     // The only test is as wide as all tests.
-    EXPECT_GT(count_in(counts, ending_color(rejected_at(Stage::ball_ball), light_theme)), 600 * 30);
+    EXPECT_GT(count_in(counts, ending_color(Stage::ball_ball, light_theme)), 600 * 30);
     const auto with_pairs = colors_of(drawn(drawing, {}, scb_header(), small_frame(), 1280, 720));
     // Its accent is the color of triangles that meet, which fills a rectangle instead.
     EXPECT_GT(count_in(with_pairs, light_theme.accent), 100 * 30);

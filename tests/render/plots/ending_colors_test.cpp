@@ -43,7 +43,7 @@ TEST(EndingColors, OfSecondSlabsAreFarFromAllOthers) {
         for (const EndingGroup& group : ending_groups(endings_of(VolumeKind::scb2, {}), *theme))
             looks.emplace_back(group.label, group.color);
         for (const Stage stage : {Stage::second_slab_a, Stage::second_slab_b}) {
-            const Rgba8 own = ending_color(rejected_at(stage), *theme);
+            const Rgba8 own = ending_color(stage, *theme);
             std::size_t same = 0;
             for (const auto& [name, color] : looks) {
                 same += color == own;
@@ -59,7 +59,7 @@ TEST(EndingColors, OfSecondSlabsAreFarFromAllOthers) {
 
 TEST(EndingColors, WhatIsLeftOverIsSeenToBeNoBall) {
     for (const Theme* theme : {&light_theme, &dark_theme}) {
-        const Rgba8 ball = ending_color(rejected_at(Stage::ball_ball), *theme);
+        const Rgba8 ball = ending_color(Stage::ball_ball, *theme);
         // As it is, and as volumes have it.
         for (const double part : {1.0, 0.36}) {
             const Rgba8 left = mix(theme->background, theme->left_over, part);

@@ -218,14 +218,14 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_TRUE(pairs_are_nodes(header));
     EXPECT_EQ(header.engine->volumes, "AABB");
     ASSERT_EQ(header.engine->stages.size(), 1u);
-    EXPECT_EQ(header.engine->stages[0].name, "stage 7");
+    EXPECT_EQ(stage_words(header, header.engine->stages[0]), "stage 7");
     const TraceFrame& frame = recorded.frame(5);
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{1, 1}}));
     const Outcomes outcomes = outcomes_of(header, frame);
     EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{no_step, 0, 0}));
-    EXPECT_EQ(outcomes, (std::vector<Outcome>{Outcome::divided_both, Outcome::found,
-                                              rejected_at(foreign_stage(1))}));
-    EXPECT_EQ(ending_words(header, outcomes[2]), "stage 7");
+    EXPECT_EQ(outcomes,
+              (std::vector<Stage>{Stage::divided_both, Stage::found, header.engine->stages[0]}));
+    EXPECT_EQ(stage_words(header, outcomes[2]), "stage 7");
     const BodyAtFrame body = recorded.body(0, 5);
     EXPECT_TRUE(body.mesh->triangles.empty());
     EXPECT_EQ(body.tree->shape().depths, (std::vector<std::uint32_t>{0, 1, 1, 1}));
@@ -279,7 +279,7 @@ TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
     EXPECT_EQ(words(one, 1),
               "overlap, passed on to the children of robot's node; reached from the nodes (70, 70) "
               "at depths (0, 0), where world's node was divided");
-    EXPECT_EQ(outcome_name(Outcome::divided_both), "divided both");
+    EXPECT_EQ(stage_name(Stage::divided_both), "divided both");
 }
 
 /// What another engine's trace says of pairs that are nodes.
@@ -326,14 +326,15 @@ TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
     const TemporaryFolder folder;
     folder.write("stages.scbrec", writer.finish());
     RecordedTrace recorded(folder / "stages.scbrec", "", "0");
-    const std::vector<NamedStage>& stages = recorded.header().engine->stages;
+    const TraceHeader& header = recorded.header();
+    const std::vector<Stage>& stages = header.engine->stages;
     EXPECT_EQ(stages.size(), 127u);
     std::set<std::string> names;
-    for (const NamedStage& stage : stages) names.insert(stage.name);
+    for (const Stage stage : stages) names.insert(stage_words(header, stage));
     EXPECT_EQ(names.size(), stages.size());
     const TraceFrame& frame = recorded.frame(0);
     std::uint64_t sum = 0;
-    for (const auto& [name, count] : tests_by_stage(recorded.header(), frame)) sum += count;
+    for (const auto& [name, count] : tests_by_stage(header, frame)) sum += count;
     EXPECT_EQ(sum, frame.found.n_v);
 }
 
