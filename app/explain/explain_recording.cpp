@@ -10,8 +10,8 @@
 #include "app/explain/explain_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "core/judge/engine_tree.h"
 #include "core/judge/node_explanation.h"
+#include "core/model/tree.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
 #include "scb/triangle_overlap.h"
@@ -76,7 +76,7 @@ std::uint32_t checked_number(std::int64_t number, const std::string& option) {
     return static_cast<std::uint32_t>(number);
 }
 
-std::uint32_t checked_node(const BodyAtFrame& body, const NodeTree& tree, std::uint32_t number,
+std::uint32_t checked_node(const BodyAtFrame& body, const RecordedNodes& tree, std::uint32_t number,
                            int frame, const std::string& option) {
     const std::uint32_t node = tree.index_of(number);
     const std::string start = option + ": at frame " + std::to_string(frame) + " ";
@@ -103,10 +103,10 @@ std::uint32_t checked_node(const BodyAtFrame& body, const NodeTree& tree, std::u
 }
 
 ExplainedNode described(const BodyAtFrame& body, const EngineSide& side, std::uint32_t node) {
-    const TreeNode& told = (*side.tree)[node];
+    const RecordedNode& told = (*side.tree)[node];
     ExplainedNode result{body.name, told.number, 0, items_below(*side.shape)[node]};
     result.are_objects = side.mesh == nullptr;
-    if (side.shape->hangs(node)) result.depth = static_cast<int>(side.shape->depths[node]);
+    if (side.shape->is_reachable(node)) result.depth = static_cast<int>(side.shape->depths[node]);
     const std::string name = side.tree->name_of(node);
     result.remark = (name.empty() ? "" : "'" + name + "', ") + volume_title(told.volume) +
                     format(" told at frame %d", told.told_at);
@@ -223,7 +223,7 @@ Json report_json(const RecordedPair& found) {
     const EngineQuery& query = found.trace->query();
     for (std::size_t side = 0; side < 2; ++side) {
         const ExplainedNode& node = (*found.pair.nodes)[side];
-        const NodeTree& tree = *query.sides[side].tree;
+        const RecordedNodes& tree = *query.sides[side].tree;
         const std::uint32_t index = side == 0 ? found.nodes.a : found.nodes.b;
         Json entry = {{"body", node.body},
                       {"index", node.index},

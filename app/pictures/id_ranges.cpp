@@ -48,7 +48,7 @@ IdRanges id_ranges(const QuerySources& sources) {
     return ids;
 }
 
-std::vector<std::uint32_t> numbers_by_id(const VolumeTree& tree) {
+std::vector<std::uint32_t> numbers_by_id(const Tree& tree) {
     std::vector<std::uint32_t> numbers;
     if (!tree.has_own_numbers()) return numbers;
     for (std::uint32_t node = 0; node < tree.size(); ++node) numbers.push_back(tree.number(node));

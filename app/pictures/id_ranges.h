@@ -28,7 +28,7 @@ IdRanges id_ranges(const QuerySources& sources);
 
 /// The numbers of all nodes, in the order of their ids, where these do not follow from the ids:
 /// some have other numbers than indices. Else empty.
-std::vector<std::uint32_t> numbers_by_id(const VolumeTree& tree);
+std::vector<std::uint32_t> numbers_by_id(const Tree& tree);
 
 /// The ids of the segments in which the pairs of each query meet, in the order of
 /// `scb collide --pairs-out`.

@@ -5,7 +5,7 @@
 #include "app/pictures/id_ranges.h"
 #include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 
 namespace scb::app {
 namespace {

@@ -25,7 +25,7 @@ void add_ids(Json& list, const QueryView& view, const char* what,
 void add_node_numbers(Json& entry, const TraceFrame& frame) {
     Json numbers = Json::array();
     bool own = false;
-    for (const std::shared_ptr<const VolumeTree>& tree : frame.trees) {
+    for (const std::shared_ptr<const Tree>& tree : frame.trees) {
         if (!tree) return;
         own |= tree->has_own_numbers();
         numbers.push_back(numbers_by_id(*tree));

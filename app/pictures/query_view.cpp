@@ -20,13 +20,13 @@ namespace {
 /// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or all leaves;
 /// or, since a volume may stick out of its parent's, all of the upper levels, below which they
 /// stick out little.
-std::vector<std::uint32_t> held_nodes(const VolumeTree& tree, Shown shown) {
+std::vector<std::uint32_t> held_nodes(const Tree& tree, Shown shown) {
     constexpr std::uint32_t levels = 6;
     const TreeShape& shape = tree.shape();
     std::vector<std::uint32_t> nodes;
     if (shown == Shown::volumes) {
         for (std::uint32_t node = 0; node < shape.size(); ++node)
-            if (shape.hangs(node) && shape.depths[node] <= levels) nodes.push_back(node);
+            if (shape.is_reachable(node) && shape.depths[node] <= levels) nodes.push_back(node);
     } else {
         nodes = level_cover(shape, shown == Shown::leaves ? leaf_level : static_cast<int>(levels));
     }
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> held_nodes(const VolumeTree& tree, Shown shown) {
 class HeldNodes {
   public:
     explicit HeldNodes(Shown shown) : shown_(shown) {}
-    const std::vector<std::uint32_t>& of(const VolumeTree& tree) {
+    const std::vector<std::uint32_t>& of(const Tree& tree) {
         const auto [nodes, added] = of_.try_emplace(&tree);
         if (added) nodes->second = held_nodes(tree, shown_);
         return nodes->second;
@@ -46,7 +46,7 @@ class HeldNodes {
 
   private:
     Shown shown_;
-    std::unordered_map<const VolumeTree*, std::vector<std::uint32_t>> of_;  // lookups only
+    std::unordered_map<const Tree*, std::vector<std::uint32_t>> of_;  // lookups only
 };
 
 /// What is unusual about the settings that two queries, or one and itself, have in common.

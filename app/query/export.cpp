@@ -58,7 +58,7 @@ int run(const ExportOptions& options, const Console& console) {
     std::size_t nodes = 0, left_out = 0;
     const std::vector<scenes::BodyAtFrame>& bodies = subject.trees[0].bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const VolumeTree& tree = *bodies[b].tree;
+        const Tree& tree = *bodies[b].tree;
         const render::Rgba8 color = render::category_color(b);
         scenes::ExportPart part{
             bodies[b].name, {}, {color.r / 255.0f, color.g / 255.0f, color.b / 255.0f}};

@@ -68,11 +68,11 @@ LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions&
     for (const VolumeKind kind : kinds) {
         LevelTrees of_kind{
             std::string(render::volume_title(kind)), std::string(volume_kind_name(kind)), {}};
-        std::vector<std::shared_ptr<const VolumeTree>> of_mesh;
+        std::vector<std::shared_ptr<const Tree>> of_mesh;
         for (AnyHierarchy& fitted : subject.hierarchies.emplace_back(scenes::fit_meshes(
                  topologies, kind, hierarchy.build(), deepest_of(subject.levels)))) {
             mutate(hierarchy.mutation, fitted);
-            of_mesh.push_back(volume_tree(fitted));
+            of_mesh.push_back(std::make_shared<const Tree>(fitted));
         }
         // The scene owns the meshes.
         for (const scenes::Body& body : scene.bodies)

@@ -111,7 +111,7 @@ scenes::BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
     if (recorded_) return recorded_->body(side, frame);
     const std::size_t index = body_index(side);
     const scenes::Body& body = query_.scene.bodies[index];
-    if (!trees_[side]) trees_[side] = volume_tree(query_.hierarchy(index));
+    if (!trees_[side]) trees_[side] = std::make_shared<const Tree>(query_.hierarchy(index));
     // The scene owns the mesh.
     return {body.name,
             {std::shared_ptr<const Mesh>(), &query_.mesh(index)},

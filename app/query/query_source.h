@@ -60,7 +60,7 @@ class QuerySource {
     TraceFrame made_;
     StepRecorder recorder_;
     /// Of the two bodies, where they were asked for.
-    mutable std::array<std::shared_ptr<const VolumeTree>, 2> trees_;
+    mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
     std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null but of a recording
 };
 

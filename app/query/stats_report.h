@@ -7,7 +7,7 @@
 
 #include "core/analysis/hierarchy_measures.h"
 #include "core/geometry/mesh_facts.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 
 namespace scb::app {
 

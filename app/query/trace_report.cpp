@@ -25,7 +25,7 @@ void print_block(std::string& text) {
 /// Of the columns of nodes: engines may have large numbers.
 int number_width(const TraceFrame& frame) {
     std::uint32_t most = 0;
-    for (const std::shared_ptr<const VolumeTree>& tree : frame.trees)
+    for (const std::shared_ptr<const Tree>& tree : frame.trees)
         for (std::uint32_t node = 0; tree && node < tree->size(); ++node)
             most = std::max(most, tree->number(node));
     return std::max(8, static_cast<int>(std::to_string(most).size()));

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/pictures/level_bodies.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "core/volumes/direction_grid.h"
 #include "render/figures/query_body.h"
 #include "render/web/tree_blocks.h"
@@ -61,7 +61,7 @@ Json mesh_json(const Mesh& mesh, render::BlockStore& store) {
 }
 
 /// The farthest that anything of the tree is from `center`.
-double reach_of(const VolumeTree& tree, const Vec3& center) {
+double reach_of(const Tree& tree, const Vec3& center) {
     double most = 0;
     for (const std::uint32_t root : tree.shape().roots)
         if (tree.has_volume(root)) {
@@ -72,7 +72,7 @@ double reach_of(const VolumeTree& tree, const Vec3& center) {
 }
 
 /// The names of the nodes that have one, by their indices.
-Json names_json(const VolumeTree& tree) {
+Json names_json(const Tree& tree) {
     Json names = Json::object();
     for (std::uint32_t node = 0; node < tree.size(); ++node)
         if (const std::string name = tree.name(node); !name.empty())
@@ -80,7 +80,7 @@ Json names_json(const VolumeTree& tree) {
     return names;
 }
 
-Json tree_json(const VolumeTree& tree, const render::ColorScale& scale, std::size_t body,
+Json tree_json(const Tree& tree, const render::ColorScale& scale, std::size_t body,
                render::BlockStore& store) {
     std::vector<std::uint8_t> subtrees;
     if (scale.by == render::ColorBy::subtree) subtrees = render::subtrees_of(tree.shape());
@@ -159,7 +159,7 @@ class Parts {
     }
 
     /// Colors by body make the same hierarchy another one for each body.
-    std::size_t tree(const VolumeTree& tree, std::size_t b) {
+    std::size_t tree(const Tree& tree, std::size_t b) {
         const render::ColorScale& scale = start_.style.colors;
         const auto [place, is_new] =
             tree_places_.try_emplace({&tree, scale.by == render::ColorBy::body ? b : 0});
@@ -185,8 +185,8 @@ class Parts {
     const ViewSubject& subject_;
     const ViewStart& start_;
     render::BlockStore& store_;
-    std::map<const Mesh*, std::size_t> mesh_places_;                                // lookups only
-    std::map<std::pair<const VolumeTree*, std::size_t>, std::size_t> tree_places_;  // lookups only
+    std::map<const Mesh*, std::size_t> mesh_places_;                          // lookups only
+    std::map<std::pair<const Tree*, std::size_t>, std::size_t> tree_places_;  // lookups only
 };
 
 Json legend_json(const render::ColorScale& scale) {

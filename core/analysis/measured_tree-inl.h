@@ -47,7 +47,7 @@ struct MeasuredTree {
     void count_nodes() {
         result.levels.resize(static_cast<std::size_t>(depth(shape)) + 1);
         for (std::uint32_t i = 0; i < shape.size(); ++i) {
-            if (!shape.hangs(i)) continue;
+            if (!shape.is_reachable(i)) continue;
             LevelMeasures& level = result.levels[shape.depths[i]];
             ++level.nodes;
             if (shape.is_leaf(i)) ++level.leaves;
@@ -68,7 +68,7 @@ struct MeasuredTree {
             for (std::uint32_t child = shape.first_child[i]; child != no_index;
                  child = shape.next_sibling[child])
                 children.push_back(child);
-            if (!shape.hangs(i) || children.size() > measuring::most_siblings) continue;
+            if (!shape.is_reachable(i) || children.size() > measuring::most_siblings) continue;
             for (std::size_t x = 0; x < children.size(); ++x)
                 for (std::size_t y = x + 1; y < children.size(); ++y) {
                     const bool swapped = sizes[children[y]] < sizes[children[x]];
@@ -106,7 +106,7 @@ struct MeasuredTree {
         double root_area = 0;
         for (const std::uint32_t root : shape.roots) root_area += surface_area(volumes[root]);
         for (std::uint32_t i = 0; i < shape.size(); ++i) {
-            if (!shape.hangs(i)) continue;
+            if (!shape.is_reachable(i)) continue;
             const double area = surface_area(volumes[i]), size = sizes[i];
             for (LevelMeasures* level : {&result.levels[shape.depths[i]], &result.all}) {
                 level->area += area;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/analysis/outcome.h"
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "scb/any_collide.h"
 #include "scb/query.h"
 
@@ -47,7 +47,7 @@ struct TraceEngine {
     std::vector<Stage> stages;         ///< at which its tests can reject, in its order
     bool objects = false;              ///< its pairs are of objects that nothing is known of
     std::vector<TraceField> settings;  ///< as it told them
-    /// By frame, of A and B: by these trees that are alike can be told, see tree_hash.
+    /// By frame, of A and B: the hashes of the trees, see Tree::hash.
     std::map<int, std::array<std::uint64_t, 2>> trees{};
 };
 
@@ -90,7 +90,7 @@ struct TraceFrame {
     Steps steps;
     /// Of A and B where they are another engine's, which has numbers of its own for their nodes;
     /// null where numbers are indices.
-    std::array<std::shared_ptr<const VolumeTree>, 2> trees{};
+    std::array<std::shared_ptr<const Tree>, 2> trees{};
 };
 
 /// The numbers of two nodes, as whoever made the query calls them: these are for users, and the

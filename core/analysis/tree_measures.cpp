@@ -7,7 +7,7 @@ namespace {
 
 /// The volume of a node of any tree, for templates.
 struct TreeVolume {
-    const VolumeTree* tree = nullptr;
+    const Tree* tree = nullptr;
     std::uint32_t node = 0;
     double slack = 0;  ///< see enlarged
     VolumeSize size;
@@ -43,7 +43,7 @@ TreeVolume enlarged(TreeVolume v, double by) {
     return v;
 }
 
-std::vector<TreeVolume> volumes_of(const VolumeTree& tree) {
+std::vector<TreeVolume> volumes_of(const Tree& tree) {
     std::vector<TreeVolume> volumes(tree.size());
     for (std::uint32_t node = 0; node < tree.size(); ++node) {
         TreeVolume& v = volumes[node];
@@ -59,7 +59,7 @@ std::vector<TreeVolume> volumes_of(const VolumeTree& tree) {
 
 }  // namespace
 
-HierarchyMeasures tree_measures(const VolumeTree& tree, const Mesh& mesh, int threads) {
+HierarchyMeasures tree_measures(const Tree& tree, const Mesh& mesh, int threads) {
     const std::vector<std::uint32_t> welded = joined_vertices(mesh);
     ItemCorners corners(mesh.triangles.size());
     for (std::size_t t = 0; t < corners.size(); ++t)

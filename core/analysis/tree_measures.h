@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/analysis/hierarchy_measures.h"
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 
 namespace scb {
 
 /// The measures of a tree of whatever builder whose items are the triangles of `mesh`. Nodes
 /// without a volume contain everything, and have no size.
-HierarchyMeasures tree_measures(const VolumeTree& tree, const Mesh& mesh, int threads = 1);
+HierarchyMeasures tree_measures(const Tree& tree, const Mesh& mesh, int threads = 1);
 
 }  // namespace scb

@@ -50,7 +50,7 @@ std::vector<std::uint32_t> TreeShape::holders_of(std::uint32_t item) const {
 std::vector<std::uint32_t> level_cover(const TreeShape& shape, int level) {
     std::vector<std::uint32_t> cover;
     for (std::uint32_t i = 0; i < shape.size(); ++i) {
-        if (!shape.hangs(i)) continue;
+        if (!shape.is_reachable(i)) continue;
         const auto depth = static_cast<int>(shape.depths[i]);
         const bool leaf = shape.is_leaf(i);
         if (level == leaf_level ? leaf : depth == level || (leaf && depth < level))

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/explain/pair_explanation.h"
-#include "core/judge/node_volume.h"
+#include "core/model/node_volume.h"
 
 namespace scb {
 

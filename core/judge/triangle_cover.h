@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/judge/node_volume.h"
+#include "core/model/node_volume.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {

@@ -4,7 +4,7 @@
 
 namespace scb::render {
 
-ItemCount item_count(const Mesh& mesh, const VolumeTree& tree) {
+ItemCount item_count(const Mesh& mesh, const Tree& tree) {
     if (!mesh.triangles.empty()) return {"triangles", mesh.triangles.size()};
     std::size_t objects = 0;
     for (std::uint32_t node = 0; node < tree.size(); ++node) objects += tree.items(node).size();

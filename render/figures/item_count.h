@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "scb/mesh.h"
 
 namespace scb::render {
@@ -13,7 +13,7 @@ struct ItemCount {
     std::string_view what;
     std::size_t count = 0;
 };
-ItemCount item_count(const Mesh& mesh, const VolumeTree& tree);
+ItemCount item_count(const Mesh& mesh, const Tree& tree);
 
 /// "triangles", "objects", or of both "items".
 std::string_view item_words(const std::vector<ItemCount>& counts);

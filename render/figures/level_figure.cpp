@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/hierarchy/level_statistics.h"
 #include "core/hierarchy/node_surfaces.h"
+#include "core/model/level_statistics.h"
 #include "render/figures/body_names.h"
 #include "render/figures/item_count.h"
 #include "render/overlay/side_panel.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "render/figures/volume_colors.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/length_histogram.h"
@@ -22,7 +22,7 @@ struct LevelBody {
     const Mesh* mesh = nullptr;
     MeshHandle handle;  ///< of the mesh, where the style shows it
     Pose pose;
-    const VolumeTree* tree = nullptr;
+    const Tree* tree = nullptr;
     std::uint32_t first_id = 1;  ///< node i has the id first_id + i
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "render/figures/item_count.h"
 #include "render/overlay/side_panel.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "render/view/fit_camera.h"
 #include "render/view/palette.h"
 #include "render/view/picture.h"
@@ -17,7 +17,7 @@ namespace scb::render {
 struct QueryBody {
     std::string name;
     const Mesh* mesh = nullptr;
-    const VolumeTree* tree = nullptr;
+    const Tree* tree = nullptr;
     MeshHandle handle;
     Pose pose;                            ///< from the body's frame to the world's
     std::uint32_t first_node_id = 1;      ///< node i has the id first_node_id + i

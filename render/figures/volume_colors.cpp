@@ -109,7 +109,7 @@ std::vector<std::uint8_t> subtrees_of(const TreeShape& shape) {
     return subtrees;
 }
 
-double root_diameter(const VolumeTree& tree) {
+double root_diameter(const Tree& tree) {
     double largest = 0;
     for (const std::uint32_t root : tree.shape().roots)
         if (tree.has_volume(root)) largest = std::max(largest, tree.lengths(root).diameter);

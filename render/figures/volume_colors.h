@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/enum_names.h"
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "render/overlay/side_panel.h"
 #include "render/view/palette.h"
 
@@ -56,7 +56,7 @@ Rgba8 volume_color(const ColorScale& scale, const VolumeLengths& lengths, int de
 std::vector<std::uint8_t> subtrees_of(const TreeShape& shape);
 
 /// The largest diameter of the tree's roots.
-double root_diameter(const VolumeTree& tree);
+double root_diameter(const Tree& tree);
 
 /// The scale as a legend, or nothing where the colors are categories.
 std::optional<PanelScale> legend_of(const ColorScale& scale);

@@ -101,7 +101,7 @@ struct Append {
     }
 };
 
-Vec3 middle_of(const VolumeTree& tree) {
+Vec3 middle_of(const Tree& tree) {
     for (const std::uint32_t root : tree.shape().roots)
         if (tree.has_volume(root)) return center(tree.volume(root));
     return Vec3::Zero();
@@ -109,7 +109,7 @@ Vec3 middle_of(const VolumeTree& tree) {
 
 }  // namespace
 
-TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::uint32_t)>& color,
+TreeBlocks tree_blocks(const Tree& tree, const std::function<Rgba8(std::uint32_t)>& color,
                        BlockStore& store) {
     const TreeShape& shape = tree.shape();
     TreeBlocks result;

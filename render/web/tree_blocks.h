@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "render/view/palette.h"
 #include "render/web/block_store.h"
 
@@ -49,7 +49,7 @@ struct TreeBlocks {
 };
 
 /// `color` says that of a node.
-TreeBlocks tree_blocks(const VolumeTree& tree, const std::function<Rgba8(std::uint32_t)>& color,
+TreeBlocks tree_blocks(const Tree& tree, const std::function<Rgba8(std::uint32_t)>& color,
                        BlockStore& store);
 
 }  // namespace scb::render

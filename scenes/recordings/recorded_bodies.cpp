@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-#include "core/judge/engine_tree.h"
+#include "core/model/tree.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
 namespace scb::scenes {
 
-std::shared_ptr<const VolumeTree> BodyCopies::tree_of(const EngineSide& side, std::uint32_t tree,
-                                                      int version, const Mat3& stretch) {
+std::shared_ptr<const Tree> BodyCopies::tree_of(const EngineSide& side, std::uint32_t tree,
+                                                int version, const Mat3& stretch) {
     std::array<double, 9> key{};
     std::copy_n(stretch.data(), key.size(), key.begin());
-    std::shared_ptr<const VolumeTree>& known = trees_[{tree, version, key}];
+    std::shared_ptr<const Tree>& known = trees_[{tree, version, key}];
     if (known) return known;
-    known = volume_tree(*side.tree, *side.shape);
+    known = std::make_shared<const Tree>(*side.tree, *side.shape);
     for (std::string& title : volumes_titles(*side.tree))
         if (std::find(titles_.begin(), titles_.end(), title) == titles_.end())
             titles_.push_back(std::move(title));

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "scenes/recordings/recording.h"
 
 namespace scb::scenes {
@@ -16,7 +16,7 @@ namespace scb::scenes {
 struct BodyAtFrame {
     std::string name;
     std::shared_ptr<const Mesh> mesh;  ///< without triangles where items are objects
-    std::shared_ptr<const VolumeTree> tree;
+    std::shared_ptr<const Tree> tree;
     Pose pose;
     std::uint32_t number = 0;  ///< of the tree, in a recording
 };
@@ -32,12 +32,11 @@ class BodyCopies {
     std::string volumes() const;
 
   private:
-    std::shared_ptr<const VolumeTree> tree_of(const EngineSide& side, std::uint32_t tree,
-                                              int version, const Mat3& stretch);
+    std::shared_ptr<const Tree> tree_of(const EngineSide& side, std::uint32_t tree, int version,
+                                        const Mat3& stretch);
 
     /// By tree, what was told of it, and the stretch.
-    std::map<std::tuple<std::uint32_t, int, std::array<double, 9>>,
-             std::shared_ptr<const VolumeTree>>
+    std::map<std::tuple<std::uint32_t, int, std::array<double, 9>>, std::shared_ptr<const Tree>>
         trees_;
     std::vector<std::string> titles_;
 };

@@ -205,7 +205,7 @@ void RecordedQueries::take(const RecordedQuery& query) {
 void RecordedQueries::check_parents() {
     const auto is_at_or_below = [](const TreeShape& shape, std::uint32_t node,
                                    std::uint32_t above) {
-        if (node == no_index || above == no_index || !shape.hangs(above)) return false;
+        if (node == no_index || above == no_index || !shape.is_reachable(above)) return false;
         while (node != no_index && node != above) node = shape.parents[node];
         return node == above;
     };

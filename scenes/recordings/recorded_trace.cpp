@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/judge/engine_trace.h"
-#include "core/judge/engine_tree.h"
 #include "core/judge/query_attribution.h"
 #include "core/judge/query_overlaps.h"
 #include "core/judge/test_links.h"
+#include "core/model/tree.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 
@@ -129,11 +129,11 @@ void RecordedTrace::take_engine(const RecordedQueries& queries) {
     engine.objects = are_objects(first);
     for (std::size_t side = 0; side < 2; ++side)
         header_.bodies[side] = {first[side].name, fingerprint(*first[side].mesh)};
-    std::map<const VolumeTree*, std::uint64_t> hashes;  // lookups only
+    std::map<const Tree*, std::uint64_t> hashes;  // lookups only
     for (const auto& [frame, at] : bodies_) {
         for (std::size_t side = 0; side < 2; ++side) {
             const auto [hash, added] = hashes.try_emplace(at[side].tree.get());
-            if (added) hash->second = tree_hash(*at[side].tree);
+            if (added) hash->second = at[side].tree->hash();
             engine.trees[frame][side] = hash->second;
         }
         if (are_objects(at) != engine.objects)

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "core/judge/node_volume.h"
+#include "core/model/node_volume.h"
 #include "scenes/recordings/record.h"
 
 namespace scb::scenes {

@@ -66,7 +66,7 @@ std::vector<int> telling_levels(const std::vector<const TreeShape*>& trees) {
     std::size_t all = 0;
     for (const TreeShape* shape : trees)
         for (std::uint32_t i = 0; i < shape->size(); ++i)
-            if (shape->hangs(i) && shape->is_leaf(i)) ++leaves[shape->depths[i]], ++all;
+            if (shape->is_reachable(i) && shape->is_leaf(i)) ++leaves[shape->depths[i]], ++all;
     std::vector<int> levels;
     std::size_t so_far = 0;
     for (int level = 0; level < last && 20 * so_far < 19 * all; ++level) {

@@ -43,7 +43,7 @@ constexpr int width = 1280, height = 720;
 struct Spheres {
     scenes::Scene scene = scenes::load_builtin(*scenes::find_builtin("spheres-l1"));
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
-    std::vector<std::unique_ptr<VolumeTree>> trees;
+    std::vector<Tree> trees;
     TraceHeader header;
 
     Spheres() {
@@ -52,7 +52,7 @@ struct Spheres {
             hierarchies.push_back(
                 fit_any(VolumeKind::scb, topology, leaf_order(named.mesh, *topology)));
         }
-        for (const AnyHierarchy& hierarchy : hierarchies) trees.push_back(volume_tree(hierarchy));
+        for (const AnyHierarchy& hierarchy : hierarchies) trees.emplace_back(hierarchy);
         header.scene = scene.name;
         for (std::size_t side = 0; side < 2; ++side)
             header.bodies[side].name = scene.bodies[side].name;
@@ -64,7 +64,7 @@ struct Spheres {
         for (std::size_t side = 0; side < 2; ++side) {
             const scenes::Body& body = scene.bodies[side];
             bodies[side] = {
-                body.name,          &scene.meshes[body.mesh].mesh,       trees[body.mesh].get(),
+                body.name,          &scene.meshes[body.mesh].mesh,       &trees[body.mesh],
                 handles[body.mesh], scenes::pose_at(body.motion, frame), id};
             id += static_cast<std::uint32_t>(bodies[side].tree->size());
         }

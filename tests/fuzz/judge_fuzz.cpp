@@ -3,7 +3,7 @@
 #include "core/analysis/ended_paths.h"
 #include "core/analysis/ending.h"
 #include "core/analysis/triangle_heat.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "scenes/recordings/recorded_trace.h"
 #include "scenes/recordings/recording_judgement.h"
 #include "tests/fuzz/fuzz_input.h"
@@ -14,7 +14,7 @@ using namespace scb;
 namespace {
 
 /// What pictures make of a body.
-void use(const VolumeTree& tree) {
+void use(const Tree& tree) {
     const TreeShape& shape = tree.shape();
     const std::size_t all = level_cover(shape, -1).size();
     for (int level = 0; level <= std::min(depth(shape), 4); ++level)

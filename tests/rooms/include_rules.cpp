@@ -20,7 +20,7 @@ const std::map<std::string, Floors> rooms = {
       {"fit", "overlap"},
       {"hierarchy"},
       {"explain", "traverse"},
-      {"collide"},
+      {"collide", "model"},
       {"packed", "analysis"},
       {"judge"}}},
     {"scenes", {{"text"}, {"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},

@@ -9,7 +9,7 @@
 
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"
 

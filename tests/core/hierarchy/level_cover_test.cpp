@@ -4,7 +4,7 @@
 
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 #include "scb/any_hierarchy.h"
 #include "tests/core/fit/point_sets.h"
 
@@ -36,7 +36,7 @@ TEST(LevelCover, StatisticsAreThoseOfTheLevelWhereItHasNoLeavesAbove) {
     const auto h = build_hierarchy<Scb>(height_field(16));
     const LevelStatistics level = level_statistics(h)[4];
     const AnyHierarchy any = h;
-    const VolumeStatistics cover = cover_statistics(*volume_tree(any), level_cover(*h.topology, 4));
+    const VolumeStatistics cover = cover_statistics(Tree(any), level_cover(*h.topology, 4));
     EXPECT_EQ(cover.volumes, level.volumes);
     EXPECT_DOUBLE_EQ(cover.mean_diameter(), level.mean_diameter());
     EXPECT_DOUBLE_EQ(cover.mean_thickness(), level.mean_thickness());

@@ -38,10 +38,10 @@ inline std::vector<ToldNode> nodes_of_row() {
             {6, 2, {}, {3}, box_of_row(3, 3)}};
 }
 
-inline NodeTree tree_of(const std::vector<ToldNode>& nodes) {
-    NodeTree tree;
+inline RecordedNodes tree_of(const std::vector<ToldNode>& nodes) {
+    RecordedNodes tree;
     for (const ToldNode& told : nodes) {
-        TreeNode node;
+        RecordedNode node;
         node.number = told.number;
         node.parent = told.parent;
         node.volume = told.volume;

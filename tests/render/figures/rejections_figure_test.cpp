@@ -20,8 +20,8 @@ namespace {
 struct Query {
     BuiltMesh mesh{height_field(9)};
     TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
-    std::unique_ptr<VolumeTree> tree_of_mesh =
-        volume_tree(mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)]);
+    std::unique_ptr<Tree> tree_of_mesh =
+        std::make_unique<Tree>(mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)]);
     TraceFrame frame;
     Outcomes outcomes;
     QueryBodies bodies;

@@ -61,23 +61,23 @@ TEST_P(TreeBlocksOf, HaveEachNodeOnceLevelByLevel) {
     const Mesh mesh = random_soup(3, 60, 0.2);
     const auto topology = std::make_shared<const Topology>(build_topology(mesh));
     const AnyHierarchy hierarchy = fit_any(GetParam(), topology, leaf_order(mesh, *topology));
-    const std::unique_ptr<VolumeTree> tree = volume_tree(hierarchy);
+    const Tree tree(hierarchy);
     BlockStore store;
     const TreeBlocks blocks = tree_blocks(
-        *tree,
+        tree,
         [](std::uint32_t node) {
             return Rgba8{static_cast<std::uint8_t>(node), 1, 2};
         },
         store);
     const auto order = unpacked<std::uint32_t>(store, blocks.order),
                children = unpacked<std::uint32_t>(store, blocks.children);
-    ASSERT_EQ(order.size(), tree->size());
-    EXPECT_EQ(std::set(order.begin(), order.end()).size(), tree->size());
+    ASSERT_EQ(order.size(), tree.size());
+    EXPECT_EQ(std::set(order.begin(), order.end()).size(), tree.size());
     // The children of the nodes follow each other behind the roots.
-    std::size_t next = tree->shape().roots.size(), at = 0;
+    std::size_t next = tree.shape().roots.size(), at = 0;
     for (std::size_t slot = 0; slot < order.size(); ++slot)
         for (std::uint32_t i = 0; i < children[slot]; ++i)
-            EXPECT_EQ(tree->shape().parents[order[next++]], order[slot]);
+            EXPECT_EQ(tree.shape().parents[order[next++]], order[slot]);
     EXPECT_EQ(next, order.size());
     std::size_t depth = 0;
     for (const LevelBlocks& part : blocks.parts) {
@@ -89,9 +89,9 @@ TEST_P(TreeBlocksOf, HaveEachNodeOnceLevelByLevel) {
         std::size_t extras = 0, first = at;
         for (std::size_t level = 0; level < part.levels; ++level, ++depth)
             for (std::size_t i = 0; i < blocks.counts.at(depth); ++i, ++at) {
-                EXPECT_EQ(tree->shape().depths[order[at]], depth);
+                EXPECT_EQ(tree.shape().depths[order[at]], depth);
                 EXPECT_EQ(colors.at(3 * (at - first)), static_cast<std::uint8_t>(order[at]));
-                const Vec3 center = scb::center(tree->volume(order[at])) - blocks.center;
+                const Vec3 center = scb::center(tree.volume(order[at])) - blocks.center;
                 for (std::size_t k = 0; k < 3; ++k)
                     EXPECT_EQ(numbers.at(each * (at - first) + k),
                               static_cast<float>(center[static_cast<int>(k)]));

@@ -7,7 +7,7 @@
 #include "core/analysis/ending.h"
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_words.h"
-#include "core/judge/engine_tree.h"
+#include "core/model/tree.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
@@ -90,24 +90,24 @@ TEST(RecordedTrace, HasTheTreesOfOwnHierarchies) {
          k += unless_sanitized<std::size_t>(1, 5)) {
         const RecordedAndOwn both(all_volume_kinds()[k]);
         const RecordedTrace recorded(both.path, "", "3");
-        const std::unique_ptr<VolumeTree> own = volume_tree(body_b().hierarchies[k]);
+        const Tree own(body_b().hierarchies[k]);
         const BodyAtFrame body = recorded.body(1, 3);
         EXPECT_EQ(body.pose.translation, both.trace.frames[1].b_to_a.translation);
         EXPECT_EQ(body.mesh->triangles, body_b().mesh.triangles);
-        const TreeShape &shape = body.tree->shape(), &of_own = own->shape();
+        const TreeShape &shape = body.tree->shape(), &of_own = own.shape();
         EXPECT_EQ(shape.parents, of_own.parents);
         EXPECT_EQ(shape.depths, of_own.depths);
         EXPECT_EQ(shape.holder, of_own.holder);
         EXPECT_EQ(items_below(shape), items_below(of_own));
-        for (std::uint32_t node = 0; node < own->size(); ++node) {
+        for (std::uint32_t node = 0; node < own.size(); ++node) {
             ASSERT_TRUE(body.tree->has_volume(node));
-            const VolumeSize size = body.tree->volume_size(node), of = own->volume_size(node);
+            const VolumeSize size = body.tree->volume_size(node), of = own.volume_size(node);
             EXPECT_NEAR(size.diameter, of.diameter, 1e-9)
                 << volume_kind_name(all_volume_kinds()[k]);
             EXPECT_NEAR(size.thickness, of.thickness, 1e-9);
             EXPECT_NEAR(size.area, of.area, 1e-9);
             EXPECT_NEAR(size.volume, of.volume, 1e-9);
-            const AnyVolume volume = body.tree->volume(node), own_volume = own->volume(node);
+            const AnyVolume volume = body.tree->volume(node), own_volume = own.volume(node);
             for (const Vec3& d : touching_directions())
                 ASSERT_NEAR(reach_of(volume, d), reach_of(own_volume, d), 1e-9);
         }
@@ -241,7 +241,7 @@ TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
         EXPECT_EQ(numbers_of(frame, {0, 3}), (IndexPair{first, first + 3}));
         EXPECT_EQ(nodes_of(frame, {first, first + 3}), (IndexPair{0, 3}));
         EXPECT_EQ(nodes_of(frame, {first, 3}), std::nullopt);
-        const VolumeTree& tree = *recorded.body(1, number).tree;
+        const Tree& tree = *recorded.body(1, number).tree;
         EXPECT_TRUE(tree.has_own_numbers());
         EXPECT_EQ(tree.number(2), first + 2);
         EXPECT_EQ(tree.node_of(first + 2), 2u);
@@ -250,9 +250,9 @@ TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
         EXPECT_EQ(tree.node_words(3), "node " + std::to_string(first + 3) + " \"wheel\"");
     }
     // Its own hierarchies have indices for numbers.
-    const std::unique_ptr<VolumeTree> own = volume_tree(body_b().hierarchies[0]);
-    EXPECT_FALSE(own->has_own_numbers());
-    EXPECT_EQ(own->node_words(2), "node 2");
+    const Tree own(body_b().hierarchies[0]);
+    EXPECT_FALSE(own.has_own_numbers());
+    EXPECT_EQ(own.node_words(2), "node 2");
     const TraceFrame none;
     EXPECT_EQ(numbers_of(none, {4, 5}), (IndexPair{4, 5}));
     EXPECT_EQ(nodes_of(none, {4, 5}), (IndexPair{4, 5}));

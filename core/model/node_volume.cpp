@@ -1,4 +1,4 @@
-#include "core/judge/node_volume.h"
+#include "core/model/node_volume.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/hierarchy/volume_tree.h"
+#include "core/model/tree.h"
 #include "scb/any_hierarchy.h"
 
 namespace scb {
@@ -57,13 +57,13 @@ template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
 
 /// The volumes of a cover in numbers: of those nodes that have one.
-VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover);
+VolumeStatistics cover_statistics(const Tree& tree, const std::vector<std::uint32_t>& cover);
 
 /// The same of the covers of all levels, see level_cover; root first. O(n).
-std::vector<VolumeStatistics> cover_statistics(const VolumeTree& tree);
+std::vector<VolumeStatistics> cover_statistics(const Tree& tree);
 
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
 /// The same of any tree: without rules.
-std::vector<LevelStatistics> level_statistics(const VolumeTree& tree);
+std::vector<LevelStatistics> level_statistics(const Tree& tree);
 
 }  // namespace scb

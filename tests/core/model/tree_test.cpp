@@ -1,4 +1,4 @@
-#include "core/judge/engine_tree.h"
+#include "core/model/tree.h"
 
 #include <gtest/gtest.h>
 
@@ -7,23 +7,24 @@
 namespace scb {
 namespace {
 
-std::unique_ptr<VolumeTree> volume_tree_of(const std::vector<ToldNode>& nodes) {
-    const NodeTree tree = tree_of(nodes);
-    return volume_tree(tree, tree_shape(tree, 4));
+Tree tree_with(const std::vector<ToldNode>& nodes) {
+    RecordedNodes recorded = tree_of(nodes);
+    TreeShape shape = tree_shape(recorded, 4);
+    return {std::move(recorded), std::move(shape)};
 }
 
 const Mat3 turned = (Mat3() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
 
 TEST(EngineTree, IsOfAFamilyWhereAllItsVolumesAre) {
     auto nodes = nodes_of_row();
-    EXPECT_EQ(volume_tree_of(nodes)->family(), VolumeFamily::box);
+    EXPECT_EQ(tree_with(nodes).family(), VolumeFamily::box);
     nodes[0].volume = nodes[6].volume = NodeVolume{};
-    EXPECT_EQ(volume_tree_of(nodes)->family(), VolumeFamily::box);
+    EXPECT_EQ(tree_with(nodes).family(), VolumeFamily::box);
     nodes[6].volume = Ball{};
-    EXPECT_EQ(volume_tree_of(nodes)->family(), VolumeFamily::convex);
+    EXPECT_EQ(tree_with(nodes).family(), VolumeFamily::convex);
     nodes[6].volume = box_of_row(3, 3);
     nodes[1].volume = Ball{};
-    EXPECT_EQ(volume_tree_of(nodes)->family(), VolumeFamily::convex);
+    EXPECT_EQ(tree_with(nodes).family(), VolumeFamily::convex);
     const std::pair<NodeVolume, VolumeFamily> kinds[] = {{Ball{}, VolumeFamily::ball},
                                                          {Scb{}, VolumeFamily::slab_cut},
                                                          {Scb2{}, VolumeFamily::two_slabs},
@@ -31,18 +32,18 @@ TEST(EngineTree, IsOfAFamilyWhereAllItsVolumesAre) {
                                                          {NodeVolume{}, VolumeFamily::convex}};
     for (const auto& [volume, family] : kinds) {
         for (ToldNode& node : nodes) node.volume = volume;
-        EXPECT_EQ(volume_tree_of(nodes)->family(), family);
+        EXPECT_EQ(tree_with(nodes).family(), family);
     }
 }
 
 TEST(EngineTree, ContainsWhatIsInsideOfAVolumeGrownByTheSlack) {
-    const auto tree = volume_tree_of(nodes_of_row());
+    const auto tree = tree_with(nodes_of_row());
     const Vec3 beside(0.75, 0.25, 0);  // a quarter beside the box of triangle 0
-    EXPECT_TRUE(tree->contains(1, beside, 0));
-    EXPECT_FALSE(tree->contains(3, beside, 0));
-    EXPECT_FALSE(tree->contains(3, beside, 0.2));
-    EXPECT_TRUE(tree->contains(3, beside, 0.25));
-    EXPECT_TRUE(tree->contains(3, Vec3(0.5, 0.5, 0), 0)) << "a corner";
+    EXPECT_TRUE(tree.contains(1, beside, 0));
+    EXPECT_FALSE(tree.contains(3, beside, 0));
+    EXPECT_FALSE(tree.contains(3, beside, 0.2));
+    EXPECT_TRUE(tree.contains(3, beside, 0.25));
+    EXPECT_TRUE(tree.contains(3, Vec3(0.5, 0.5, 0), 0)) << "a corner";
 }
 
 TEST(EngineTree, HasTheNumbersItemsAndVolumesThatWereTold) {
@@ -50,21 +51,19 @@ TEST(EngineTree, HasTheNumbersItemsAndVolumesThatWereTold) {
     nodes[6].number = 60;
     nodes[2].children = {5, 60};
     nodes[1].volume = NodeVolume{};
-    const auto tree = volume_tree_of(nodes);
-    EXPECT_EQ(tree->number(6), 60u);
-    EXPECT_EQ(tree->node_of(60), 6u);
-    EXPECT_EQ(tree->node_of(6), no_index);
-    EXPECT_EQ(tree->items(6)[0], 3u);
-    EXPECT_FALSE(tree->has_volume(1));
-    EXPECT_TRUE(tree->has_volume(2));
-    EXPECT_EQ(tree->volume_size(0).area, 2 * 3.5 * 0.5);
-    EXPECT_EQ(tree->volume_size(1).area, 0);
+    const auto tree = tree_with(nodes);
+    EXPECT_EQ(tree.number(6), 60u);
+    EXPECT_EQ(tree.node_of(60), 6u);
+    EXPECT_EQ(tree.node_of(6), no_index);
+    EXPECT_EQ(tree.items(6)[0], 3u);
+    EXPECT_FALSE(tree.has_volume(1));
+    EXPECT_TRUE(tree.has_volume(2));
+    EXPECT_EQ(tree.volume_size(0).area, 2 * 3.5 * 0.5);
+    EXPECT_EQ(tree.volume_size(1).area, 0);
 }
 
 TEST(TreeHash, TellsWhatHangsWhereAndHoldsWhichItems) {
-    const auto hash = [](const std::vector<ToldNode>& nodes) {
-        return tree_hash(*volume_tree_of(nodes));
-    };
+    const auto hash = [](const std::vector<ToldNode>& nodes) { return tree_with(nodes).hash(); };
     const std::uint64_t sound = hash(nodes_of_row());
     auto nodes = nodes_of_row();
     nodes[3].volume = Ball{};

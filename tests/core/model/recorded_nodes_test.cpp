@@ -1,4 +1,4 @@
-#include "core/judge/node_tree.h"
+#include "core/model/recorded_nodes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ std::vector<ToldNode> row_from_below() {
     return nodes;
 }
 
-TEST(NodeTree, GoesByNumbersAsTheEngineTellsThem) {
-    const NodeTree tree = tree_of(row_from_below());
+TEST(RecordedNodes, GoesByNumbersAsTheEngineTellsThem) {
+    const RecordedNodes tree = tree_of(row_from_below());
     ASSERT_EQ(tree.size(), 7u);
     EXPECT_EQ(tree.index_of(16), 0u);
     EXPECT_EQ(tree.index_of(10), 6u);
@@ -34,22 +34,22 @@ TEST(NodeTree, GoesByNumbersAsTheEngineTellsThem) {
     EXPECT_TRUE(tree.children(0).empty());
 }
 
-TEST(NodeTree, TheSecondNodeOfANumberIsNotTaken) {
+TEST(RecordedNodes, TheSecondNodeOfANumberIsNotTaken) {
     auto nodes = nodes_of_row();
     nodes.push_back({3, 2, {}, {0, 1, 2}, {}});
-    const NodeTree tree = tree_of(nodes);
+    const RecordedNodes tree = tree_of(nodes);
     EXPECT_EQ(tree.size(), 7u);
     EXPECT_EQ(tree.told_twice(), Indices{3});
     EXPECT_EQ(tree.items(3).size(), 1u);
     EXPECT_EQ(tree.parent(3), 1u);
 }
 
-TEST(NodeTree, ParentsAreToldWhereTheyAreNotAllTheSame) {
+TEST(RecordedNodes, ParentsAreToldWhereTheyAreNotAllTheSame) {
     const std::uint32_t leaf = 1;
     const auto parents = [&](std::array<std::uint32_t, 3> told) {
-        const NodeTree tree = tree_of({{0, told[0], std::vector(1, leaf), {}, {}},
-                                       {leaf, told[1], {}, {}, {}},
-                                       {2, told[2], {}, {}, {}}});
+        const RecordedNodes tree = tree_of({{0, told[0], std::vector(1, leaf), {}, {}},
+                                            {leaf, told[1], {}, {}, {}},
+                                            {2, told[2], {}, {}, {}}});
         return Indices{tree.parent(0), tree.parent(1), tree.parent(2)};
     };
     EXPECT_EQ(parents({no_index, 0, no_index}), (Indices{no_index, 0, no_index}));
@@ -57,8 +57,8 @@ TEST(NodeTree, ParentsAreToldWhereTheyAreNotAllTheSame) {
     EXPECT_EQ(parents({0, 0, 0}), (Indices{no_index, no_index, no_index}));
 }
 
-TEST(NodeTree, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
-    NodeTree tree = tree_of(nodes_of_row());
+TEST(RecordedNodes, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
+    RecordedNodes tree = tree_of(nodes_of_row());
     tree.set_volume(2, {}, 4, "its radius is negative");
     EXPECT_FALSE(has_volume(tree[2].volume));
     EXPECT_EQ(tree.volume_fault(2), "its radius is negative");
@@ -72,9 +72,9 @@ TEST(NodeTree, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
     EXPECT_EQ(tree.volume_fault(3), "its half is not finite");
 }
 
-TEST(NodeTree, NamesItsNodes) {
-    NodeTree tree;
-    TreeNode node;
+TEST(RecordedNodes, NamesItsNodes) {
+    RecordedNodes tree;
+    RecordedNode node;
     node.number = 12;
     tree.add(node, "arm", {}, {});
     node.number = 13;
@@ -84,8 +84,8 @@ TEST(NodeTree, NamesItsNodes) {
     EXPECT_EQ(tree.name_of(1), "");
 }
 
-TEST(NodeTree, ItsShapeGoesDownFromTheRootsChildByChild) {
-    const NodeTree tree = tree_of(row_from_below());
+TEST(RecordedNodes, ItsShapeGoesDownFromTheRootsChildByChild) {
+    const RecordedNodes tree = tree_of(row_from_below());
     const TreeShape shape = tree_shape(tree, 4);
     // 10, 11, 13, 14, 12, 15, 16.
     EXPECT_EQ(shape.order, (Indices{6, 5, 3, 2, 4, 1, 0}));
@@ -98,7 +98,7 @@ TEST(NodeTree, ItsShapeGoesDownFromTheRootsChildByChild) {
     EXPECT_EQ(shape.holder, (Indices{3, 2, 1, 0}));
 }
 
-TEST(NodeTree, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
+TEST(RecordedNodes, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
     auto nodes = nodes_of_row();
     nodes[0].items = {2};
     nodes[3].items = {0, 3, 4};
@@ -107,19 +107,19 @@ TEST(NodeTree, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
     EXPECT_EQ(shape.holder_of(4), no_index) << "there are four";
 }
 
-TEST(NodeTree, WhatNoRootLeadsToHasNoPlace) {
+TEST(RecordedNodes, WhatNoRootLeadsToHasNoPlace) {
     auto nodes = nodes_of_row();
     nodes[2].children = {5};     // 6 says that 2 is its parent
     nodes[6].children = {2, 9};  // 9 is none
     const TreeShape shape = tree_shape(tree_of(nodes), 4);
     EXPECT_EQ(shape.roots, Indices{0});
-    EXPECT_FALSE(shape.hangs(6));
+    EXPECT_FALSE(shape.is_reachable(6));
     EXPECT_EQ(shape.parents[6], no_index);
     EXPECT_EQ(shape.parents[2], 0u) << "and not 6";
     EXPECT_EQ(shape.holder_of(3), no_index);
 }
 
-TEST(NodeTree, OneThatOnlyIsACycleIsEnteredAtTheFirstNode) {
+TEST(RecordedNodes, OneThatOnlyIsACycleIsEnteredAtTheFirstNode) {
     const TreeShape shape =
         tree_shape(tree_of({{0, 2, {1}, {}, {}}, {1, 0, {2}, {}, {}}, {2, 1, {0}, {}, {}}}), 0);
     EXPECT_EQ(shape.order, (Indices{0, 1, 2}));

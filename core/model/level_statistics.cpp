@@ -1,4 +1,4 @@
-#include "core/hierarchy/level_statistics.h"
+#include "core/model/level_statistics.h"
 
 #include <algorithm>
 
@@ -29,29 +29,29 @@ std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy) {
     return levels;
 }
 
-std::vector<LevelStatistics> level_statistics(const VolumeTree& tree) {
+std::vector<LevelStatistics> level_statistics(const Tree& tree) {
     std::vector<LevelStatistics> levels(static_cast<std::size_t>(depth(tree.shape())) + 1);
     for (std::uint32_t node = 0; node < tree.size(); ++node)
-        if (tree.shape().hangs(node))
+        if (tree.shape().is_reachable(node))
             levels[tree.shape().depths[node]].add(
                 tree.has_volume(node) ? tree.volume_size(node) : VolumeSize{}, tree.is_leaf(node));
     count_covers(levels);
     return levels;
 }
 
-VolumeStatistics cover_statistics(const VolumeTree& tree, const std::vector<std::uint32_t>& cover) {
+VolumeStatistics cover_statistics(const Tree& tree, const std::vector<std::uint32_t>& cover) {
     VolumeStatistics statistics;
     for (const std::uint32_t node : cover)
         if (tree.has_volume(node)) statistics.add(tree.volume_size(node), tree.is_leaf(node));
     return statistics;
 }
 
-std::vector<VolumeStatistics> cover_statistics(const VolumeTree& tree) {
+std::vector<VolumeStatistics> cover_statistics(const Tree& tree) {
     const TreeShape& shape = tree.shape();
     const std::size_t levels = static_cast<std::size_t>(depth(shape)) + 1;
     std::vector<VolumeStatistics> inner(levels), leaves(levels);
     for (std::uint32_t node = 0; node < tree.size(); ++node)
-        if (shape.hangs(node) && tree.has_volume(node))
+        if (shape.is_reachable(node) && tree.has_volume(node))
             (tree.is_leaf(node) ? leaves : inner)[shape.depths[node]].add(tree.volume_size(node),
                                                                           tree.is_leaf(node));
     VolumeStatistics above;
