@@ -16,7 +16,7 @@ MANUALS = [
     "README.md",
     "app/README.md",
     "app/view/README.md",
-    "python/README.md",
+    "app/python/README.md",
     "render/README.md",
     "scenes/README.md",
     "scenes/recordings/README.md",

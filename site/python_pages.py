@@ -37,7 +37,7 @@ def string_of(code):
 def sentences():
     """What the binding says, by "function", "Class" or "Class.member"."""
     said = {}
-    for path in sorted(pathlib.Path("python/binding").glob("*.cpp")):
+    for path in sorted(pathlib.Path("app/python/binding").glob("*.cpp")):
         text, owner = path.read_text(), ""
         for call in CALL.finditer(text):
             parts = arguments(text, call.end())
@@ -73,8 +73,8 @@ def signature(function, is_member):
 
 
 def python_page():
-    package = ast.parse(pathlib.Path("python/scb/__init__.py").read_text())
-    errors = ast.parse(pathlib.Path("python/scb/errors.py").read_text())
+    package = ast.parse(pathlib.Path("app/python/scb/__init__.py").read_text())
+    errors = ast.parse(pathlib.Path("app/python/scb/errors.py").read_text())
     said, missing, result = sentences(), [], []
 
     def doc_of(key):
@@ -82,7 +82,7 @@ def python_page():
             missing.append(key)
         return said.get(key, "")
 
-    for node in ast.parse(pathlib.Path("python/scb/_scb.pyi").read_text()).body:
+    for node in ast.parse(pathlib.Path("app/python/scb/_scb.pyi").read_text()).body:
         if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
             result.append(block("py:function", signature(node, False), doc_of(node.name)))
         elif isinstance(node, ast.ClassDef):
@@ -103,8 +103,8 @@ def python_page():
         if isinstance(node, ast.ClassDef):
             result.append(block("py:exception", node.name, ast.get_docstring(node) or ""))
     if missing:
-        raise SystemExit(f"python/binding says nothing of {', '.join(missing)}.")
+        raise SystemExit(f"app/python/binding says nothing of {', '.join(missing)}.")
     return (
-        "# The module `scb`\n\n" + ast.get_docstring(package).replace("The manual is\npython/README.md of the project.", "")
-        + "[The manual](../python/index.md) has examples.\n\n```{py:module} scb\n```\n\n" + "".join(result)
+        "# The module `scb`\n\n" + ast.get_docstring(package).replace("The manual is\napp/python/README.md of the project.", "")
+        + "[The manual](../app/python/index.md) has examples.\n\n```{py:module} scb\n```\n\n" + "".join(result)
     )

@@ -9,8 +9,8 @@ import unittest
 
 from support import SOURCE
 
-EXAMPLES = sorted((SOURCE / "python/examples").glob("*.py"))
-MANUAL = (SOURCE / "python/README.md").read_text()
+EXAMPLES = sorted((SOURCE / "app/python/examples").glob("*.py"))
+MANUAL = (SOURCE / "app/python/README.md").read_text()
 
 
 class Examples(unittest.TestCase):

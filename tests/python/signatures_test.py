@@ -91,7 +91,7 @@ class Signatures(unittest.TestCase):
         except ImportError:
             self.skipTest("mypy is not installed")
         os.environ["MYPYPATH"] = str(PACKAGE.parent)
-        self.run_module("mypy", "--strict", "--cache-dir", os.devnull, SOURCE / "python/examples")
+        self.run_module("mypy", "--strict", "--cache-dir", os.devnull, SOURCE / "app/python/examples")
         self.run_module("mypy.stubtest", "scb", "--allowlist", "stubtest.txt", "--ignore-unused-allowlist")
 
 

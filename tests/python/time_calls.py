@@ -1,4 +1,4 @@
-"""Prints what calls take: the best of five runs. python/README.md has the numbers of one machine."""
+"""Prints what calls take: the best of five runs. app/python/README.md has the numbers of one machine."""
 
 import time
 

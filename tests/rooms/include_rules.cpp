@@ -11,7 +11,7 @@ namespace {
 using Floors = std::vector<std::vector<std::string>>;
 
 // From the ground up.
-const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}, {"python"}};
+const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}};
 
 const std::map<std::string, Floors> rooms = {
     {"core",
@@ -34,8 +34,8 @@ const std::map<std::string, Floors> rooms = {
       {"timing", "explain", "merge"},
       {"view"},
       {"golden"},
-      {"inspect"}}},
-    {"python", {{"binding"}}},
+      {"inspect"},
+      {"python"}}},
 };
 
 // To which room of core a public header belongs.

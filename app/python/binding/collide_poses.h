@@ -1,0 +1,9 @@
+#pragma once
+
+#include "app/python/binding/errors.h"
+
+namespace scb::python {
+
+void add_collide_poses(py::module_& module);
+
+}  // namespace scb::python

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/python/binding/errors.h"
+#include "scb/mesh.h"
+
+namespace scb::python {
+
+/// A mesh that any number of Python objects share, and what errors call it.
+struct SharedMesh {
+    std::shared_ptr<const Mesh> mesh;
+    std::string name;
+};
+
+void add_mesh(py::module_& module);
+
+}  // namespace scb::python

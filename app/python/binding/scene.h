@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "app/python/binding/errors.h"
+#include "app/query/scene_options.h"
+
+namespace scb::python {
+
+/// A scene, and how commands name it; one that was made here is given in the options.
+struct SharedScene {
+    std::shared_ptr<const scenes::Scene> scene;
+    app::SceneOptions options;
+};
+
+void add_scene(py::module_& module);
+
+}  // namespace scb::python

@@ -1,9 +1,0 @@
-#pragma once
-
-#include "python/binding/errors.h"
-
-namespace scb::python {
-
-void add_collide_poses(py::module_& module);
-
-}  // namespace scb::python

@@ -1,9 +1,0 @@
-#pragma once
-
-#include "python/binding/errors.h"
-
-namespace scb::python {
-
-void add_explain(py::module_& module);
-
-}  // namespace scb::python
