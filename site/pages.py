@@ -24,7 +24,7 @@ MANUALS = [
     "scenes/recordings/broken.md",
     "golden/README.md",
     "core/README.md",
-    "packages/README.md",
+    "app/packages/README.md",
     "tests/peers/README.md",
     "site/README.md",
     "CHANGELOG.md",

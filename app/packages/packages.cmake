@@ -1,5 +1,5 @@
 # Packages of what is installed, with CPack: scb, libscb1, libscb-dev and python3-scb for Debian, and an archive for other systems.
-# packages/run builds them.
+# app/packages/run builds them.
 set(CPACK_PACKAGE_VENDOR "The scb authors")
 set(CPACK_PACKAGE_CONTACT "The scb authors <scb@example.invalid>")
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -32,8 +32,8 @@ macro(scb_package component name section depends summary text)
     set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
     set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
     # What Debian wants of every package: the license, and what has changed.
-    install(FILES packages/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
-    install(FILES packages/overrides/${component} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${name} COMPONENT ${component})
+    install(FILES app/packages/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
+    install(FILES app/packages/overrides/${component} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${name} COMPONENT ${component})
     install(FILES ${PROJECT_BINARY_DIR}/packages/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
 endmacro()
 scb_package(program scb science "" "headless visual debugger for bounding volume hierarchies"
@@ -48,16 +48,16 @@ math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
 set(of_python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 scb_package(python python3-scb python "${of_python}, python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/python/postinst ${PROJECT_SOURCE_DIR}/packages/python/prerm)
-# Shared objects and programs are stripped of what packages/abi reads, archives are not.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/app/packages/python/postinst ${PROJECT_SOURCE_DIR}/app/packages/python/prerm)
+# Shared objects and programs are stripped of what app/packages/abi reads, archives are not.
 install(CODE "execute_process(COMMAND ${CMAKE_OBJCOPY} --strip-debug
     \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libscb.a COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
 # For packages of programs that use the library.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packages/triggers)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/app/packages/triggers)
 
-file(READ packages/changelog changelog)
+file(READ app/packages/changelog changelog)
 string(REPLACE "@VERSION@" ${PROJECT_VERSION} changelog "${changelog}")
 file(WRITE ${PROJECT_BINARY_DIR}/packages/changelog.Debian "${changelog}")
 execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/packages/changelog.Debian OUTPUT_FILE ${PROJECT_BINARY_DIR}/packages/changelog.Debian.gz
