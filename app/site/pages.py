@@ -26,7 +26,7 @@ MANUALS = [
     "core/README.md",
     "app/packages/README.md",
     "tests/peers/README.md",
-    "site/README.md",
+    "app/site/README.md",
     "CHANGELOG.md",
 ]
 HEADERS = sorted(

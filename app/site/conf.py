@@ -1,4 +1,4 @@
-"""How Sphinx makes the site. site/run calls it, with what site/pages.py and Doxygen wrote."""
+"""How Sphinx makes the site. app/site/run calls it, with what app/site/pages.py and Doxygen wrote."""
 
 import logging
 import os
