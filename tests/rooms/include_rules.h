@@ -23,4 +23,10 @@ std::vector<std::string> broken_rules(const SourceFile& file);
 /// The public headers that belong to no room, and the rooms' headers that are not there.
 std::vector<std::string> homeless_headers(const std::vector<std::string>& public_headers);
 
+/// The names, of folders of the top level, that are neither a folder of rooms nor `tests`.
+std::vector<std::string> unknown_folders(const std::vector<std::string>& names);
+
+/// The rooms of these source files that no table names: "core/extra" of "core/extra/x.cpp".
+std::vector<std::string> unknown_rooms(const std::vector<SourceFile>& files);
+
 }  // namespace scb
