@@ -4,32 +4,31 @@
  * file, a recording (.scbrec).
  *
  * C99 and C++, no dependency but the standard library. Copy it into your engine, define
- * SCB_RECORD_ON where you want to record, and put each call into SCB_RECORD(...), which is nothing
- * where that is not defined:
+ * SCB_RECORD_ON where you want to record, and put each call into SCB_RECORD(...), which expands to
+ * nothing otherwise:
  *
  *     #define SCB_RECORD_ON
  *     #include <scb_record.h>
  *
  *     SCB_RECORD(scb_record_test(&recorder, a, b, overlap ? 0 : 1);)
  *
- * After `if` or `for`, put braces about it. Recorders that functions take, and the constants below,
- * are inside SCB_RECORD too, or between `#ifdef SCB_RECORD_ON` and `#endif`.
+ * After `if` or `for`, put braces around it. Put parameters of type scb_recorder, and the constants
+ * below, inside SCB_RECORD too, or between `#ifdef SCB_RECORD_ON` and `#endif`.
  *
- * A recorder belongs to one thread. It takes memory once, when it is opened. Each call writes at
- * the end of the file, in blocks; what a program that crashed had written can be read up to its
- * last whole block. Errors do not stop your engine: after one nothing more is written, and
- * scb_record_close says so.
+ * A recorder belongs to one thread. It allocates memory once, when it is opened. Calls append to
+ * the file, in blocks. After a crash, the file can be read up to its last whole block. An error
+ * does not stop your engine: nothing more is written, and scb_record_close returns the error.
  *
  * Lengths are in your units; vectors are columns. A pose is twelve numbers, the rows of a 3x4
- * matrix: x_world = R x_body + t. Numbers of trees, bodies, nodes and meshes are yours; nodes are
- * best numbered from 0 on, without gaps. The format: scenes/recordings/README.md of the project. */
+ * matrix: x_world = R x_body + t. You number trees, bodies, nodes and meshes; number nodes from 0
+ * on, without gaps, if you can. The format: scenes/recordings/README.md of the project. */
 #ifndef SCB_RECORD_H
 #define SCB_RECORD_H
 
 #ifndef SCB_RECORD_ON
 #define SCB_RECORD(...)
 #else
-/** What stands in it is left out where SCB_RECORD_ON is not defined. */
+/** Its argument is compiled only if SCB_RECORD_ON is defined. */
 #define SCB_RECORD(...) __VA_ARGS__
 
 #include <errno.h>
@@ -47,11 +46,11 @@ extern "C" {
 /** A recorder. Zero it ({0}) or open it; zeroed, it records nothing. */
 typedef struct scb_recorder {
     FILE* file;                  /**< NULL: nothing is recorded */
-    unsigned char* data;         /**< of the block that is being filled */
+    unsigned char* data;         /**< of the current block */
     size_t size,                 /**< bytes in it */
         capacity;                /**< bytes that it can hold */
     uint32_t (*crc_tables)[256]; /**< sixteen */
-    uint32_t crc;                /**< of what was written of the block */
+    uint32_t crc;                /**< of the written part of the block */
     int past_block;              /**< a record larger than `data` is being written */
     int error;                   /**< an errno; 0: none */
 } scb_recorder;
@@ -67,7 +66,7 @@ typedef enum scb_record_kind {
     SCB_RECORD_KDOP = 6, /**< per direction of the tree the least and the greatest x.d: 2 n */
     SCB_RECORD_SCB = 7,  /**< center, radius, unit normal n, e, f with f <= (x - c).n <= e: 9 */
     SCB_RECORD_SCB2 = 8, /**< the same and a second slab: 14 */
-    SCB_RECORD_HULL = 9  /**< points, of which it is the convex hull: 3 n */
+    SCB_RECORD_HULL = 9  /**< the points of a convex hull: 3 n */
 } scb_record_kind;
 
 /** A volume, in the frame of the body. */
@@ -77,10 +76,10 @@ typedef struct scb_record_volume {
     const double* values; /**< lengths in your units */
 } scb_record_volume;
 
-/** A node. What an engine does not have is left 0, but for `parent`. */
+/** A node. Leave members that your engine does not have 0, except `parent`. */
 typedef struct scb_record_node_data {
     uint32_t parent;          /**< SCB_RECORD_NONE: a root */
-    uint64_t id;              /**< what the engine calls it: an index, an address */
+    uint64_t id;              /**< its name in the engine: an index, an address */
     const char* name;         /**< or NULL */
     const uint32_t* children; /**< numbers of nodes */
     uint32_t child_count;     /**< how many children it has */
@@ -135,7 +134,7 @@ static inline void scb_rec_start_block(scb_recorder* r, uint32_t length) {
     scb_rec_write(r, head, 8);
 }
 
-/* Writes what the block has so far. */
+/* Writes the block up to here. */
 static inline void scb_rec_spill(scb_recorder* r) {
     r->crc = scb_rec_crc(r->crc_tables, r->crc, r->data, r->size);
     scb_rec_write(r, r->data, r->size);
@@ -149,7 +148,7 @@ static inline void scb_rec_end_block(scb_recorder* r) {
     scb_rec_write(r, tail, 4);
 }
 
-/** Writes the block that is being filled: what is recorded is in the file, whatever comes. */
+/** Writes the current block, so that the file has all records even if the program crashes. */
 static inline void scb_record_flush(scb_recorder* r) {
     if (r->size == 0) return;
     scb_rec_start_block(r, (uint32_t)r->size);
@@ -181,7 +180,7 @@ static inline void scb_rec_bytes(scb_recorder* r, const void* bytes, size_t n) {
         r->size += part;
         p += part;
         n -= part;
-        if (n > 0) scb_rec_spill(r); /* of a record that is larger than a block */
+        if (n > 0) scb_rec_spill(r); /* the record is larger than a block */
     }
 }
 
@@ -224,7 +223,7 @@ static inline void scb_rec_text(scb_recorder* r, const char* text) {
     scb_rec_bytes(r, text, n);
 }
 
-/* Begins a record of so many bytes: in the block, or as a block of its own. */
+/* Begins a record of `length` bytes: in the block, or as a block of its own. */
 static inline void scb_rec_begin(scb_recorder* r, unsigned tag, uint64_t length) {
     if (r->capacity == 0) return;
     if (length > UINT32_MAX - 5) {
@@ -259,8 +258,8 @@ static inline void scb_rec_put_volume(scb_recorder* r, const scb_record_volume* 
 
 /* ---- The file ------------------------------------------------------------------------------- */
 
-/** Writes what is left, and that the recording is whole. Returns 0, or the errno of the first error
- * since it was opened. */
+/** Writes the rest, and a mark that the recording is complete. Returns 0, or the errno of the first
+ * error since it was opened. */
 static inline int scb_record_close(scb_recorder* r) {
     int error;
     if (r->file) {
@@ -275,7 +274,7 @@ static inline int scb_record_close(scb_recorder* r) {
     return error;
 }
 
-/** Creates the file, or empties it. `engine`: whose recording it is, "Bullet 3.24". Returns 0, or
+/** Creates the file, or empties it. `engine`: its name and version, "Bullet 3.24". Returns 0, or
  * an errno; the recorder can be used in either case. */
 static inline int scb_record_open(scb_recorder* r, const char* path, const char* engine) {
     static const unsigned char magic[12] = {0x89, 's', 'c', 'b', 'r', 'c', 13, 10, 1, 0, 0, 0};
@@ -302,7 +301,7 @@ static inline int scb_record_open(scb_recorder* r, const char* path, const char*
     return r->error == 0 ? 0 : (r->error = scb_record_close(r));
 }
 
-/* ---- What there is -------------------------------------------------------------------------- */
+/* ---- Meshes, trees, bodies ------------------------------------------------------------------ */
 
 /** A setting of the engine, or of the queries that follow: "margin", "0.04". */
 static inline void scb_record_setting(scb_recorder* r, const char* key, const char* value) {
@@ -312,7 +311,7 @@ static inline void scb_record_setting(scb_recorder* r, const char* key, const ch
     scb_rec_end(r);
 }
 
-/** What a test of two volumes that ends with this number, 1 to 127, found: "axis of A". Number 0 is
+/** The name of a stage, 1 to 127, at which a test rejects two volumes: "axis of A". Stage 0 means
  * that the volumes overlap. */
 static inline void scb_record_stage(scb_recorder* r, uint8_t stage, const char* name) {
     scb_rec_begin(r, 193, 1 + scb_rec_text_size(name));
@@ -321,9 +320,9 @@ static inline void scb_record_stage(scb_recorder* r, uint8_t stage, const char* 
     scb_rec_end(r);
 }
 
-/** A mesh. Coordinates are of `coordinate_bytes` 4 (float) or 8 (double), three per vertex, from
- * one vertex to the next `vertex_stride` bytes (0: no gaps); indices of 1, 2, 4 or 8, three per
- * triangle, without gaps. */
+/** A mesh. Three coordinates per vertex, of 4 (float) or 8 (double) bytes each; from one vertex to
+ * the next `vertex_stride` bytes (0: no gaps). Three indices per triangle, of 1, 2, 4 or 8 bytes
+ * each, without gaps. */
 static inline void scb_record_mesh(scb_recorder* r, uint32_t mesh, const char* name,
                                    const void* vertices, int coordinate_bytes, size_t vertex_stride,
                                    uint32_t vertex_count, const void* indices, int index_bytes,
@@ -375,15 +374,15 @@ static inline void scb_record_mesh(scb_recorder* r, uint32_t mesh, const char* n
         } else {
             memcpy(&index, p, 8);
         }
-        /* What does not fit is out of range there too. */
+        /* An index that does not fit is out of range in the recording too. */
         scb_rec_put32(r, index > UINT32_MAX ? UINT32_MAX : (uint32_t)index);
     }
     scb_rec_end(r);
 }
 
-/** A tree of nodes, which follow, over the triangles of a mesh, or over objects
- * (SCB_RECORD_NONE). Of a tree that was recorded before: it was built anew, and its nodes before
- * are gone. `directions`: of the k-DOPs of its nodes, three numbers each. */
+/** A tree over the triangles of a mesh, or over objects (`mesh` is SCB_RECORD_NONE). Its nodes
+ * follow. A tree that is recorded again was rebuilt: its earlier nodes are gone. `directions`: the
+ * directions of its k-DOPs, three numbers each. */
 static inline void scb_record_tree(scb_recorder* r, uint32_t tree, const char* name, uint32_t mesh,
                                    const double* directions, uint32_t direction_count) {
     scb_rec_begin(r, 195, 8 + scb_rec_text_size(name) + 4 + 24 * (uint64_t)direction_count);
@@ -395,8 +394,8 @@ static inline void scb_record_tree(scb_recorder* r, uint32_t tree, const char* n
     scb_rec_end(r);
 }
 
-/** A node of a tree, whole. In a later frame, or after a query, it replaces the node of this
- *  number. */
+/** A node of a tree, with all its data. In a later frame, or after a query, it replaces the node of
+ * this number. */
 static inline void scb_record_node(scb_recorder* r, uint32_t tree, uint32_t node,
                                    const scb_record_node_data* n) {
     scb_rec_begin(r, 196,
@@ -413,7 +412,7 @@ static inline void scb_record_node(scb_recorder* r, uint32_t tree, uint32_t node
     scb_rec_end(r);
 }
 
-/** The volume of a node from now on: it was refitted. */
+/** The refitted volume of a node, from now on. */
 static inline void scb_record_refit(scb_recorder* r, uint32_t tree, uint32_t node,
                                     const scb_record_volume* volume) {
     scb_rec_begin(r, 197, 8 + scb_rec_volume_size(volume));
@@ -423,8 +422,8 @@ static inline void scb_record_refit(scb_recorder* r, uint32_t tree, uint32_t nod
     scb_rec_end(r);
 }
 
-/** The extent of an object of a tree without mesh, in the tree's frame, from now on: the judgement
- * then tells whether leaves contain their objects, and which pairs of objects were missed. */
+/** The extent of an object of a tree without mesh, in the tree's frame, from now on. With it, the
+ * judgement checks that leaves contain their objects, and finds missed pairs of objects. */
 static inline void scb_record_object(scb_recorder* r, uint32_t tree, uint32_t object,
                                      const scb_record_volume* volume) {
     scb_rec_begin(r, 204, 8 + scb_rec_volume_size(volume));
@@ -434,7 +433,7 @@ static inline void scb_record_object(scb_recorder* r, uint32_t tree, uint32_t ob
     scb_rec_end(r);
 }
 
-/** A body: a tree that is somewhere. Several may have the same tree. */
+/** A body: a tree with a pose. Several bodies may have the same tree. */
 static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* name,
                                    uint32_t tree) {
     scb_rec_begin(r, 198, 8 + scb_rec_text_size(name));
@@ -444,7 +443,7 @@ static inline void scb_record_body(scb_recorder* r, uint32_t body, const char* n
     scb_rec_end(r);
 }
 
-/* ---- What happens --------------------------------------------------------------------------- */
+/* ---- Frames, queries, tests ----------------------------------------------------------------- */
 
 /** A frame begins: a step of the simulation. Numbers ascend. */
 static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
@@ -454,8 +453,8 @@ static inline void scb_record_frame(scb_recorder* r, uint32_t frame) {
     scb_rec_end(r);
 }
 
-/** Where a body is from now on; before, it is where its tree's coordinates say. The matrix may also
- * scale, mirror or shear the body. A body that is recorded again stays where it is. */
+/** The pose of a body from now on. Until its first pose, x_world is x_body. The matrix may also
+ * scale, mirror or shear the body. A body that is recorded again keeps its pose. */
 static inline void scb_record_pose(scb_recorder* r, uint32_t body, const double pose[12]) {
     scb_rec_begin(r, 200, 4 + 96);
     scb_rec_put32(r, body);
@@ -471,14 +470,14 @@ static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t b
     scb_rec_end(r);
 }
 
-/** A test of two volumes, of a node of A and one of B. `stage`: 0 where they overlap, else which
- * part of the test rejected them, 1 to 127, see scb_record_stage; what is above counts as 127. */
+/** A test of two volumes, of a node of A and one of B. `stage`: 0 if they overlap, else the part of
+ * the test that rejected them, 1 to 127, see scb_record_stage; larger numbers count as 127. */
 static inline void scb_record_test(scb_recorder* r, uint32_t node_a, uint32_t node_b,
                                    uint8_t stage) {
     scb_rec_event(r, (unsigned char)(stage < 128 ? stage : 127), node_a, node_b);
 }
 
-/** The same, of a test that an earlier test led to: `parent` is the number of that test in this
+/** The same for a test that an earlier test led to: `parent` is the number of that test in this
  * query; tests of volumes have the numbers 0, 1, 2, ... Without it, scb takes the latest test of
  * the parents of the nodes. */
 static inline void scb_record_step(scb_recorder* r, uint32_t parent, uint32_t node_a,
@@ -498,7 +497,7 @@ static inline void scb_record_pair(scb_recorder* r, uint32_t item_a, uint32_t it
 }
 
 /** The query ends. `complete`: it found all that it looks for, and did not end early on purpose.
- * `nanoseconds`: how long it took, 0 where that was not measured. */
+ * `nanoseconds`: its duration, 0 if not measured. */
 static inline void scb_record_query_end(scb_recorder* r, int complete, uint64_t nanoseconds) {
     scb_rec_begin(r, 202, 9);
     scb_rec_put8(r, complete ? 1 : 0);

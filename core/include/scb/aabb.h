@@ -7,16 +7,16 @@
 namespace scb {
 
 /// A box along the axes of its body's frame: the points with |x[i] - center[i]| <= half[i]. Closed.
-/// In another frame it is an oriented box. How two of them are tested is part of the type, since
-/// two ways are common, see overlap_aabb.h: `exact`, or by `exact = false` as engines do it, A
-/// against the box, along A's axes, about the turned B.
+/// In another frame it is an oriented box. Two tests are common, so the test is part of the type,
+/// see overlap_aabb.h: `exact`, or, as in engines, A against the box along A's axes about the
+/// turned B.
 template <bool exact>
 struct BasicAabb {
     /// The middle.
     Vec3 center = Vec3::Zero();
     Vec3 half = Vec3::Zero();  ///< half lengths
 };
-/// Tested against the box about the turned B, as engines do it.
+/// Tested against the box about the turned B, as in engines.
 using Aabb = BasicAabb<false>;
 /// Tested as the oriented box that it is.
 using ExactAabb = BasicAabb<true>;

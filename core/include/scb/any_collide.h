@@ -29,10 +29,10 @@ Collision collide_self(const AnyHierarchy& side, const Mesh& mesh,
 /// The stages at which a query on these volumes can reject.
 std::span<const Stage> stages_of(VolumeKind kind, const OverlapOptions& options);
 
-/// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
-/// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
-/// center; of boxes the center and three axes, of those along the body's axes the center; of two
-/// slabs the center and, after the balls, both normals.
+/// N_u of equation 1: the points and directions of B's volumes that these tests transformed. Slab
+/// cut balls: the center, and the normal if the test gets that far. Balls: the center. Oriented
+/// boxes: the center and three axes. Boxes along the body's axes: the center. Balls with two slabs:
+/// the center, and both normals if the balls overlap.
 std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options);
 

@@ -10,23 +10,23 @@
 namespace scb {
 
 #define SCB_KIND(kind, V, name) kind,
-/// The volumes that can be asked for by name.
+/// The volumes that a user can choose by name.
 enum class VolumeKind { SCB_FOR_EACH_VOLUME_KIND(SCB_KIND) };
 #undef SCB_KIND
 
-/// How a kind is named on the command line and in file names, see SCB_FOR_EACH_VOLUME_KIND.
+/// The name of a kind on the command line and in file names, see SCB_FOR_EACH_VOLUME_KIND.
 std::string_view volume_kind_name(VolumeKind kind);
 /// The kind of this name, or nothing where there is none.
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 /// All kinds, in the order of SCB_FOR_EACH_VOLUME_KIND.
 std::span<const VolumeKind> all_volume_kinds();
 
-/// Whether FitOptions::growth means anything to the kind.
+/// Whether the kind uses FitOptions::growth.
 bool has_growth(VolumeKind kind);
-/// Whether FitOptions::margin means anything to the kind.
+/// Whether the kind uses FitOptions::margin.
 bool has_margin(VolumeKind kind);
 
-/// A hierarchy whose volume type is chosen at run time. This is the edge: everything below it is a
+/// A hierarchy whose volume type is chosen at run time. Below this interface, everything is a
 /// template.
 template <class First, class... Volumes>
 using VariantOfHierarchies = std::variant<Hierarchy<Volumes>...>;
@@ -35,7 +35,7 @@ using VariantOfHierarchies = std::variant<Hierarchy<Volumes>...>;
 using AnyHierarchy = VariantOfHierarchies<void SCB_FOR_EACH_VOLUME(SCB_THEN)>;
 #undef SCB_THEN
 
-/// Calls `use<V>()` with the type of the kind's volumes, and returns what it returns.
+/// Calls `use<V>()` with the type of the kind's volumes, and returns its result.
 template <class Use>
 decltype(auto) with_volume_type(VolumeKind kind, Use&& use) {
     switch (kind) {
@@ -54,15 +54,16 @@ std::vector<AnyHierarchy> build_hierarchies(const Mesh& mesh, std::span<const Vo
                                             const BuildOptions& options = {},
                                             std::string_view name = "mesh");
 
-/// Its topology, whatever its volumes are.
+/// The topology of a hierarchy with any volumes.
 const Topology& topology_of(const AnyHierarchy& hierarchy);
-/// `validate` for the volumes that it has.
+/// `validate` for a hierarchy with any volumes.
 std::string validate(const AnyHierarchy& hierarchy, const Mesh& mesh);
 
 /// sizeof the volume of one node.
 std::size_t bytes_per_volume(const AnyHierarchy& hierarchy);
 
-/// Its nodes, their volumes, and the order of the triangles; without the mesh.
+/// The memory of its nodes, their volumes, and the order of the triangles, in bytes; without the
+/// mesh.
 std::size_t bytes_of(const AnyHierarchy& hierarchy);
 
 }  // namespace scb

@@ -6,23 +6,23 @@
 
 namespace scb {
 
-/// A packed hierarchy whose layout is chosen at run time, as AnyHierarchy's volumes are.
+/// A packed hierarchy whose layout is chosen at run time.
 using AnyPacked = AnyCodec<PackedHierarchy>;
 
-/// Whether packed layouts have such volumes: slab cut balls, with one slab or two.
+/// Whether volumes of this kind can be packed: slab cut balls, with one slab or two.
 bool can_pack(VolumeKind kind);
 
-/// `pack` to a layout; V is Scb or Scb2. Throws InputError as that does, where the layout has
-/// another width than 2, 4 or 8, and where the hierarchy is of volumes that no layout has.
+/// `pack` with this layout; V is Scb or Scb2. Throws InputError as `pack` does, if the width of the
+/// layout is not 2, 4 or 8, and if the volumes cannot be packed.
 template <class V>
 AnyPacked pack_any(const PackedLayout& layout, const Hierarchy<V>& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
-/// The same of a hierarchy whose volume type was chosen at run time.
+/// The same for a hierarchy whose volume type was chosen at run time.
 AnyPacked pack_any(const PackedLayout& layout, const AnyHierarchy& hierarchy, const Mesh& mesh,
                    std::string_view name = "mesh", int threads = 1);
 
-/// `build_packed` in a layout, of volumes that can be packed. Throws InputError as that does, where
-/// the layout has another width than 2, 4 or 8, and where no layout has such volumes.
+/// `build_packed` with this layout. Throws InputError as `build_packed` does, if the width of the
+/// layout is not 2, 4 or 8, and if volumes of this kind cannot be packed.
 AnyPacked build_packed_any(const PackedLayout& layout, VolumeKind kind, const Mesh& mesh,
                            const BuildOptions& options = packed_build,
                            std::string_view name = "mesh");
@@ -34,9 +34,9 @@ PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const Any
                                const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
-/// `validate` for the layout that it has.
+/// `validate` for any layout.
 std::string validate(const AnyPacked& packed, const Mesh& mesh);
-/// The memory that its nodes and leaves take.
+/// The memory of its nodes and leaves, in bytes.
 std::size_t bytes_of(const AnyPacked& packed);
 
 }  // namespace scb

@@ -12,14 +12,14 @@ namespace scb {
 /// A capsule, or line swept sphere: the points within `radius` of a segment. Closed. (Larsen,
 /// Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept Sphere Volumes", 1999.)
 struct Capsule {
-    /// What pictures call it.
+    /// Its name in pictures.
     static constexpr const char* title = "capsule";
-    /// What `support_point` costs, see ConvexVolume.
+    /// The cost of `support_point`, see ConvexVolume.
     static constexpr unsigned support_operations = 9;
 
     Vec3 center = Vec3::Zero();     ///< the middle of the segment
     Vec3 half_axis = Vec3::Zero();  ///< from there to one of its ends
-    /// How far it reaches from the segment.
+    /// The distance from the segment to the surface.
     double radius = 0;
 };
 
@@ -44,8 +44,8 @@ inline bool contains(const Capsule& c, const Vec3& point) {
     return squared_distance(c, point) <= c.radius * c.radius;
 }
 
-/// About the middle of the points' extents along their principal axes; the segment along the
-/// longest, no longer than the radius that the other two ask for makes necessary.
+/// The segment is along the longest principal axis, through the middle of the points' extents along
+/// the other two. These two give the radius; the segment is as short as the radius allows.
 inline void fit(Capsule& result, const FitPoints& points) {
     const Mat3 axes = points.axes();
     const Vec3 along = axes.col(0), origin = points[0];
@@ -62,7 +62,7 @@ inline void fit(Capsule& result, const FitPoints& points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         squared_radius =
             std::max(squared_radius, squared_norm(cross(along, Vec3(points[i] - result.center))));
-    // The ends: as near to each other as the balls about them allow.
+    // The ends are as near to each other as the balls about them allow.
     double first = HUGE_VAL, last = -HUGE_VAL;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 p = points[i] - result.center;
@@ -71,7 +71,7 @@ inline void fit(Capsule& result, const FitPoints& points) {
         first = std::min(first, at + cap);
         last = std::max(last, at - cap);
     }
-    if (first > last) first = last = 0.5 * (first + last);  // a ball holds them
+    if (first > last) first = last = 0.5 * (first + last);  // one ball contains all points
     result.center += 0.5 * (first + last) * along;
     result.half_axis = 0.5 * (last - first) * along;
     double squared = 0;

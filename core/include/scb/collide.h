@@ -21,7 +21,7 @@ template <Volume V>
 struct Collider {
     /// The hierarchy.
     const Hierarchy<V>& hierarchy;
-    /// The mesh; its indices are those of the pairs that are found.
+    /// The mesh; pairs have its indices.
     const Mesh& mesh;
 };
 
@@ -30,43 +30,42 @@ template <Volume V>
 struct SelfCollider {
     /// The hierarchy.
     const Hierarchy<V>& hierarchy;
-    /// The mesh; its indices are those of the pairs that are found.
+    /// The mesh; pairs have its indices.
     const Mesh& mesh;
-    /// Per vertex the vertex that stands for all at its position, see joined_vertices. Triangles
-    /// with such a vertex in common are neighbors, and no pair.
+    /// Per vertex, the vertex that represents all at its position, see joined_vertices. Triangles
+    /// with a common representative are neighbors, and never a pair.
     std::span<const std::uint32_t> joined;
 };
 
-/// How a query goes, and when it ends.
+/// How a query runs, and when it ends.
 struct CollideOptions {
     /// How two volumes are tested; ignored for volumes other than Scb.
     OverlapOptions overlap;
     /// Which of two nodes that overlap is divided.
     DescentRule descent = DescentRule::radius;
-    /// The query ends once it has found so many pairs, at least 1: for the first contact. Which
-    /// pairs those are follows from the order of the traversal.
+    /// The query ends after this many pairs, at least 1, which finds the first contact. The order
+    /// of the traversal determines the pairs.
     std::size_t max_pairs = std::numeric_limits<std::size_t>::max();
-    /// Nodes at this depth count as leaves, and no triangles are tested: the pairs that are found
-    /// are pairs of nodes of the two covers of this level, see level_cover. Negative: no such
-    /// level.
+    /// Nodes at this depth count as leaves, and no triangles are tested: the query finds pairs of
+    /// nodes of the two covers of this level, see level_cover. Negative: no such level.
     int stop_level = -1;
 };
 
-/// What a query found and what it took. The symbols are those of equation 1 of the paper.
+/// The result of a query, and its work, with the symbols of equation 1 of the paper.
 struct Collision {
     std::vector<IndexPair> pairs;  ///< triangles that intersect, or nodes of `stop_level` that
                                    ///< overlap; sorted, each once
-    std::uint64_t n_v = 0;         ///< tests of two volumes, those of two leaves among them
+    std::uint64_t n_v = 0;         ///< tests of two volumes, tests of two leaves included
     std::uint64_t n_p = 0;         ///< tests of two triangles
     std::uint64_t n_u = 0;         ///< points and directions of volumes transformed for these tests
     StageCounts stages{};          ///< volume tests by how they ended; their sum is n_v
-    int depth = 0;         ///< of the deepest volume test: depth of its node of A plus that of B
-    bool complete = true;  ///< false where `max_pairs` ended the query: there may be more
+    int depth = 0;         ///< of the deepest volume test: the sum of the depths of its two nodes
+    bool complete = true;  ///< false if `max_pairs` ended the query: there may be more pairs
 };
 
 /// Finds the triangles of A and B that intersect, B moved by `b_to_a` into A's frame: one dual
-/// traversal of the two hierarchies. Both children of the node that is divided are tested at once,
-/// and of those that overlap the second is divided first.
+/// traversal of the two hierarchies. Both children of a divided node are tested at once. If both
+/// overlap, the second is divided first.
 ///
 /// Triangles are closed sets, and tested exactly as they are in A's frame: corners of A as stored,
 /// corners of B as transform_point rounds them. `b_to_a` must be rigid, see check_rigid and
@@ -77,8 +76,8 @@ template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options = {});
 
-/// The same, and `recorder` keeps every test. Throws std::length_error too: of more than 2^32 - 1
-/// tests of volumes, or of a node deeper than 65,535.
+/// The same, and `recorder` keeps every test. Also throws std::length_error, for more than 2^32 - 1
+/// tests of volumes or a node deeper than 65,535.
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, StepRecorder& recorder);
@@ -97,8 +96,8 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
 
 /// Finds the triangles of one mesh that intersect and share no vertex: each pair once, the lower
 /// triangle first. The left part of each node is tested against its right part, so that a query has
-/// as many steps without a parent as the hierarchy has inner nodes. A pair of nodes of `stop_level`
-/// has the node first that is left of the other. Otherwise as collide.
+/// as many steps without a parent as the hierarchy has inner nodes. In a pair of nodes of
+/// `stop_level`, the left node is first. Otherwise as collide.
 template <Volume V>
 Collision collide_self(const SelfCollider<V>& side, const CollideOptions& options = {});
 

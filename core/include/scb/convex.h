@@ -10,40 +10,40 @@
 
 namespace scb {
 
-/// What a surface measures, and what it encloses.
+/// The area of a closed surface, and the volume that it encloses.
 struct SurfaceMeasures {
     double area = 0,  ///< in the square of the mesh's unit of length
         volume = 0;   ///< in its cube
 };
 
-/// A face of a polytope: the points p of it have normal.p <= offset. The normal need not be a unit
+/// A face of a polytope, whose points p have normal.p <= offset. The normal need not be a unit
 /// vector.
 struct FacePlane {
-    /// Points out of the polytope.
+    /// Outward.
     Vec3 normal = Vec3::UnitZ();
-    /// Of the plane from the origin, in lengths of the normal.
+    /// The distance of the plane from the origin, times the length of the normal.
     double offset = 0;
 };
 
-/// A bounding volume that is known by its farthest points: all within `rounding` of a convex core.
-/// This is all that a volume of one's own must offer, next to a `fit`; see core/README.md, "Your
-/// own bounding volume in one header". A plain struct, and of it:
+/// A bounding volume given by its farthest points: all points within `rounding` of a convex core.
+/// Your own volume needs no more than this, see core/README.md, "Your own bounding volume in one
+/// header". A plain struct with
 /// - `center(v)`: a point in its middle, from which it is measured, in the body's frame;
 /// - `support_point(v, d)`: the point of the core, from the center, that is farthest in the
-///   direction d, which need not be a unit vector and is not zero. Right to rounding in every
-///   direction, also along the volume's own axes and faces: what it falls short of, collisions may
-///   be lost by;
+///   direction d, which need not be a unit vector and is not zero. Correct to rounding in every
+///   direction, also along the volume's own axes and faces: if it falls short, collisions may be
+///   lost;
 /// - `rounding(v)`: a length, 0 or more;
-/// - `contains(v, p)`: whether a point of the body's frame is inside or on the surface. All points
-///   that it was fitted to are, exactly as this rounds;
+/// - `contains(v, p)`: whether a point of the body's frame is inside or on the surface. True for
+///   all points that the volume was fitted to, with the rounding of this function;
 /// - `fit(v, points)`, with `points` a FitPoints;
 /// - `V::title`, a name for pictures, and `V::support_operations`, what `support_point` costs in
 ///   additions, multiplications, divisions and roots.
 ///
-/// It may have `measures(v)`, its area and volume in closed form, a SurfaceMeasures; without it
-/// they are those of a polytope, and traversals by area or volume go by its box. A polytope may
-/// have `faces(v)`, a vector of FacePlane from the center: pictures and exported meshes then have
-/// its very faces. Without it, what is not rounded is drawn as a polytope that touches it in 98
+/// It may have `measures(v)`, its area and volume in closed form, a SurfaceMeasures; without it, a
+/// polytope is measured, and traversals by area or volume use the box. A polytope may have
+/// `faces(v)`, a vector of FacePlane from the center: pictures and exported meshes then have these
+/// faces. Without it, a volume that is not rounded is drawn as a polytope that touches it in 98
 /// directions.
 template <class V>
 concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
@@ -55,14 +55,14 @@ concept ConvexVolume = requires(V& v, const V& c, const Vec3& x) {
     { V::support_operations } -> std::convertible_to<unsigned>;
 };
 
-/// A radius whose square, as it is rounded, is no less than this.
+/// A radius whose rounded square is no less than `squared`.
 inline double radius_of_square(double squared) {
     double radius = std::sqrt(squared);
     while (radius * radius < squared) radius = std::nextafter(radius, HUGE_VAL);
     return radius;
 }
 
-// The functions below serve every convex volume that has none of its own.
+// The functions below are the defaults of all convex volumes.
 
 /// How far the volume reaches from its center in the unit direction d.
 template <ConvexVolume V>
@@ -96,7 +96,7 @@ double thickness(const V& v) {
     return 2 * half_extents(v).minCoeff();
 }
 
-/// Whether all that can be asked of it is finite.
+/// Whether center, extents and rounding are finite, and the last two not negative.
 template <ConvexVolume V>
 bool is_well_formed(const V& v) {
     const Vec3 half = half_extents(v);
@@ -104,7 +104,7 @@ bool is_well_formed(const V& v) {
            std::isfinite(rounding(v)) && rounding(v) >= 0;
 }
 
-/// The distance from the origin within which the volume is.
+/// A distance from the origin that no point of the volume exceeds.
 template <ConvexVolume V>
 double reach(const V& v) {
     Vec3 most;
@@ -113,15 +113,15 @@ double reach(const V& v) {
     return std::sqrt(squared_norm(center(v))) + std::sqrt(squared_norm(most));
 }
 
-/// The area and volume of the polytope within the planes, face by face, and exact but for rounding;
-/// `size` is a length that it does not exceed, about the origin.
+/// The area and volume of the polytope within the planes, face by face, exact up to rounding. The
+/// polytope must be within the distance `size` of the origin.
 SurfaceMeasures polytope_measures(std::span<const FacePlane> planes, double size);
 
-/// The directions in which a polytope touches a volume that stands for it.
+/// The directions in which a polytope touches the volume that it is drawn and measured for.
 std::span<const Vec3> touching_directions();
 
-/// In closed form, or of the polytope that it is, or of the one that touches it, which has a little
-/// more.
+/// Area and volume: in closed form, or from its faces, or from the polytope that touches it, which
+/// is slightly larger.
 template <ConvexVolume V>
 SurfaceMeasures surface_measures(const V& v) {
     if constexpr (requires { measures(v); }) {
@@ -146,7 +146,7 @@ double volume(const V& v) {
     return surface_measures(v).volume;
 }
 
-/// What a traversal divides by: area and volume in closed form, else those of the box, since to go
+/// The area and volume that descent rules compare: in closed form, else of the box, since to go
 /// through faces at each test would take longer than the test.
 template <ConvexVolume V>
 SurfaceMeasures descent_measures(const V& v) {

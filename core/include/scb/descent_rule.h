@@ -6,8 +6,8 @@
 
 namespace scb {
 
-/// Which of two overlapping nodes is divided: A's where its size is not below B's, so a tie divides
-/// A. A node that cannot be divided never is.
+/// Which of two overlapping nodes is divided: A's node if its size is not below the size of B's, so
+/// a tie divides A. If one cannot be divided, the other is.
 enum class DescentRule {
     radius,       ///< the larger descent_size: the paper's rule (Section 5)
     area,         ///< the larger surface area

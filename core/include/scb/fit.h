@@ -19,16 +19,16 @@ enum class BallGrowth {
     ritter,  ///< each point outside moves the center towards itself, as in Ritter's ball
 };
 
-/// How a Ball is fitted. The ball of an Scb is always the first.
+/// How a Ball is fitted. The ball of an Scb is always `minimum`.
 enum class BallMethod {
     minimum,  ///< Figure 3, lines 1 to 6: the minimum ball of the extremal points, grown
     ritter,   ///< Ritter's ball (Section 5, last comparison)
 };
 
-/// What fits did, summed over them; for showing that the work is linear.
+/// The work of fits, summed; it shows that the work is linear.
 struct FitCounts {
     std::uint64_t point_visits =
-        0;  ///< points looked at: by every pass of the ball's fit and of every slab tried
+        0;  ///< points visited by all passes of the ball's fit and for all slabs tried
     std::uint64_t candidate_slabs = 0;  ///< slabs tried besides the DOP's
 
     /// Adds the counts of other fits.
@@ -41,10 +41,10 @@ struct FitCounts {
 /// "ritter", "radius": the names of the command line.
 std::string_view ball_growth_name(BallGrowth growth);
 
-/// How volumes are fitted. What a kind of volume has no use for is ignored.
+/// How volumes are fitted. Options that a kind of volume does not use are ignored.
 struct FitOptions {
-    /// Over the models that this was measured on, Ritter's shift made some 2 % of the larger nodes
-    /// smaller and hardly any larger (summed area -0.05 %), at the same cost.
+    /// Over the measured models, Ritter's shift made some 2 % of the larger nodes smaller and
+    /// hardly any larger (summed area -0.05 %), at the same cost.
     BallGrowth growth = BallGrowth::ritter;
     /// How a Ball is fitted.
     BallMethod ball_method = BallMethod::minimum;
@@ -65,14 +65,14 @@ struct FitOptions {
 /// extremal point (where n <= 26 any point) farthest from their line. A pair that coincides, or
 /// whose points are all collinear, gives no plane. `f <= 0 <= e`, both within the radius.
 ///
-/// Scb2: the same ball and slab; the second slab is the narrowest at right angles to it, as the
-/// extremal points (where n <= 26 all points) see it.
+/// Scb2: the same ball and slab; the second slab is the narrowest at right angles to it for the
+/// extremal points (for all points if n <= 26).
 ///
 /// Ball: the same ball, or Ritter's.
 ///
 /// Obb: axes from the area-weighted covariance of the triangles (Gottschalk, Lin, Manocha,
-/// "OBBTree", 1996, as in RAPID), of the points where there are no triangles or they have no area;
-/// sides along them as tight as can be.
+/// "OBBTree", 1996, as in RAPID), or of the points if there are no triangles or they have no area;
+/// the box along these axes is as small as possible.
 ///
 /// At least one point, all finite: throws InputError otherwise.
 Scb fit_scb(std::span<const Vec3> points, const FitOptions& options = {});

@@ -9,11 +9,11 @@ namespace scb {
 
 struct FitInput;
 
-/// The points of a node, as a volume of one's own is fitted to them: `fit(result, points)`, see
-/// convex.h. There is at least one; their order is that of the mesh, on any number of threads.
+/// The points of a node, to which `fit(result, points)` fits a volume, see convex.h. At least one
+/// point, in the order of the mesh for any number of threads.
 class FitPoints {
   public:
-    /// For the library itself, which owns what it refers to.
+    /// For the library itself. Refers to `input`, which must outlive it.
     explicit FitPoints(const FitInput& input);
 
     /// How many points there are, at least 1.
@@ -25,7 +25,7 @@ class FitPoints {
     }
 
     /// The least of direction.p over the points p, for one of `dop_directions` by its index. They
-    /// are not unit vectors. It is known already, however many points there are.
+    /// are not unit vectors. O(1).
     double lower(std::size_t direction) const;
     /// The greatest of direction.p, likewise.
     double upper(std::size_t direction) const;

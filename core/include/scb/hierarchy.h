@@ -19,7 +19,7 @@ struct BuildOptions {
     /// How many threads build it; it is the same for any number.
     int threads = 1;
 
-    /// What of this the topology depends on.
+    /// The options that the topology depends on.
     TopologyOptions topology() const { return {split, threads, fit.simd}; }
 };
 
@@ -33,16 +33,16 @@ struct Hierarchy {
     std::vector<V> volumes;
 };
 
-/// Topology and volumes at once. Throws InputError where check_mesh does and where the margin is
-/// below 0 or not a number; `name` says which mesh it is.
+/// Topology and volumes at once. Throws InputError as check_mesh does, and if the margin is below 0
+/// or not a number. `name` is the name of the mesh in the message.
 template <Volume V>
 Hierarchy<V> build_hierarchy(const Mesh& mesh, const BuildOptions& options = {},
                              std::string_view name = "mesh");
 
-/// Checks that the hierarchy is one of this mesh: every triangle in exactly one leaf, the ranges of
-/// two children make up their parent's, and every vertex of a node's triangles is contained in its
-/// volume. Empty where all holds, else a sentence that names the first node at which it does not.
-/// O(n log n).
+/// Checks that the hierarchy is valid for this mesh: every triangle is in exactly one leaf, the
+/// ranges of two children make up the range of their parent, and every vertex of a node's triangles
+/// is contained in its volume. Returns an empty string if so, else a sentence that names the first
+/// invalid node. O(n log n).
 template <Volume V>
 std::string validate(const Hierarchy<V>& hierarchy, const Mesh& mesh);
 

@@ -10,7 +10,7 @@
 
 namespace scb {
 
-/// The 13 directions of the 26-DOP, of coordinates 0, 1 and -1: three axes, six edges and four
+/// The 13 directions of the 26-DOP, with coordinates 0, 1 and -1: three axes, six edges and four
 /// corners of a cube.
 inline constexpr std::array<std::array<double, 3>, 13> dop_directions = {{{1, 0, 0},
                                                                           {0, 1, 0},
@@ -35,13 +35,13 @@ struct DopSlabs {
     const double* lower;
     /// The greatest direction.p of each slab.
     const double* upper;
-    /// How many slabs there are.
+    /// The number of slabs.
     int count;
 };
 
-/// A farthest corner of the polytope in the direction d, in its own frame: by the dual simplex
-/// method, from the corner of its box. Where the method ends early, by rounding or of a polytope
-/// without points, the point is beyond the corner: it never reaches less far.
+/// A farthest corner of the polytope in the direction d, in its own frame, by the dual simplex
+/// method, which starts at a corner of its box. If the method ends early, by rounding or because
+/// the polytope is empty, the result is a point beyond the farthest corner, never short of it.
 Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d);
 
 /// Its faces' planes, from the center.
@@ -50,20 +50,20 @@ std::vector<FacePlane> faces(const DopSlabs& slabs, const Vec3& center);
 /// A discrete orientation polytope with k faces, 14, 18 or 26, fixed in the body's frame
 /// (Klosowski, Held, Mitchell, Sowizral and Zikan, "Efficient Collision Detection Using Bounding
 /// Volume Hierarchies of k-DOPs", 1998): along the axes, and along the corners of a cube, the
-/// edges, or both. Two of them are tested exactly, by their farthest points. The literature's test,
-/// with the k-DOP about the turned one, lets more pass.
+/// edges, or both. Two of them are tested exactly, by their farthest points. The test of the
+/// literature, with the k-DOP about the turned one, lets more pairs pass.
 template <int k>
 struct KDop {
     static_assert(k == 14 || k == 18 || k == 26);
-    /// How many slabs it is cut by.
+    /// The number of its slabs.
     static constexpr int slabs = k / 2;
-    /// What pictures call it.
+    /// Its name in pictures.
     static constexpr const char* title = k == 14 ? "14-DOP" : k == 18 ? "18-DOP" : "26-DOP";
-    /// Of 2.3, 2.5 and 2.7 corners, the mean over queries of horse, tr12j and boeing: 50 and 7 a
-    /// slab for each, 27 for the step to the next.
+    /// The search visits 2.3, 2.5 and 2.7 corners, the means over queries of horse, tr12j and
+    /// boeing. A corner takes 50 operations and 7 per slab, the step to the next corner 27.
     static constexpr unsigned support_operations = k == 14 ? 260 : k == 18 ? 320 : 430;
 
-    /// Which of the directions, ascending.
+    /// Its directions, as ascending indices of `dop_directions`.
     static constexpr std::array<int, slabs> which = [] {
         std::array<int, slabs> result{};
         int next = 0;
@@ -80,7 +80,7 @@ struct KDop {
 using KDop14 = KDop<14>;
 /// Along the axes and the edges of a cube.
 using KDop18 = KDop<18>;
-/// Along all three.
+/// Along the axes, the corners and the edges of a cube.
 using KDop26 = KDop<26>;
 
 /// Its slabs, which must not outlive it.
@@ -89,7 +89,8 @@ DopSlabs slabs_of(const KDop<k>& v) {
     return {v.which.data(), v.lower.data(), v.upper.data(), v.slabs};
 }
 
-/// The center of its box along the axes. The corners that the faces cut off may leave it outside.
+/// The center of its box along the axes. It may be outside the k-DOP if faces cut off corners of
+/// the box.
 template <int k>
 Vec3 center(const KDop<k>& v) {
     return 0.5 *
@@ -138,7 +139,7 @@ void fit(KDop<k>& result, const FitPoints& points) {
     }
 }
 
-/// Half the sides of its box, which the first three slabs are.
+/// Half the sides of its box, which its first three slabs form.
 template <int k>
 Vec3 half_extents(const KDop<k>& v) {
     return 0.5 *

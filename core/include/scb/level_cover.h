@@ -7,11 +7,11 @@
 
 namespace scb {
 
-/// The level that means all leaves, wherever they are.
+/// The level that stands for all leaves, at any depth.
 inline constexpr int leaf_level = -1;
 
-/// The nodes that cover a body at a level: those at that depth, and the leaves above it. In the
-/// order of the nodes. `leaf_level`: all leaves.
+/// The nodes that cover a body at a level: the nodes at that depth and the leaves above it, in the
+/// order of Topology::nodes. `leaf_level`: all leaves.
 std::vector<std::uint32_t> level_cover(const Topology& topology, int level);
 
 /// The depth of the deepest node.

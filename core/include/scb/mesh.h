@@ -19,7 +19,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct Mesh {
     /// Points, in any unit of length.
     std::vector<Vec3> vertices;
-    /// Three of them each.
+    /// Three vertices each.
     std::vector<Triangle> triangles;
 };
 
@@ -54,16 +54,16 @@ inline constexpr std::size_t max_triangles = std::size_t{1} << 30;
 /// The most vertices that a hierarchy can index.
 inline constexpr std::size_t max_vertices = std::size_t{1} << 31;
 
-/// Throws InputError, naming the first offender, where the mesh has no triangles, too many of them
-/// or of vertices, an index out of range, or a used vertex that is not finite or beyond
-/// max_coordinate. `name` says which mesh it is.
+/// Throws InputError, naming the first offender, if the mesh has no triangles, too many triangles
+/// or vertices, an index out of range, or a used vertex that is not finite or beyond
+/// max_coordinate. `name` is the name of the mesh in the message.
 void check_mesh(const Mesh& mesh, std::string_view name);
 
 /// The box of the vertices that triangles use.
 Box bounding_box(const Mesh& mesh);
 
-/// Per vertex the first vertex at the same position (0 and -0 are equal): vertices of one value are
-/// one vertex. A vertex that is not finite has the value 2^32 - 1.
+/// Per vertex the first vertex at the same position (0 and -0 are equal): vertices with equal
+/// values are one vertex. A vertex that is not finite has the value 2^32 - 1.
 std::vector<std::uint32_t> joined_vertices(const Mesh& mesh);
 
 }  // namespace scb

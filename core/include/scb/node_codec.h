@@ -11,26 +11,26 @@
 namespace scb {
 
 /// How the volumes of a wide node's children are stored: a structure of arrays of `width` volumes,
-/// whose centers are relative to the node's own. A codec is for one type of volume, and has
-/// `encode`, `decode` and the arrays that kernels read; see load_children. What it decodes to is
-/// exactly what kernels compute with.
+/// relative to the center of the node's own volume. A codec is for one type of volume. It has
+/// `encode`, `decode` and the arrays that kernels read; see load_children. Kernels compute with
+/// exactly the decoded volumes.
 
 /// As floats.
 template <int width, class V = Scb>
 struct FloatCodec;
 
-/// As 16-bit numbers, times one power of two for centers and radii and others for slabs (Section
-/// 1.1 has 26 bytes for an SCB: floats but for the slab). Components of normals and quaternions are
-/// in units of 2^-15.
+/// As 16-bit numbers, times one power of two for centers and radii and others for slabs (an SCB of
+/// Section 1.1 has 26 bytes: floats, except for the slab). Components of normals and quaternions
+/// are in units of 2^-15.
 template <int width, class V = Scb>
 struct QuantizedCodec;
 
 /// 36 bytes for each: 9 floats.
 template <int width_>
 struct FloatCodec<width_, Scb> {
-    /// What is encoded.
+    /// The type of encoded volumes.
     using Volume = Scb;
-    /// What it is decoded to.
+    /// The type of decoded volumes.
     using Decoded = PackedScb;
     /// How many volumes it holds.
     static constexpr int width = width_;
@@ -42,16 +42,16 @@ struct FloatCodec<width_, Scb> {
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
-    /// The i-th volume as it is stored: it holds the one that was encoded.
+    /// The i-th volume as it is stored; contains the encoded one.
     PackedScb decode(std::size_t i) const;
 };
 
 /// 44 bytes for each: 11 floats.
 template <int width_>
 struct FloatCodec<width_, Scb2> {
-    /// What is encoded.
+    /// The type of encoded volumes.
     using Volume = Scb2;
-    /// What it is decoded to.
+    /// The type of decoded volumes.
     using Decoded = PackedScb2;
     /// How many volumes it holds.
     static constexpr int width = width_;
@@ -63,16 +63,16 @@ struct FloatCodec<width_, Scb2> {
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb2> volumes, const Vec3& origin);
-    /// The i-th volume as it is stored: it holds the one that was encoded.
+    /// The i-th volume as it is stored; contains the encoded one.
     PackedScb2 decode(std::size_t i) const;
 };
 
 /// 18 bytes for each.
 template <int width_>
 struct QuantizedCodec<width_, Scb> {
-    /// What is encoded.
+    /// The type of encoded volumes.
     using Volume = Scb;
-    /// What it is decoded to.
+    /// The type of decoded volumes.
     using Decoded = PackedScb;
     /// How many volumes it holds.
     static constexpr int width = width_;
@@ -86,16 +86,16 @@ struct QuantizedCodec<width_, Scb> {
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb> volumes, const Vec3& origin);
-    /// The i-th volume as it is stored: it holds the one that was encoded.
+    /// The i-th volume as it is stored; contains the encoded one.
     PackedScb decode(std::size_t i) const;
 };
 
 /// 22 bytes for each: a quaternion has three numbers, as a normal has.
 template <int width_>
 struct QuantizedCodec<width_, Scb2> {
-    /// What is encoded.
+    /// The type of encoded volumes.
     using Volume = Scb2;
-    /// What it is decoded to.
+    /// The type of decoded volumes.
     using Decoded = PackedScb2;
     /// How many volumes it holds.
     static constexpr int width = width_;
@@ -109,14 +109,14 @@ struct QuantizedCodec<width_, Scb2> {
 
     /// Stores the volumes, at most `width`, in the frame of `origin`; zeros behind them.
     void encode(std::span<const Scb2> volumes, const Vec3& origin);
-    /// The i-th volume as it is stored: it holds the one that was encoded.
+    /// The i-th volume as it is stored; contains the encoded one.
     PackedScb2 decode(std::size_t i) const;
 };
 
-/// What a component of a quantized normal or quaternion counts in.
+/// The unit of the components of quantized normals and quaternions.
 inline constexpr float direction_unit = 0x1p-15f;
 
-/// One of T<Codec>, for every codec there is.
+/// A variant of T<Codec> over all codecs.
 template <template <class> class T>
 using AnyCodec =
     std::variant<T<FloatCodec<2>>, T<FloatCodec<4>>, T<FloatCodec<8>>, T<QuantizedCodec<2>>,

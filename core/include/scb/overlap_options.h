@@ -9,10 +9,10 @@
 
 namespace scb {
 
-/// The overlap tests for two slab cut balls, by name. All but the first never reject a pair that
-/// overlaps or touches; all of them let some pairs pass that do not.
+/// The overlap tests for two slab cut balls, by name. Except for `printed`, no test rejects a pair
+/// that overlaps or touches. Every test lets some pairs pass that do neither.
 enum class OverlapTest {
-    printed,    ///< Figure 8 as printed, with both errors: to show what they do
+    printed,    ///< Figure 8 as printed, to show the effect of its errors
     line8,      ///< Figure 8 with line 8 corrected, lines 20 and 23 as printed
     corrected,  ///< Figure 8 with both corrected
     symmetric,  ///< Figure 8 without cases and threshold: rejects all that `corrected` rejects
@@ -26,23 +26,23 @@ std::optional<OverlapTest> overlap_test_of(std::string_view name);
 /// All tests, in the order in which they are declared.
 std::span<const OverlapTest> all_overlap_tests();
 
-/// Whether OverlapOptions::threshold means anything to the test.
+/// Whether the test uses OverlapOptions::threshold.
 bool has_threshold(OverlapTest test);
 
 /// Whether the test never rejects volumes that overlap or touch: all but `printed`.
 bool is_sound(OverlapTest test);
 
-/// How two slab cut balls are tested. Of other volumes it says nothing.
+/// How two slab cut balls are tested. Ignored for other volumes.
 struct OverlapOptions {
     OverlapTest test = OverlapTest::symmetric;  ///< the quickest over Table 3's scenes
     /// The paper's a, from 0 to 1, for the forms of Figure 8; below 0 they would reject wrongly.
     double threshold = 0.7;
 };
 
-/// "symmetric", "corrected a=0.7": with the threshold, where the test has one.
+/// "symmetric", "corrected a=0.7": with the threshold if the test has one.
 std::string overlap_title(const OverlapOptions& options);
 
-/// The stages at which this test of slab cut balls can reject, in the order in which it makes them.
+/// The stages at which this test of slab cut balls can reject, in the order of the test.
 std::span<const Stage> stages_of(OverlapTest test);
 /// The same for balls.
 std::span<const Stage> ball_stages();

@@ -14,7 +14,7 @@ namespace scb {
 /// The most triangles of a packed leaf.
 inline constexpr int most_leaf_triangles = 4;
 
-/// Which wide node or leaf a child is.
+/// A reference to a wide node or a leaf.
 struct PackedRef {
     /// Set in `bits` of a leaf.
     static constexpr std::uint32_t leaf_bit = std::uint32_t{1} << 31;
@@ -23,41 +23,43 @@ struct PackedRef {
 
     /// Whether it is a leaf.
     bool is_leaf() const { return (bits & leaf_bit) != 0; }
-    /// Of a node: its index; of a leaf: which word is its first, see PackedLeaf.
+    /// The index of a node, or the index of a leaf's first word, see PackedLeaf.
     std::uint32_t index() const { return bits & ~leaf_bit; }
 };
 
-/// A node with up to `width` children, and its own volume, whose center is the origin of theirs.
-/// Kernels load four numbers of an array of two: what is behind the volumes is theirs to read. So
-/// floats are: whole numbers would be denormal ones, with which tests take up to twice as long.
+/// A node with up to `width` children, and its own volume. The children's volumes are relative to
+/// the center of its own. Kernels load four numbers from an array of two, and so read beyond the
+/// volumes. Floats follow there: integers would be read as denormal floats, with which tests take
+/// up to twice as long.
 template <class Codec>
 struct PackedNode {
     std::uint32_t child[Codec::width] = {};  ///< bits of PackedRef
     /// How many children it has.
     std::uint16_t count = 0;
     std::uint16_t leaf_bits = 0;  ///< bit i: child i is a leaf
-    /// The volumes of the children, their centers relative to that of `own`.
+    /// The volumes of the children, relative to the center of `own`.
     Codec volumes;
-    float reach = 0;  ///< no child, nor the own volume, reaches farther from the origin
+    float reach = 0;  ///< no volume of the node reaches farther from the center of `own`
     /// Its own volume, in the body frame.
     typename Codec::Decoded own;
 };
 
-/// A leaf, as words of 4 bytes: the center and radius of its volume, how many triangles it has,
-/// their indices, and, where they are stored, the coordinates of their corners relative to the
-/// center: x of all first corners, y, z, then those of the second and third corners. The slabs of
-/// its volume are before all this: triangles need the ball alone. Words are floats, of which counts
-/// and indices have the bits: these are moved and compared, not computed with.
+/// A leaf, as words of 4 bytes: the center and radius of its volume, the number of its triangles,
+/// their indices, and, if stored, the coordinates of their corners relative to the center: x of all
+/// first corners, then y, then z, then the same for the second and third corners. The slabs of its
+/// volume stand before these words, since tests of triangles need the ball alone. Words are floats;
+/// counts and indices are stored as their bits, which are moved and compared, but not computed
+/// with.
 struct PackedLeaf {
-    /// What queries fetch ahead, three lines of a cache, nearly all of the largest leaf. Shorter
-    /// leaves have fewer, so that as many are allocated behind the last one.
+    /// The words that queries prefetch: three cache lines, nearly all of the largest leaf. Shorter
+    /// leaves have fewer words, so as many are allocated behind the last leaf.
     static constexpr std::size_t fetched_words = 48;
     static constexpr std::size_t ball = 4,  ///< words of the ball
         header = ball + 1;                  ///< words before the indices
-    /// The first word, that of the center.
+    /// The first word of the center.
     const float* words = nullptr;
 
-    /// The volume: a PackedScb or a PackedScb2, whichever the layout has.
+    /// The volume: a PackedScb or a PackedScb2, depending on the layout.
     template <class Volume>
     Volume own() const {
         Volume volume;
@@ -80,14 +82,14 @@ struct PackedLeaf {
     const float* triangle_bits() const { return words + header; }
     /// The stored corners, 9 floats a triangle; not there with LeafCorners::in_mesh.
     const float* corners() const { return words + header + count(); }
-    /// The words of a leaf of so many triangles, from its center on.
+    /// The number of words of a leaf with `count` triangles, from its center on.
     static constexpr std::size_t size(std::size_t count, LeafCorners corners) {
         return header + (corners == LeafCorners::stored ? 10 : 1) * count;
     }
-    /// Those of the slabs of its volume, before the center.
+    /// The number of words of its volume's slabs, before the center.
     template <class Volume>
     static constexpr std::size_t words_before = sizeof(Volume) / sizeof(float) - ball;
-    /// Writes the volume, all but the corners.
+    /// Writes the volume: its ball, and its slabs before the ball.
     template <class Volume>
     static void write_volume(float* words, const Volume& volume) {
         std::memcpy(words, &volume, sizeof(float) * ball);
@@ -98,36 +100,35 @@ struct PackedLeaf {
     static void write_corners(float* words, const Mesh& mesh);
 };
 
-/// A hierarchy of slab cut balls, with one slab or two, made for queries: wide nodes whose volumes
-/// and triangles are rounded to less memory, outward, so that a query finds the same pairs as with
-/// the hierarchy that it was made of, see collide_packed. Immutable once built.
+/// A hierarchy of slab cut balls, with one slab or two, made for queries: wide nodes, with volumes
+/// and triangles rounded to less memory such that a query finds the same pairs as with the
+/// hierarchy that it was packed from, see collide_packed. Immutable once built.
 template <class Codec>
 struct PackedHierarchy {
     std::vector<PackedNode<Codec>> nodes;  ///< parents first
-    std::vector<float> leaves;             ///< words, and a few that kernels may read behind them
+    std::vector<float> leaves;             ///< their words, and a few more that kernels may read
     /// Where a query begins.
     PackedRef root;
     /// Where the corners of its leaves' triangles are.
     LeafCorners corners = LeafCorners::stored;
-    double reach = 0;  ///< of the reference hierarchy's root from the origin of the body frame
-    double leaf_radius = 0;  ///< of the leaves' balls, the mean
+    double reach = 0;        ///< of the reference hierarchy's root, from the body frame's origin
+    double leaf_radius = 0;  ///< mean radius of the leaves' balls
 
-    /// The leaf that `ref` names, which must be one; refers to `leaves`.
+    /// The leaf that `ref` names; `ref` must be a leaf. Refers to `leaves`.
     PackedLeaf leaf(PackedRef ref) const { return {leaves.data() + ref.index()}; }
-    /// The memory that nodes and leaves take.
+    /// The memory of nodes and leaves.
     std::size_t bytes() const {
         return nodes.size() * sizeof(PackedNode<Codec>) + leaves.size() * sizeof(float);
     }
 };
 
-/// Throws InputError, naming the mesh, where its coordinates are beyond what floats hold with room
-/// for their products: 1e8 in magnitude, or a size below 1e-8.
+/// Throws InputError, naming the mesh, if products of its coordinates may leave the range of
+/// floats: coordinates above 1e8 in magnitude, or a size below 1e-8.
 void check_packable(const Mesh& mesh, std::string_view name);
 
 /// Packs a hierarchy of this mesh, `leaf_triangles` (1 to 4) triangles at most in a leaf; the same
-/// for any number of threads. Throws InputError, naming the mesh, where check_packable does, and
-/// where its leaves are more than 2^31 words, which are 100 to 170 million triangles with corners.
-/// O(n).
+/// for any number of threads. Throws InputError, naming the mesh, as check_packable does, and if
+/// its leaves have more than 2^31 words: 100 to 170 million triangles with corners. O(n).
 template <class Codec>
 PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, const Mesh& mesh,
                             int leaf_triangles = most_leaf_triangles,
@@ -136,11 +137,11 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
 
 /// The codec with which queries are quickest, on scans and on CAD models, see core/README.md.
 using QuickestCodec = QuantizedCodec<8, Scb2>;
-/// How packed hierarchies are built unless told otherwise.
+/// How packed hierarchies are built by default.
 inline constexpr BuildOptions packed_build = {.split = SplitMethod::cost};
 
-/// The same as `pack<Codec>(build_hierarchy<Codec::Volume>(mesh, options, name), mesh, ...)`,
-/// sooner: volumes that no packed hierarchy of these leaves has are not fitted.
+/// The same result as `pack<Codec>(build_hierarchy<Codec::Volume>(mesh, options, name), mesh,
+/// ...)`, in less time: volumes that the packed hierarchy does not have are not fitted.
 template <class Codec = QuickestCodec>
 PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options = packed_build,
                                     int leaf_triangles = most_leaf_triangles,
@@ -148,9 +149,9 @@ PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& option
                                     std::string_view name = "mesh");
 
 /// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
-/// its own volume and in the one that its parent has of it, as decoded, and that corners are the
-/// nearest floats. Empty where all holds, else a sentence that names the first offender. O(n log
-/// n).
+/// its own volume and in the decoded volume that its parent stores for it, and that corners are the
+/// nearest floats. Returns an empty string if so, else a sentence that names the first offender.
+/// O(n log n).
 template <class Codec>
 std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh);
 

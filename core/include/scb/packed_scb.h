@@ -5,8 +5,8 @@
 namespace scb {
 
 /// A slab cut ball as 9 floats, 36 bytes: the points x with |x - c| <= r and |n.(x - c) - m| <= h.
-/// The slab is its middle, m, and half its thickness, h, of which overlap tests are made. `n` is a
-/// unit vector as far as floats go.
+/// Overlap tests use the slab's middle, m, and half its thickness, h. `n` is a unit vector to the
+/// precision of floats.
 struct PackedScb {
     /// Center, relative to an origin that is known elsewhere.
     float c[3] = {0, 0, 0};
@@ -26,8 +26,8 @@ inline Vec3 center(const PackedScb& scb) {
             static_cast<double>(scb.c[2])};
 }
 
-/// The SCB in floats, its center relative to `origin`; holds all of it (Section 1.1, and after
-/// rounding the normal the slab is refitted to it).
+/// The SCB in floats, its center relative to `origin`. Contains all of `scb` (Section 1.1; the slab
+/// is refitted to the rounded normal).
 PackedScb packed(const Scb& scb, const Vec3& origin);
 
 /// Whether the point, relative to the origin, is inside or on the surface.

@@ -38,13 +38,13 @@ Vector3<T> transform_direction(const BasicPose<T>& pose, const Vector3<T>& direc
     return rotate(pose.rotation, direction);
 }
 
-/// Of doubles, also where arguments are Eigen's expressions, which templates do not deduce.
+/// For doubles, and for Eigen's expressions, from which templates cannot deduce T.
 inline Vec3 rotate(const Mat3& m, const Vec3& v) { return rotate<double>(m, v); }
-/// Of doubles, likewise.
+/// For doubles, likewise.
 inline Vec3 transform_point(const Pose& pose, const Vec3& point) {
     return transform_point<double>(pose, point);
 }
-/// Of doubles, likewise.
+/// For doubles, likewise.
 inline Vec3 transform_direction(const Pose& pose, const Vec3& direction) {
     return transform_direction<double>(pose, direction);
 }

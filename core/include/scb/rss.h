@@ -13,14 +13,14 @@ namespace scb {
 /// Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept Sphere Volumes", 1999: the
 /// volume of PQP, and one of FCL's.)
 struct Rss {
-    /// What pictures call it.
+    /// Its name in pictures.
     static constexpr const char* title = "RSS";
-    /// What `support_point` costs, see ConvexVolume.
+    /// The cost of `support_point`, see ConvexVolume.
     static constexpr unsigned support_operations = 18;
 
     Vec3 center = Vec3::Zero();                         ///< the middle of the rectangle
     Vec3 half_sides[2] = {Vec3::Zero(), Vec3::Zero()};  ///< from there to the middles of its edges
-    /// How far it reaches from the rectangle.
+    /// The distance from the rectangle to the surface.
     double radius = 0;
 };
 
@@ -50,9 +50,9 @@ inline bool contains(const Rss& v, const Vec3& point) {
     return squared_distance(v, point) <= v.radius * v.radius;
 }
 
-/// The rectangle across the shortest of the principal axes, in the middle of the points' extent
-/// along it, half of which is the radius; its sides are as short as the balls about their ends
-/// allow, and then grown alike until the corners hold all points.
+/// The rectangle is across the shortest principal axis, in the middle of the points' extent along
+/// it. The radius is half this extent. The sides are as short as the balls about their ends allow,
+/// and then grow alike until the corners hold all points.
 inline void fit(Rss& result, const FitPoints& points) {
     const Mat3 axes = points.axes();
     const Vec3 origin = points[0];
@@ -117,7 +117,7 @@ inline double diameter(const Rss& v) {
 /// Thickness: twice the radius.
 inline double thickness(const Rss& v) { return 2 * v.radius; }
 
-/// By Steiner's formula: of the rectangle's area, half its perimeter, and the radius.
+/// By Steiner's formula, from the rectangle's area, half its perimeter, and the radius.
 inline SurfaceMeasures measures(const Rss& v) {
     using std::numbers::pi;
     const double a = std::sqrt(squared_norm(v.half_sides[0])),

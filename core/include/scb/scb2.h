@@ -30,7 +30,7 @@ struct BasicScb2 {
 /// In doubles: the volume of hierarchies.
 using Scb2 = BasicScb2<double>;
 
-/// The unit direction along both slabs: that of a needle.
+/// The unit direction along both slabs, the axis of a needle.
 template <class T>
 Vector3<T> long_axis(const BasicScb2<T>& scb) {
     return cross(scb.slabs[0].n, scb.slabs[1].n);
@@ -45,7 +45,7 @@ double volume(const Scb2& scb);
 /// Whether the point is inside or on the surface.
 bool contains(const Scb2& scb, const Vec3& point);
 
-/// Whether all is finite, the normals are unit vectors at right angles as far as rounding goes, and
+/// Whether all numbers are finite, the normals are unit vectors at right angles up to rounding, and
 /// `-r <= f <= 0 <= e <= r`.
 bool is_well_formed(const Scb2& scb);
 
@@ -57,7 +57,7 @@ inline double descent_size(const Scb2& scb) { return scb.r; }
 
 /// Diameter d = 2r (Section 3.1).
 inline double diameter(const Scb2& scb) { return 2 * scb.r; }
-/// Thickness tau, that of the thinner slab (Section 3.1).
+/// Thickness tau of the thinner slab (Section 3.1).
 inline double thickness(const Scb2& scb) {
     const auto of = [](const Slab& s) { return s.e - s.f; };
     return std::min(of(scb.slabs[0]), of(scb.slabs[1]));

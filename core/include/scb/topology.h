@@ -27,10 +27,10 @@ enum class SplitRule : std::uint8_t {
 /// How many rules there are.
 inline constexpr std::size_t split_rule_count = 8;
 
-/// The rule in words, fit for a table: "longest side".
+/// The rule in words, for tables: "longest side".
 std::string_view split_rule_name(SplitRule rule);
 
-/// A node: a range of `Topology::order`, and two children that follow each other.
+/// A node: a range of `Topology::order`, and two consecutive children.
 struct TopologyNode {
     std::uint32_t first = 0;  ///< start of the range in Topology::order
     std::uint32_t count = 0;  ///< triangles in the range, at least 1
@@ -41,9 +41,9 @@ struct TopologyNode {
 };
 
 /// The shape of a hierarchy, without volumes: a binary tree of ranges, one triangle per leaf.
-/// nodes[0] is the root; 2 n - 1 nodes for n triangles, and the 2 n - 2 below a node of n triangles
-/// are those from its left child on: first the children, then all below the left one, then all
-/// below the right one.
+/// nodes[0] is the root. n triangles make 2 n - 1 nodes. The 2 n - 2 nodes below a node of n
+/// triangles follow each other from its left child on: the two children, then all nodes below the
+/// left one, then all below the right one.
 struct Topology {
     /// Parents before their children.
     std::vector<TopologyNode> nodes;
@@ -54,7 +54,7 @@ struct Topology {
 /// How nodes are divided.
 enum class SplitMethod {
     section_3,  ///< by the rules of Section 3
-    cost,       ///< where the halves, by a surface area heuristic, cost least
+    cost,       ///< where a surface area heuristic gives the least cost
 };
 
 /// "paper", "cost": the names of the command line.
@@ -74,9 +74,9 @@ struct TopologyOptions {
 
 /// Builds the tree top down. By the rules of Section 3, the primitives' box is divided through its
 /// centroid across the longest side, by the centroids of the triangles; where a side gets less than
-/// 10 %, across the other sides in turn, then at the median of 7 randomly selected centroids. Where
-/// that fails too (centroids that coincide), at the middle index, so the depth is at most some 6.6
-/// log2 n whatever the input. The random numbers depend on the range alone.
+/// 10 %, across the other sides in turn, then at the median of 7 randomly selected centroids. If
+/// that fails too (centroids that coincide), the middle index divides, so the depth is at most some
+/// 6.6 log2 n for any input. The random numbers depend on the range alone.
 ///
 /// `mesh` must satisfy check_mesh. O(n log n), with another log n where centroids coincide.
 Topology build_topology(const Mesh& mesh, const TopologyOptions& options = {});

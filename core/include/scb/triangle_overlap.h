@@ -24,8 +24,8 @@ inline TriangleCorners transform_corners(const Pose& pose, const TriangleCorners
 
 /// Whether two triangles, closed sets in one frame, have a point in common: touching is
 /// overlapping, and degenerate triangles are the segments and points that they are. The answer is
-/// exact on the corners given, whatever finite doubles these are, so that it depends neither on
-/// the order of the corners nor on that of the triangles.
+/// exact for the given corners, any finite doubles, so it depends neither on the order of the
+/// corners nor on the order of the triangles.
 ///
 /// Corners of each against the plane of the other reject most pairs; then the two intervals in
 /// which the triangles meet the line of both planes are compared, all by orientation predicates,

@@ -15,8 +15,8 @@ using Vec3 = Vector3<double>;
 /// A 3 x 3 matrix of doubles.
 using Mat3 = Matrix3<double>;
 
-/// The scalar product. Like those below, it has one stated order of operations, so that every
-/// compiler rounds it alike.
+/// The scalar product. Like the functions below, it has one stated order of operations, so that
+/// every compiler rounds it alike.
 template <class T>
 T dot(const Vector3<T>& a, const Vector3<T>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -34,11 +34,11 @@ T squared_norm(const Vector3<T>& a) {
     return dot(a, a);
 }
 
-/// Of doubles, also where arguments are Eigen's expressions, which templates do not deduce.
+/// For doubles, and for Eigen's expressions, from which templates cannot deduce T.
 inline double dot(const Vec3& a, const Vec3& b) { return dot<double>(a, b); }
-/// Of doubles, likewise.
+/// For doubles, likewise.
 inline Vec3 cross(const Vec3& a, const Vec3& b) { return cross<double>(a, b); }
-/// Of doubles, likewise.
+/// For doubles, likewise.
 inline double squared_norm(const Vec3& a) { return squared_norm<double>(a); }
 
 }  // namespace scb

@@ -14,8 +14,8 @@
 
 namespace scb {
 
-/// What a bounding volume type must offer to be the volume of a hierarchy: a plain struct and these
-/// free functions. Templates for volumes are compiled for the types below.
+/// A bounding volume type that hierarchies can have: a plain struct with these free functions.
+/// Templates for volumes are compiled for the types below.
 template <class V>
 concept Volume = std::default_initializable<V> && std::copyable<V> &&
     requires(const V& c, const Vec3& p) {
@@ -42,8 +42,9 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
     X(Rss)                     \
     X(Capsule)
 
-/// Calls the macro X with each kind of volume that can be asked for: its name here, its type, and
-/// its name on the command line and in files. A type may have several, which differ in their fit.
+/// Calls the macro X with each kind of volume that a user can choose: its enumerator, its type, and
+/// its name on the command line and in files. Several kinds may have one type and differ in their
+/// fit.
 #define SCB_FOR_EACH_VOLUME_KIND(X)        \
     X(scb, Scb, "scb")                     \
     X(ball, Ball, "ball")                  \
@@ -58,7 +59,7 @@ concept Volume = std::default_initializable<V> && std::copyable<V> &&
     X(rss, Rss, "rss")                     \
     X(capsule, Capsule, "capsule")
 
-/// For the line below: the types of the list are volumes.
+/// For the next line, which checks that the types of the list are volumes.
 #define SCB_IS_VOLUME(V) static_assert(Volume<V>);
 SCB_FOR_EACH_VOLUME(SCB_IS_VOLUME)
 #undef SCB_IS_VOLUME
