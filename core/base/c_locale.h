@@ -4,8 +4,8 @@
 
 namespace scb {
 
-/// While it lives, printf, strtod and their like in this thread write and read numbers as in the C
-/// locale: with a point, whatever locale the host program has set (POSIX, uselocale).
+/// During its lifetime, printf, strtod and similar functions in this thread use the C locale:
+/// numbers have a decimal point, in any locale of the host program (POSIX, uselocale).
 class CLocale {
   public:
     CLocale() : before_(::uselocale(c())) {}

@@ -20,8 +20,8 @@ inline constexpr std::size_t double_lanes = part_lanes<double>(8);
 using Doubles = Lanes<double_lanes, double>;
 using Doubles3 = Lanes3<double_lanes, double>;
 
-/// The first index at which a number is that value, which one of them is; a whole number of
-/// vectors.
+/// The first index of `value`, which must be among the numbers. `count` is a multiple of the
+/// vector's size.
 HWY_INLINE std::size_t first_equal(const double* numbers, std::size_t count, double value) {
     for (std::size_t i = 0; i < count; i += double_lanes) {
         const auto equal = (Doubles::load(numbers + i) == Doubles::all(value)).v;

@@ -21,8 +21,8 @@ HWY_INLINE auto lane_parts(const Make& make, std::index_sequence<i...>) {
     return std::array<decltype(make(0)), sizeof...(i)>{make(i)...};
 }
 
-/// make(0), make(1) and so on: what takes `count` vectors. None is made before it has a value,
-/// which GCC 12 refuses for vectors of 64-bit ARM.
+/// A value in `count` vectors: make(0), make(1) and so on. Each is created with its value, since
+/// GCC 12 refuses vectors of 64-bit ARM without one.
 template <std::size_t count, class Make>
 HWY_INLINE auto lane_parts(const Make& make) {
     return lane_parts(make, std::make_index_sequence<count>());

@@ -112,7 +112,7 @@ HWY_INLINE Lanes<n, T> select(LaneMask<n, T> mask, Lanes<n, T> yes, Lanes<n, T> 
 }
 
 #if HWY_TARGET > HWY_AVX3
-/// For the bits of chosen lanes, where each of n lanes comes from when they move to the front.
+/// For each set of bits: the source of each of n lanes when the chosen lanes move to the front.
 template <int n>
 struct ChosenFrom {
     alignas(32) std::int32_t lane[1 << n][n] = {};
@@ -126,9 +126,9 @@ template <int n>
 inline constexpr ChosenFrom<n> chosen_from{};
 #endif
 
-/// Moves the lanes whose bits are set to the front, whatever is behind them. Not by Highway's
-/// CompressBits, which in version 1.0.3 copies its table to the stack for each call, nor by its
-/// CompressBitsStore, which takes Zen 4 and 5 a hundred cycles.
+/// Moves the lanes whose bits are set to the front; the lanes behind them are arbitrary. Highway's
+/// CompressBits copies its table to the stack for each call in version 1.0.3, and its
+/// CompressBitsStore takes a hundred cycles on Zen 4 and 5.
 template <int n>
 class ChosenLanes {
   public:
@@ -166,7 +166,8 @@ class ChosenLanes {
 #endif
 };
 
-/// Of `count` numbers, those whose bits are set; up to `count` are written to.
+/// Stores the numbers, of `count`, whose bits are set. Up to `count` elements of `to` are
+/// overwritten.
 template <int count>
 HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, std::uint32_t* to) {
     constexpr int n = part_lanes(count);
@@ -180,7 +181,7 @@ HWY_INLINE void store_chosen(const std::uint32_t* numbers, std::uint32_t bits, s
     }
 }
 
-/// Three coordinates of n things.
+/// Three coordinates in n lanes.
 template <int n, class T = float>
 struct Lanes3 {
     using Number = Lanes<n, T>;

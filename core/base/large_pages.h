@@ -5,10 +5,10 @@
 
 namespace scb {
 
-/// Asks the system for large pages where this memory is not yet touched: a first touch of each of
-/// the usual ones of 4 KiB takes about as long as building what a page holds. Advice to Linux,
-/// whose pages of 2 MiB wait to be asked for in many installations; elsewhere, and where no whole
-/// page of 2 MiB lies inside, nothing happens.
+/// Asks the system for large pages for memory that is not yet touched. The first touch of a usual
+/// page of 4 KiB takes about as long as building the data in it. This is advice to Linux, where
+/// many installations give pages of 2 MiB only on request. It does nothing on other systems, and if
+/// no whole page of 2 MiB lies inside.
 void prefer_large_pages(void* memory, std::size_t bytes);
 
 /// `vector.resize(count)` of an empty vector, in large pages.

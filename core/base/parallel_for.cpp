@@ -25,18 +25,18 @@ int processor_count() { return tbb::info::default_concurrency(); }
 
 namespace {
 
-// One for each number of threads, kept: it takes workers some fifty microseconds to come to an
-// arena that was just made.
+// One arena for each number of threads, kept: workers take some fifty microseconds to join a new
+// arena.
 tbb::task_arena& arena_of(int threads) {
     static std::mutex mutex;
     static std::map<int, tbb::task_arena> arenas;
     const std::lock_guard lock(mutex);
-    // More than there are CPUs would be refused with a warning on standard error.
+    // TBB refuses more threads than CPUs with a warning on standard error.
     const int used = std::min(threads, processor_count());
     return arenas.try_emplace(used, used).first->second;
 }
 
-// Isolated: a short query that waits for its own tasks does not take up those of a long build.
+// Isolated: a short query that waits for its own tasks does not run tasks of a long build.
 template <class Work>
 void in_arena(int threads, const Work& work) {
     arena_of(threads).execute([&] { tbb::this_task_arena::isolate(work); });
@@ -46,7 +46,7 @@ void in_arena(int threads, const Work& work) {
 
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
     in_arena(threads, [&] {
-        // Each by itself: they are few, and of unlike size.
+        // One task for each call: they are few, and of unlike size.
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, count, 1),
             [&](const tbb::blocked_range<std::size_t>& range) {

@@ -8,9 +8,9 @@ namespace scb {
 /// How many processors this program may run on: at least 1.
 int processor_count();
 
-// Threads that share some work, this one among them: `threads` at most, which is at least 1, and no
-// more than the machine has. All callers in the program share them. What one of them throws, the
-// first of several, is thrown here once all have ended.
+// These functions share work among threads, the calling one included: at most `threads`, which is
+// at least 1, and no more than the machine has. All callers in the program share the threads. The
+// first exception of the work is thrown here once all threads have ended.
 
 /// Calls `work(0)` to `work(count - 1)`, each once and in no order.
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
@@ -19,7 +19,7 @@ void parallel_for(int threads, std::size_t count, const std::function<void(std::
 void parallel_blocks(int threads, std::size_t count,
                      const std::function<void(std::size_t, std::size_t)>& work);
 
-/// Calls both, at the same time where a thread is free. May be called within either.
+/// Calls both, at the same time if a thread is free. May be called within either.
 void parallel_invoke(int threads, const std::function<void()>& first,
                      const std::function<void()>& second);
 

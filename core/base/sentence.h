@@ -6,7 +6,7 @@
 
 namespace scb {
 
-/// The parts, one behind the other, as a stream writes them whatever locale the host program has.
+/// The parts in sequence, as a stream writes them, independent of the host program's locale.
 template <class... Parts>
 std::string sentence(const Parts&... parts) {
     std::ostringstream text;

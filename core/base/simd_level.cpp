@@ -27,13 +27,13 @@ namespace {
 
 #if (HWY_TARGETS & (HWY_TARGETS - 1)) == 0
 
-// One target was compiled: nothing is to be chosen, nor is Highway's library needed.
+// One target was compiled: there is no choice, and Highway's library is not needed.
 std::size_t simd_target_index(SimdLevel) { return 0; }
 std::vector<SimdLevel> available_simd_levels() { return {SimdLevel::best, SimdLevel::base}; }
 
 #else
 
-// Asking the CPU takes a microsecond, and many where it is a virtual one.
+// Asking the CPU takes a microsecond, and many in a virtual machine.
 std::int64_t supported() {
     static const std::int64_t targets = hwy::SupportedTargets();
     return targets;

@@ -8,25 +8,25 @@
 
 namespace scb {
 
-/// What printf would print, as a string.
+/// The output of printf as a string.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
 /// For "%llu" of format: on some systems std::uint64_t is an `unsigned long`.
 constexpr unsigned long long wide(std::uint64_t value) { return value; }
 
-/// A character of UTF-8 counts once.
+/// The number of characters; a character of UTF-8 counts once.
 std::size_t character_count(std::string_view text);
 
-/// The text before as many blanks as it takes to that width, in characters.
+/// The text, with blanks after it up to that width in characters.
 std::string left_aligned(const std::string& text, std::size_t width);
 
-/// The text behind as many blanks as it takes to that width; a character of UTF-8 counts once.
+/// The text, with blanks before it up to that width in characters.
 std::string right_aligned(const std::string& text, std::size_t width);
 
-/// The shortest decimal text that reads back as the same double; "inf" and "nan" for those.
+/// The shortest decimal text that reads back as the same double; "inf" or "nan" if not finite.
 std::string exact_number(double value);
 
-/// "a, b, c": what `name` makes of each of a range, at most 20 of them and then "...".
+/// "a, b, c": `name` of each element of a range, at most 20 of them and then "...".
 template <class Range, class Name = std::identity>
 std::string name_list(const Range& range, Name name = {}) {
     constexpr std::size_t most = 20;
@@ -39,7 +39,7 @@ std::string name_list(const Range& range, Name name = {}) {
     return text;
 }
 
-/// What tells texts apart in few letters: FNV-1a of 32 bits (Fowler, Noll, Vo), as eight digits.
+/// A short key of a text: FNV-1a of 32 bits (Fowler, Noll, Vo), as eight digits.
 std::string short_hash(std::string_view text);
 
 }  // namespace scb

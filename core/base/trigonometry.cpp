@@ -8,7 +8,7 @@ namespace scb {
 
 SinCos sin_cos_turns(double turns) {
     assert(std::isfinite(turns) && "an angle must be finite");
-    // Both steps are exact: the nearest quarter, and what remains of it, at most pi/4 in radians.
+    // Both steps are exact: the nearest quarter, and the remainder, at most pi/4 in radians.
     const double quarters = std::nearbyint(4 * turns);
     const double x = (turns - quarters / 4) * (2 * std::numbers::pi);
     const double x2 = x * x;
@@ -51,7 +51,7 @@ double arc_tangent(double y, double x) {
     assert(y >= 0 && x >= 0 && "an angle of the first quadrant");
     if (y > x) return std::numbers::pi / 2 - arc_tangent(x, y);
     if (!(y > 0)) return 0;
-    // Half of half the angle, at most pi/16; the first term left out of the series is below 1e-18.
+    // A quarter of the angle, at most pi/16; the first term left out of the series is below 1e-18.
     double t = y / x;
     for (int i = 0; i < 2; ++i) t /= 1 + std::sqrt(1 + t * t);
     double sum = 0;

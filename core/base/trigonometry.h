@@ -15,8 +15,9 @@ SinCos sin_cos_turns(double turns);
 
 inline SinCos sin_cos_degrees(double degrees) { return sin_cos_turns(degrees / 360); }
 
-/// The angle in radians, from 0 to pi/2, whose tangent is y / x, to a few units in the last place;
-/// both at least 0, and 0 where both are. By the same operations everywhere, as above.
+/// The angle in radians, from 0 to pi/2, whose tangent is y / x, to a few units in the last place.
+/// Both must be at least 0; the result is 0 if both are 0. Like sin_cos_turns, it uses only
+/// operations that IEEE 754 fixes.
 double arc_tangent(double y, double x);
 
 }  // namespace scb

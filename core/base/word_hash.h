@@ -4,9 +4,8 @@
 
 namespace scb {
 
-/// Tells sequences of words from each other: FNV-1a (Fowler, Noll, Vo) with words in place of
-/// bytes, and a shift that carries high bits down. The same on every machine; not against
-/// adversaries.
+/// A hash of a sequence of words: FNV-1a (Fowler, Noll, Vo) with words in place of bytes, and a
+/// shift that carries high bits down. The same on every machine; not safe against adversaries.
 struct WordHash {
     std::uint64_t value = 0xcbf29ce484222325;
 
