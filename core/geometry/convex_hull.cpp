@@ -16,7 +16,7 @@ struct HullFacet {
     std::array<HullIndex, 3> corners;
     std::array<HullIndex, 3> neighbors;  ///< across the edges from corner i to corner i + 1
     PlaneFilter plane;
-    std::vector<HullIndex> outside;  ///< points that see it and are no vertices yet
+    std::vector<HullIndex> outside;  ///< points outside of it that are no vertices yet
     bool removed = false;
 };
 
@@ -31,14 +31,14 @@ class Quickhull {
             std::iota(flat.vertices.begin(), flat.vertices.end(), HullIndex{0});
             return flat;
         }
-        // New facets lie behind those that are done.
+        // New facets are appended, so this loop reaches them.
         for (HullIndex f = 0; f < facets_.size(); ++f)
             if (!facets_[f].removed && !facets_[f].outside.empty()) add_farthest(f);
         return result();
     }
 
   private:
-    /// The index that has the largest value, the first of several.
+    /// The first index with the largest value.
     template <class Value>
     HullIndex farthest(Value&& value) const {
         HullIndex best = 0;
@@ -63,8 +63,8 @@ class Quickhull {
         return static_cast<HullIndex>(facets_.size() - 1);
     }
 
-    /// Four points that are in no plane, and what lies outside of their tetrahedron. False where
-    /// there are none.
+    /// Begins with the tetrahedron of four points that are in no plane. False if all points are in
+    /// one plane.
     bool begin() {
         if (points_.size() < 4) return false;
         const Vec3 first = points_[0];
@@ -76,7 +76,7 @@ class Quickhull {
             farthest([&](const Vec3& p) { return squared_norm(cross(along, p - pa)); });
         const Vec3 normal = cross(along, points_[c] - pa);
         HullIndex d = farthest([&](const Vec3& p) { return std::abs(dot(normal, p - pa)); });
-        // Rounding may hide which points are in no plane with these three.
+        // Rounding may have chosen a point in the plane of these three.
         for (HullIndex i = 0; i < points_.size() && side_of(a, b, c, d) == 0; ++i) d = i;
         const int up = side_of(a, b, c, d);
         if (up == 0) return false;
@@ -98,7 +98,8 @@ class Quickhull {
         return orient3d(points_[a], points_[b], points_[c], points_[d]);
     }
 
-    /// Gives the point to the first facet from `begin` on that it sees; to none where it is inside.
+    /// Gives the point to the first facet from `begin` on that it is outside of; to none if it is
+    /// inside.
     void hand_out(HullIndex point, HullIndex begin) {
         for (HullIndex f = begin; f < facets_.size(); ++f)
             if (side(facets_[f], point) > 0) {
@@ -116,8 +117,8 @@ class Quickhull {
                 most = h;
                 apex = i;
             }
-        // What the apex sees is connected: what has it in its plane it does not see, as from a
-        // point slightly further in.
+        // The facets visible from the apex are connected. A facet with the apex in its plane is not
+        // visible, as from a point slightly further in.
         visible_.assign(1, facet);
         facets_[facet].removed = true;
         const auto first_new = static_cast<HullIndex>(facets_.size());

@@ -25,7 +25,7 @@ std::optional<int> axis_of(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::nullopt;
 }
 
-// Whether the line of an edge of a has a on one side or in it and b strictly on the other.
+// Whether the line of an edge of a separates a, which may touch the line, from b strictly.
 bool edge_separates(const TriangleCorners& a, const TriangleCorners& b, int axis) {
     const int turn = orient2d(a[0], a[1], a[2], axis);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -66,7 +66,7 @@ int ExactSum::sign() const {
         any |= static_cast<std::uint64_t>(digit) & digit_mask;
         carry = digit >> limb_bits;  // rounds down, so digits stay in 0 .. 2^32 - 1
     }
-    // The last digit has room for the sum of positive products, so no carry leaves it.
+    // The last digit can hold the sum of positive products, so no carry leaves it.
     return carry < 0 ? -1 : any != 0 ? 1 : 0;
 }
 

@@ -5,8 +5,8 @@
 
 namespace scb {
 
-/// A finite double as the integer and the power of two that it is: +-mantissa * 2^exponent, with
-/// mantissa < 2^53 and exponent >= -1074. Zero has mantissa 0.
+/// A finite double as an integer and a power of two: +-mantissa * 2^exponent, with mantissa < 2^53
+/// and exponent >= -1074. Zero has mantissa 0.
 struct Dyadic {
     std::uint64_t mantissa = 0;
     int exponent = 0;
@@ -22,15 +22,15 @@ struct ScaledDouble {
     int exponent = 0;
 };
 
-/// A sum of up to 2^20 products of three finite doubles, exact whatever their magnitudes: nothing
-/// overflows, underflows or is rounded. The products go as integers into a fixed-point number that
-/// is as long as their exponents need, at most the 6300 bits between the cube of the smallest
-/// denormal and that of the largest double. Integer arithmetic only, so no compiler option and no
+/// A sum of up to 2^20 products of three finite doubles, exact for any magnitudes: nothing
+/// overflows, underflows or is rounded. The products are added as integers to a fixed-point number.
+/// It is as long as their exponents need, at most the 6300 bits between the cubes of the smallest
+/// denormal and of the largest double. Integer arithmetic only, so no compiler option and no
 /// rounding mode matters; no allocation.
 ///
-/// The long accumulator is that of Kulisch and Snyder ("The Exact Dot Product as Basic Tool for
-/// Long Interval Arithmetic"). Against the expansions of Shewchuk it costs a few hundred
-/// nanoseconds a determinant at worst, is as simple as it looks, and knows no unsafe exponents.
+/// This is the long accumulator of Kulisch and Snyder ("The Exact Dot Product as Basic Tool for
+/// Long Interval Arithmetic"). Compared with the expansions of Shewchuk, it costs a few hundred
+/// nanoseconds a determinant at worst, but it is simple and valid for all exponents.
 class ExactSum {
   public:
     /// An empty sum, for products x y z whose exponents add up to lowest_exponent at least and
@@ -43,7 +43,7 @@ class ExactSum {
     /// -1, 0 or 1.
     int sign() const;
 
-    /// The sum within 2^-50 of itself; significand 0 only where it is zero.
+    /// The sum with a relative error of at most 2^-50; significand 0 only if the sum is zero.
     ScaledDouble value() const;
 
   private:
@@ -51,7 +51,7 @@ class ExactSum {
 
     void accumulate(const Dyadic& x, const Dyadic& y, const Dyadic& z, bool negate);
 
-    // Digits of 32 bits, lowest first, in words with room to put off carries and borrows.
+    // Digits of 32 bits, lowest first, in words with room for delayed carries and borrows.
     std::array<std::int64_t, max_digits> digits_;
     int count_;
     int lowest_exponent_;

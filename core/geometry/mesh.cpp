@@ -64,7 +64,7 @@ std::vector<std::uint32_t> joined_vertices(const Mesh& mesh) {
     located.reserve(mesh.vertices.size());
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
         const Vec3& p = mesh.vertices[v];
-        // An unused vertex may be NaN, which has no place in an order.
+        // An unused vertex may be NaN, which cannot be sorted.
         if (p.allFinite()) located.push_back({p[0], p[1], p[2], v});
     }
     std::sort(located.begin(), located.end(), [](const Located& a, const Located& b) {

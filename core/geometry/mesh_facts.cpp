@@ -63,14 +63,14 @@ MeshFacts mesh_facts(const Mesh& mesh) {
     }
     facts.components = mesh_parts(placed, mesh.vertices.size()).count;
 
-    // Duplicates side by side, and only the first of them has edges.
+    // Sorting puts duplicates side by side; only the edges of the first count.
     for (Triangle& t : placed) std::sort(t.begin(), t.end());
     std::sort(placed.begin(), placed.end());
     const auto end = std::unique(placed.begin(), placed.end());
     facts.duplicates = static_cast<std::size_t>(placed.end() - end);
     placed.erase(end, placed.end());
-    // Its edges would be one edge twice. Collinear corners stay: they close a mesh whose neighbors
-    // divide an edge in other places.
+    // A triangle with two equal corners would have one edge twice. Triangles with collinear corners
+    // stay: they close a mesh whose neighbors divide an edge in other places.
     std::erase_if(placed, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2]; });
     for (const std::uint32_t uses : edge_uses(placed)) {
         facts.open_edges += uses == 1;

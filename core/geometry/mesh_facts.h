@@ -7,13 +7,13 @@
 
 namespace scb {
 
-/// Classes of slenderness: below 4, then up to 16, 64, 256, 1024, and what is more slender.
+/// Classes of slenderness: below 4, then up to 16, 64, 256, 1024, and above.
 inline constexpr std::size_t slenderness_classes = 6;
 
-/// What to know of a mesh before its hierarchies are judged. Corners with equal coordinates count
-/// as one vertex, whatever their indices.
+/// Facts about a mesh that matter for its hierarchies. Corners with equal coordinates count as one
+/// vertex, regardless of their indices.
 struct MeshFacts {
-    Box box;  ///< of the vertices that triangles use
+    Box box;  ///< bounds of the vertices that triangles use
     std::size_t triangles = 0;
     std::size_t components = 0;     ///< parts that have no vertex in common
     std::size_t degenerate = 0;     ///< triangles whose corners are collinear
@@ -21,12 +21,12 @@ struct MeshFacts {
     std::size_t open_edges = 0;     ///< edges of one triangle alone
     std::size_t crowded_edges = 0;  ///< edges of more than two triangles
 
-    /// How many triangles are that slender: the longest side over the height on it, 1.15 for equal
-    /// sides. Degenerate ones do not count.
+    /// The number of triangles in each class of slenderness: the longest side over the height on
+    /// it, 1.15 for equal sides. Degenerate triangles do not count.
     std::array<std::size_t, slenderness_classes> slenderness{};
     double median_slenderness = 0;      ///< 0 where all triangles are degenerate
-    double longest_slender_side = 0;    ///< of the triangles with a slenderness of 16 and more
-    std::uint32_t longest_slender = 0;  ///< the first triangle that has it, where there is one
+    double longest_slender_side = 0;    ///< among triangles with a slenderness of 16 and more
+    std::uint32_t longest_slender = 0;  ///< the first triangle with this side, if any
 
     /// Whether every edge has two triangles, duplicates and triangles with two corners at one place
     /// set aside.

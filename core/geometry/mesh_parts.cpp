@@ -10,7 +10,7 @@
 namespace scb {
 namespace {
 
-/// Sets that are joined; each is named by one of its members.
+/// Disjoint sets that can be joined; one of its members represents each set.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {

@@ -37,17 +37,17 @@ ExactSum sum_for(const std::array<Dyadic, N>& x, const std::array<Dyadic, N>& y,
     return {rx.lowest + ry.lowest + rz.lowest, rx.highest + ry.highest + rz.highest};
 }
 
-// p - q where that is a double: the error of the difference, by Knuth's two-sum, is zero. (Sums are
-// never inexact for underflow; where they overflow, the error is not a number.)
+// p - q where that is a double: the error of the difference, by Knuth's two-sum, is zero.
+// (Underflow never makes sums inexact; if they overflow, the error is not a number.)
 bool exact_difference(double p, double q, double& difference) {
     difference = p - q;
     const double minus_q = difference - p, p_again = difference - minus_q;
     return (p - p_again) - (q + minus_q) == 0;
 }
 
-// One coordinate of the points, or its differences from that of the first point where all of these
-// are exact, which is usual: meshes have coordinates of few digits or of nearly the same magnitude.
-// A shift along an axis does not change the determinant, and zeros save products.
+// One coordinate of the points, or its differences from the first point's if all of these are
+// exact, which is usual: meshes have coordinates of few digits or of nearly the same magnitude. A
+// shift along an axis does not change the determinant, and zeros save products.
 template <std::size_t N>
 struct Column {
     std::array<Dyadic, N> values;
@@ -74,7 +74,7 @@ void add_determinant(ExactSum& sum, std::span<const Dyadic> x, std::span<const D
     sum.subtract(x[k], y[j], z[i]);
 }
 
-// read(det(b - a, c - a, d - a)), the sum being too large to hand around.
+// read(det(b - a, c - a, d - a)): a callback, since the sum is too large to return.
 template <class Read>
 auto determinant3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Read read) {
     const Column<4> x({a[0], b[0], c[0], d[0]}), y({a[1], b[1], c[1], d[1]}),
@@ -105,7 +105,7 @@ struct PlaneAxes {
 };
 PlaneAxes across(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
-// The same of the component `axis` of (b - a) x (c - a).
+// The same for the component `axis` of (b - a) x (c - a).
 template <class Read>
 auto determinant2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis, Read read) {
     const PlaneAxes p = across(axis);

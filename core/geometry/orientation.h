@@ -7,17 +7,16 @@
 
 namespace scb {
 
-// Signs of orientation determinants, exact on the doubles that are given, whatever finite doubles
-// these are: a floating-point filter decides all but the nearly degenerate cases, ExactSum decides
-// the rest. The filter is semi-static, as in Shewchuk, "Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates" (the bound is proportional to the permanent);
-// its derivation is in PlaneFilter. It holds whether or not the compiler contracts a * b + c to one
-// rounding, but not where it may reassociate.
+// Signs of orientation determinants, exact for any finite doubles. A floating-point filter decides
+// all but the nearly degenerate cases, ExactSum decides the rest. The filter is semi-static, as in
+// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates"
+// (the bound is proportional to the permanent); its derivation is in PlaneFilter. It holds whether
+// or not the compiler contracts a * b + c to one rounding, but not where it may reassociate.
 #ifdef __FAST_MATH__
 #error "orientation.h needs IEEE arithmetic: do not compile with -ffast-math"
 #endif
 
-/// The plane through three points, and on which side of it other points are certain to be.
+/// The plane through three points, and a test on which side of it other points certainly are.
 ///
 /// With u = 2^-53, each of the six terms (b - a)_i (c - a)_j (d - a)_k of the determinant meets at
 /// most 8 roundings: three of differences, two of products, one of the difference of two products,
@@ -25,11 +24,11 @@ namespace scb {
 /// the sum of the terms' magnitudes. The computed P meets the same roundings, all to at least
 /// (1 - u) times its value, so that 10 u times the computed P exceeds the bound.
 ///
-/// Underflow adds at most 2^-1074 to each product. In a component of the normal the difference
-/// d - a multiplies that, and `underflow`, added to the component's magnitude, is multiplied with
-/// it: 10 u 2^-960 = 2^-1009 and more. For the last products and for those of the bound itself
-/// `underflow` is added once more. Where something overflows, the bound does so too or one side of
-/// the comparison is not a number, and nothing is certain.
+/// Underflow adds at most 2^-1074 to each product. In a component of the normal, this error is
+/// multiplied by the difference d - a. So is `underflow`, which is added to the component's
+/// magnitude: 10 u 2^-960 = 2^-1009 and more. For the last products and the products of the bound
+/// itself, `underflow` is added once more. If a term overflows, the bound also overflows, or one
+/// side of the comparison is not a number: no sign is certain then.
 struct PlaneFilter {
     static constexpr double relative_error = 10 * 0x1p-53;
     static constexpr double underflow = 0x1p-960;
@@ -74,8 +73,8 @@ int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int orient2d_exact(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 
-/// The determinants themselves, within 2^-50 of their value; for ratios of heights that stay
-/// meaningful where points are nearly coplanar.
+/// The determinants themselves, with a relative error of at most 2^-50, for ratios of heights that
+/// stay meaningful if points are nearly coplanar.
 ScaledDouble orient3d_value(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 ScaledDouble orient2d_value(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 

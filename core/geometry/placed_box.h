@@ -8,8 +8,8 @@ namespace scb {
 /// The box of the vertices that triangles use, after the pose.
 Box bounding_box(const Mesh& mesh, const Pose& pose);
 
-/// How far two boxes are apart along each axis: from x to y, positive or negative, 0 where they
-/// overlap along it.
+/// The gap between two boxes along each axis: from x to y, positive or negative, 0 if they overlap
+/// along it.
 Vec3 gap_between(const Box& x, const Box& y);
 
 }  // namespace scb

@@ -4,7 +4,7 @@
 
 namespace scb {
 
-/// Area, centroid and scatter of a triangulated surface: what the axes of an OBB are made from. The
+/// Area, centroid and scatter of a triangulated surface, from which the axes of an OBB follow. The
 /// scatter is the integral of (x - centroid)(x - centroid)^T over the surface; kept relative to the
 /// centroid, since raw moments cancel far from the origin.
 struct SurfaceMoments {

@@ -13,9 +13,9 @@ struct SurfaceSample {
     std::uint32_t triangle = 0;
 };
 
-/// So many points of the surface, spread evenly over its area: one at random in each of `count`
-/// equal parts of the area, in the order of the triangles. None where the mesh has no area. Always
-/// the same points. `mesh` must satisfy check_mesh.
+/// `count` points of the surface, spread evenly over its area: a random one in each of `count`
+/// equal parts of the area, in the order of the triangles. None if the mesh has no area. Always the
+/// same points. `mesh` must satisfy check_mesh.
 std::vector<SurfaceSample> surface_samples(const Mesh& mesh, std::size_t count);
 
 /// The summed area of the triangles.

@@ -19,8 +19,8 @@ double squared_distance(const Vec3& p, const Vec3& s, const Vec3& t) {
         p, Vec3(s + clamped_share(dot(Vec3(p - s), along), squared_norm(along)) * along));
 }
 
-/// Of the segments from p to q and from s to t: between the points of their lines that are closest,
-/// where both are on the segments, else at an end of one.
+/// Of the segments from p to q and from s to t: between the closest points of their lines if both
+/// are on the segments, else at an end of one.
 double squared_distance(const Vec3& p, const Vec3& q, const Vec3& s, const Vec3& t) {
     double least = std::min({squared_distance(p, s, t), squared_distance(q, s, t),
                              squared_distance(s, p, q), squared_distance(t, p, q)});
@@ -36,8 +36,8 @@ double squared_distance(const Vec3& p, const Vec3& q, const Vec3& s, const Vec3&
     return least;
 }
 
-/// Of a point and a triangle where the point is above its inside; else infinity, since then an edge
-/// is as close.
+/// Of a point and a triangle if the point is above its inside; else infinity, since then an edge is
+/// as close.
 double squared_distance_above(const Vec3& p, const TriangleCorners& t) {
     const Vec3 normal = cross(Vec3(t[1] - t[0]), Vec3(t[2] - t[0]));
     for (std::size_t k = 0; k < 3; ++k)
@@ -49,12 +49,13 @@ double squared_distance_above(const Vec3& p, const TriangleCorners& t) {
     return height * height;
 }
 
-/// How far the extents along a direction overlap, at either side; infinity where there is none.
+/// The overlap of the extents along a direction, the smaller of both sides; infinity if the
+/// direction is 0.
 double overlap_along(const Vec3& direction, const TriangleCorners& a, const TriangleCorners& b) {
     const double length = std::sqrt(squared_norm(direction));
     if (!(length > 0)) return HUGE_VAL;
     const auto ends = [&](const TriangleCorners& t) {
-        // From one of the corners, so that little is lost far from the origin.
+        // Relative to one of the corners, so that little precision is lost far from the origin.
         const auto at = [&](const Vec3& p) { return dot(direction, Vec3(p - a[0])); };
         return std::minmax({at(t[0]), at(t[1]), at(t[2])});
     };

@@ -23,7 +23,7 @@ bool share_corner(const TriangleCorners& a, const TriangleCorners& b) {
     return false;
 }
 
-// Out of line, so that what is rare does not burden the rest.
+// Out of line, so that rare cases do not slow down the others.
 [[gnu::noinline]] bool uncertain_overlap(const TriangleCorners& a, const TriangleCorners& b,
                                          PairSides sides) {
     if (share_corner(a, b)) return true;  // neighbors in a mesh

@@ -18,18 +18,19 @@ constexpr std::size_t code(int s0, int s1, int s2) {
     return static_cast<std::size_t>(9 * s0 + 3 * s1 + s2 + 13);
 }
 
-// The points i on the edge from the apex v to w1 and j on that to w2, with v, w1, w2 in cyclic
-// order, have j - i = -(positive) side n x n', where n is the triangle's normal and n' that of the
-// other plane: write i = v + t1 e1 and j = v + t2 e2, with t1 e1 . n' = t2 e2 . n' = h, and expand
-// (e1 x e2) x n' = e2 (e1 . n') - e1 (e2 . n') = h (j - i) / (t1 t2); h has the sign of -side.
+// Let i be the point on the edge from the apex v to w1, and j the point on the edge to w2, with v,
+// w1, w2 in cyclic order. Then j - i = -(positive) side n x n', where n is the triangle's normal
+// and n' the normal of the other plane: write i = v + t1 e1 and j = v + t2 e2, with t1 e1 . n' = t2
+// e2 . n' = h, and expand (e1 x e2) x n' = e2 (e1 . n') - e1 (e2 . n') = h (j - i) / (t1 t2); h has
+// the sign of -side.
 constexpr std::array<LinePoints, 27> line_points(int swapped_side) {
     std::array<LinePoints, 27> table{};
     for (int s0 = -1; s0 <= 1; ++s0)
         for (int s1 = -1; s1 <= 1; ++s1)
             for (int s2 = -1; s2 <= 1; ++s2) {
                 const std::array<int, 3> s{s0, s1, s2};
-                // With one corner on each side and one in the plane, either of the former will do,
-                // but not the latter: its edges would not be on one side.
+                // With one corner on each side and one in the plane, the apex may be either of the
+                // first two, but not the third: its edges would not be on one side.
                 const std::uint8_t apex = s0 == s1   ? std::uint8_t{2}
                                           : s0 == s2 ? std::uint8_t{1}
                                           : s1 == s2 ? std::uint8_t{0}
@@ -56,14 +57,14 @@ Arrangement arrange(const TriangleCorners& a, const TriangleCorners& b, PairSide
     complete(sides.of_b, a, b);
     if (strictly_on_one_side(sides.of_b)) return Arrangement::apart;
     const bool b_in_plane = all_zero(sides.of_b);
-    // The plane of a holds everything; of_a, three exact sums, would say so too.
+    // All corners are in the plane of a; of_a, three exact sums, would have the same result.
     if (b_in_plane && !is_degenerate(a)) return Arrangement::one_plane;
     complete(sides.of_a, b, a);
     if (strictly_on_one_side(sides.of_a)) return Arrangement::apart;
     const bool a_in_plane = all_zero(sides.of_a);
     if (!a_in_plane) return b_in_plane ? Arrangement::segment_a : Arrangement::crossing;
     if (!b_in_plane) return Arrangement::segment_b;
-    // In one plane, if not two segments that are skew.
+    // In one plane, unless they are two skew segments.
     const std::array<Vec3, 2> end_a = ends(a), end_b = ends(b);
     return orient3d(end_a[0], end_a[1], end_b[0], end_b[1]) == 0 ? Arrangement::one_plane
                                                                  : Arrangement::apart;

@@ -11,7 +11,8 @@
 namespace scb {
 namespace {
 
-// h / (h - k) for h and k of opposite sign or one of them zero: where between h and k zero is.
+// h / (h - k), for h and k of opposite sign or one of them zero: the position of zero between h and
+// k.
 double zero_between(const ScaledDouble& h, const ScaledDouble& k) {
     if (h.significand == 0) return 0;
     if (k.significand == 0) return 1;
@@ -29,7 +30,8 @@ Vec3 clamp_to_box(const Vec3& p, const TriangleCorners& t) {
         .cwiseMin(t[0].cwiseMax(t[1]).cwiseMax(t[2]));
 }
 
-// Where pq, whose ends are not strictly on one side of the plane of t, meets that plane.
+// The point in which pq meets the plane of t; its ends must not be strictly on one side of that
+// plane.
 Vec3 meeting_point(const Vec3& p, const Vec3& q, const TriangleCorners& t) {
     const double at =
         zero_between(orient3d_value(t[0], t[1], t[2], p), orient3d_value(t[0], t[1], t[2], q));
@@ -55,7 +57,7 @@ struct Piece {
 };
 
 // The part of pq in the proper triangle t, both projected along an axis; its length is minus
-// infinity where there is none.
+// infinity if there is none.
 Piece clipped(const Vec3& p, const Vec3& q, const TriangleCorners& t, int axis) {
     const int turn = orient2d(t[0], t[1], t[2], axis);
     Piece piece{p, q};
@@ -77,7 +79,7 @@ Piece clipped(const Vec3& p, const Vec3& q, const TriangleCorners& t, int axis) 
     return piece;
 }
 
-// For triangles in one plane, at least one of which is proper, that overlap.
+// For overlapping triangles in one plane; at least one must be proper.
 LineSegment coplanar_segment(const TriangleCorners& a, const TriangleCorners& b, int axis) {
     std::optional<Piece> longest;
     const auto clip_edges = [&](const TriangleCorners& edges, const TriangleCorners& t) {
@@ -89,7 +91,7 @@ LineSegment coplanar_segment(const TriangleCorners& a, const TriangleCorners& b,
     };
     clip_edges(a, b);
     clip_edges(b, a);
-    // Where triangles only touch, rounding may turn the ends of the piece around.
+    // If triangles only touch, rounding may exchange the ends of the piece.
     if (longest->to < longest->from)
         longest->from = longest->to = (longest->from + longest->to) / 2;
     const auto end = [&](double at) {
