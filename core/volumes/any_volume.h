@@ -8,14 +8,14 @@
 
 namespace scb {
 
-/// A volume of any type, for pictures, files and reports that mix them: what shape_of makes of it.
+/// The shape_of a volume of any type, for pictures, files and reports that mix types.
 using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
 
 /// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);
 
-/// How large a volume is across: the diameter and the thickness of Section 3.1 of the paper, d = 2r
-/// and tau = e - f; of an OBB the diagonal and the shortest side.
+/// The extents of a volume: the diameter and the thickness of Section 3.1 of the paper, d = 2r and
+/// tau = e - f; for an OBB the diagonal and the shortest side.
 struct VolumeLengths {
     double diameter = 0, thickness = 0;
 };
@@ -34,7 +34,7 @@ template <class V>
 VolumeSize size_of(const V& v) {
     return {lengths_of(v), surface_area(v), volume(v)};
 }
-/// Area and volume are those of the planes about it.
+/// Area and volume are measured on the polytope of planes_about.
 VolumeSize size_of(const ConvexShape& shape);
 
 }  // namespace scb

@@ -8,32 +8,33 @@
 
 namespace scb {
 
-/// A convex volume of any type and pose, by its farthest points: what pictures, files and exact
-/// verdicts know of it. Not for traversals, which are compiled for each type.
+/// A convex volume of any type and pose, given by its farthest points, for pictures, files and
+/// exact verdicts. Not for traversals, which are compiled for each type.
 struct ConvexShape {
     Vec3 center = Vec3::Zero();
     double rounding = 0;
-    Mat3 axes = Mat3::Identity();  ///< those of its own frame, as columns: where its faces may be
+    Mat3 axes = Mat3::Identity();                    ///< of its own frame, as columns
     std::function<Vec3(const Vec3&)> support_point;  ///< of the core, from the center
-    std::vector<FacePlane> faces{};  ///< of a polytope that knows them, from the center
+    std::vector<FacePlane> faces{};  ///< faces of a polytope, from the center; else empty
 };
 
-/// As of convex volumes.
+/// The `support` of a convex volume.
 inline double support(const ConvexShape& shape, const Vec3& d) {
     return dot(shape.support_point(d), d) + shape.rounding;
 }
-/// Of the box of the frame's axes about it: the diagonal, and the shortest side.
+/// Diameter: the diagonal of its box along the axes of its frame. Thickness: the shortest side of
+/// this box.
 double diameter(const ConvexShape& shape);
 double thickness(const ConvexShape& shape);
 
-/// The shape carried along by a rigid pose.
+/// The shape moved by a rigid pose.
 ConvexShape placed(const ConvexShape& shape, const Pose& pose);
 
-/// Planes about it, from the center: the faces of a polytope that knows them, else those that touch
-/// it in these directions of its own frame.
+/// Planes about it, from the center: its faces, or, if it has none, the planes that touch it in
+/// these directions of its own frame.
 std::vector<FacePlane> planes_about(const ConvexShape& shape, std::span<const Vec3> directions);
 
-/// The same points, as far as the directions of touching_directions tell.
+/// Whether both reach equally far in all touching_directions.
 bool identical(const ConvexShape& a, const ConvexShape& b);
 
 }  // namespace scb

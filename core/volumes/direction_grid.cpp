@@ -9,7 +9,8 @@ namespace scb {
 DirectionGrid direction_grid(int steps) {
     DirectionGrid grid;
     std::map<std::array<int, 3>, std::uint32_t> known;
-    // Of whole numbers from -steps to steps, so that what faces share is met again.
+    // Points are keyed by integers from -steps to steps, so that faces share the points of common
+    // edges.
     const auto at = [&](int axis, int side, int i, int j) {
         std::array<int, 3> corner{};
         const auto a = static_cast<std::size_t>(axis);

@@ -10,8 +10,8 @@ namespace scb {
 
 /// Unit directions over the whole sphere, and triangles between them, counterclockwise from
 /// outside: a grid of `steps` by `steps` on each face of a cube, so 6 steps^2 + 2 directions. With
-/// an even number of steps the axes, edges and corners of the cube are among them, which are the
-/// directions of kdop.h. What a support function maps them to is a mesh of its volume.
+/// an even number of steps, these include the axes, edges and corners of the cube, the directions
+/// of kdop.h. A support function maps the grid to a mesh of its volume.
 struct DirectionGrid {
     std::vector<Vec3> directions;
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -11,7 +11,7 @@ Vec3 dop_direction(int i) {
     return {d[0], d[1], d[2]};
 }
 
-/// Of 2 * count planes; the upper one of a slab has an even number, its lower one the next.
+/// Plane i of 2 * count; the upper plane of a slab has an even number, its lower plane the next.
 FacePlane plane(const DopSlabs& slabs, int i) {
     const Vec3 normal = dop_direction(slabs.which[i / 2]);
     if (i % 2 == 0) return {normal, slabs.upper[i / 2]};
@@ -34,11 +34,11 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
     for (int i = 0; i < 3; ++i)
         size = std::max({size, std::abs(slabs.lower[i]), std::abs(slabs.upper[i])});
     const double slop = 0x1p-48 * size;
-    // Each step takes the corner nearer, or ties; the bound is for ties that would go round.
+    // Each step moves the corner nearer, or ties; the bound ends ties that would cycle.
     constexpr int most_steps = 32;
     Vec3 corner;
     for (int step = 0;; ++step) {
-        // Columns of the inverse, times the determinant: whole numbers.
+        // Columns of the inverse, times the determinant: integers.
         const auto& [p, q, r] = basis;
         const Vec3 columns[3] = {cross(q.normal, r.normal), cross(r.normal, p.normal),
                                  cross(p.normal, q.normal)};
@@ -68,7 +68,7 @@ Vec3 farthest_corner(const DopSlabs& slabs, const Vec3& d) {
                 leaving = i;
             }
         }
-        if (leaving == 3) return corner;  // no points at all
+        if (leaving == 3) return corner;  // the polytope is empty
         for (std::size_t i = 0; i < 3; ++i)
             weights[i] = std::max(0.0, weights[i] - least * shares[i]);
         weights[leaving] = least;

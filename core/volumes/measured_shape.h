@@ -6,11 +6,10 @@
 
 namespace scb {
 
-// What measures ask of a volume, beside its area, volume and `contains`. Everything follows from
-// `support`, so that it holds for any type; where a type has a case of its own that makes it
-// tighter.
+// Functions that measures need beside area, volume and `contains`. All follow from `support`, so
+// they exist for any type. Overloads for some types give tighter results.
 
-/// The point that `support` is measured from.
+/// The origin of `support`.
 template <Volume V>
 Vec3 support_center(const V& v) {
     if constexpr (ConvexVolume<V>)
@@ -47,7 +46,7 @@ inline Mat3 box_axes_of(const Scb2& scb) {
     return axes;
 }
 
-/// The box along these axes that just holds the volume.
+/// The smallest box along these axes that contains the volume.
 template <Volume V>
 Obb box_about(const V& v) {
     Obb box{support_center(v), box_axes_of(v), Vec3::Zero()};
@@ -60,8 +59,8 @@ Obb box_about(const V& v) {
     return box;
 }
 
-/// The volume with all its faces moved outward, so that rounding does not decide what a flat one
-/// contains. A convex volume without a case, one of somebody's own, stays as it is.
+/// The volume with all its faces moved outward, so that rounding does not decide which points a
+/// flat volume contains. A convex volume without an overload stays as it is.
 template <ConvexVolume V>
 V enlarged(const V& v, double) {
     return v;
@@ -112,8 +111,8 @@ inline Scb2 enlarged(Scb2 scb, double by) {
     return scb;
 }
 
-/// The least value in [0, 1] of a convex function, by golden sections, or one below 0 where such is
-/// met on the way.
+/// The least value in [0, 1] of a convex function, by golden sections. Ends early at any value
+/// below 0.
 template <class Value>
 double least_of(Value&& value) {
     constexpr double golden = 0.61803398874989484820;
@@ -137,7 +136,7 @@ double least_of(Value&& value) {
     return at_a < at_b ? at_a : at_b;
 }
 
-/// Whether the line meets a k-DOP: what its slabs leave of it.
+/// Whether the line meets a k-DOP: its slabs clip the line.
 template <int k>
 bool line_meets(const KDop<k>& dop, const Vec3& point, const Vec3& along) {
     double from = -HUGE_VAL, to = HUGE_VAL;
@@ -156,11 +155,11 @@ bool line_meets(const KDop<k>& dop, const Vec3& point, const Vec3& along) {
     return from <= to;
 }
 
-/// Whether the line through `point` along a unit vector meets the volume, but for lines that pass
-/// it by less than some 1e-5 of its size. Seen along the line, the volume is a convex region, and
-/// misses it where some direction across the line separates the two. Such a direction has a
-/// positive part toward the line; along the two edges of the diamond that these directions span,
-/// how far the region reaches beyond the line is convex.
+/// Whether the line through `point` along a unit vector meets the volume; may be wrong for lines
+/// that pass it by less than some 1e-5 of its size. Projected along the line, the volume is a
+/// convex region. The line misses it if a direction across the line separates the two. Such a
+/// direction has a positive part toward the line. Along the two edges of the diamond that these
+/// directions span, the distance that the region reaches beyond the line is convex.
 template <Volume V>
 bool line_meets(const V& v, const Vec3& point, const Vec3& along) {
     const Vec3 center = support_center(v), from_center = point - center;

@@ -8,7 +8,7 @@
 
 namespace scb {
 
-/// The volume carried along by a rigid pose: from the body's frame to that where the pose leads.
+/// The volume moved by a rigid pose, from the body's frame to the frame that the pose maps to.
 Scb placed(const Scb& volume, const Pose& pose);
 Scb2 placed(const Scb2& volume, const Pose& pose);
 Ball placed(const Ball& volume, const Pose& pose);

@@ -6,8 +6,8 @@
 namespace scb {
 namespace {
 
-/// What the half space leaves of a convex polygon (Sutherland and Hodgman, "Reentrant Polygon
-/// Clipping"); whether it takes anything away.
+/// Clips a convex polygon by a half space (Sutherland and Hodgman, "Reentrant Polygon Clipping").
+/// Returns whether anything was cut off.
 bool clip(const std::vector<Vec3>& polygon, const FacePlane& plane, std::vector<Vec3>& kept) {
     const auto beyond = [&](const Vec3& p) { return dot(plane.normal, p) - plane.offset; };
     if (std::none_of(polygon.begin(), polygon.end(), [&](const Vec3& p) { return beyond(p) > 0; }))
@@ -39,7 +39,7 @@ void for_each_face(std::span<const FacePlane> planes, double size, const Use& us
         const double length = std::sqrt(squared_norm(planes[i].normal));
         const Vec3 normal = planes[i].normal / length;
         const double height = planes[i].offset / length;
-        // A square in the plane, larger than the polytope; then what the others leave of it.
+        // A square in the plane, larger than the polytope, clipped by the other planes.
         const Vec3 other = std::abs(normal[0]) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
         Vec3 u = cross(normal, other);
         u *= 2 * size / std::sqrt(squared_norm(u));

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// What a chord at the signed distance k from the center cuts off a disc, beyond it.
+/// The area of a disc beyond a chord at the signed distance k from the center.
 double segment(double radius, double k) {
     if (k < 0) return pi * radius * radius - segment(radius, -k);
     if (k >= radius) return 0;
@@ -22,8 +22,8 @@ double segment(double radius, double k) {
 }
 
 /// The integral of acos(k / s) over the heights from 0 to x, or to where s = k; s^2 = r^2 - x^2.
-/// That is half the angle that a plane at the signed distance k cuts off the circle at each height.
-/// A slab of a recording need not have the center in it, so that k and x may be below 0.
+/// acos(k / s) is half the angle that a plane at the signed distance k cuts off the circle at each
+/// height. A slab of a recording need not contain the center, so k and x may be below 0.
 double cut_arcs(double r, double k, double x) {
     if (x < 0) return -cut_arcs(r, k, -x);
     if (k < 0) return pi * x - cut_arcs(r, -k, x);
@@ -78,7 +78,7 @@ bool contains(const Scb2& s, const Vec3& point) {
 }
 
 bool is_well_formed(const Scb2& s) {
-    // An eighth of what the margin of a placement leaves for rounding, see placement.
+    // An eighth of the rounding that the margin of a placement allows, see placement.
     constexpr double unit_error = 0x1p-50;
     for (const Slab& slab : s.slabs)
         if (!(std::abs(squared_norm(slab.n) - 1) <= unit_error) || !(-s.r <= slab.f) ||

@@ -6,10 +6,10 @@
 
 namespace scb {
 
-/// Areas of what the surface of an Scb2 is made of.
+/// The areas of the faces of an Scb2.
 struct Scb2Faces {
-    double sphere = 0;  ///< of what the slabs leave of the sphere
-    /// Of what the ball and the other slab leave of the planes: per slab, upper and lower.
+    double sphere = 0;  ///< the part of the sphere inside the slabs
+    /// The parts of the planes inside the ball and the other slab: per slab, upper and lower.
     std::array<std::array<double, 2>, 2> planes{};
 };
 

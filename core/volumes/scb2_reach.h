@@ -11,11 +11,11 @@ namespace scb {
 /// max of d.(x - c). `along` has the components of d along the first normal, the second one and the
 /// long axis; `length` is its length.
 ///
-/// Let k0 and k1 be the planes on the sides to which d leads. The farthest point is that of the
-/// ball, where no plane cuts it off; that of the rim in which a plane cuts the ball, where the
-/// other plane does not cut that off; else one of the two points in which the planes meet the
-/// sphere. No difference cancels but under the last root, whose factor is then small: the error is
-/// a few units in the last place of r times `length`.
+/// Let k0 and k1 be the planes on the sides to which d leads. If no plane cuts off the farthest
+/// point of the ball, it is the result. Else it is the farthest point of the rim in which a plane
+/// cuts the ball, if the other plane does not cut this point off. Else it is one of the two points
+/// in which the planes meet the sphere. Only the difference under the last root can cancel, and its
+/// factor is then small: the error is a few units in the last place of r times `length`.
 template <class T>
 T scb2_reach(const BasicScb2<T>& s, const Vector3<T>& along, const T& length) {
     using std::abs;
@@ -27,7 +27,7 @@ T scb2_reach(const BasicScb2<T>& s, const Vector3<T>& along, const T& length) {
     const bool within0 = s.r * d0 <= k0 * length, within1 = s.r * d1 <= k1 * length;
     if (within0 && within1) return s.r * length;
 
-    // What the one plane leaves, unless the other plane cuts that off.
+    // The farthest point of the one plane's rim, unless the other plane cuts it off.
     const T rest0 = (s.r - k0) * (s.r + k0), squared2 = d2 * d2;
     if (!within0) {
         const T rim = sqrt(rest0), q = sqrt(d1 * d1 + squared2);

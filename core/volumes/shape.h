@@ -5,8 +5,8 @@
 
 namespace scb {
 
-/// A volume as one of the few shapes for which there are pictures, files and exact verdicts: the
-/// volume itself, or one of another type that is the same set of points.
+/// A volume as one of the few shapes with pictures, files and exact verdicts: the volume itself, or
+/// a shape of another type with the same set of points.
 template <class V>
 const V& shape_of(const V& volume) {
     return volume;
