@@ -6,7 +6,7 @@
 namespace scb {
 namespace {
 
-// The scatter of points about their mean: what stands in for a surface without area.
+// The scatter of points about their mean, for a surface without area.
 Mat3 point_scatter(const FitInput& input) {
     Vec3 mean = Vec3::Zero();
     for (const PointsView& part : input.parts)
@@ -22,8 +22,8 @@ Mat3 point_scatter(const FitInput& input) {
     return scatter;
 }
 
-// A right-handed frame of eigenvectors, the longest direction first; the coordinate axes where
-// there is no direction.
+// A right-handed frame of eigenvectors, the longest direction first; the coordinate axes if the
+// scatter has no direction.
 Mat3 principal_axes(Mat3 scatter) {
     const double scale = scatter.cwiseAbs().maxCoeff();
     if (!(scale > 0) || !std::isfinite(scale)) return Mat3::Identity();

@@ -27,14 +27,14 @@ struct DopLanes {
         upper_id.store(&dop.upper_id[i]);
         lower_id.store(&dop.lower_id[i]);
     }
-    /// Of a single point. Sums only: no rounding but that of at most two additions.
+    /// The DOP of a single point. Rounded by two additions at most.
     static HWY_INLINE DopLanes of_point(const Doubles3& point, double id, std::size_t i) {
         const auto& d = dop26_directions;
         const Doubles along = Doubles::load(&d.x[i]) * point.x + Doubles::load(&d.y[i]) * point.y +
                               Doubles::load(&d.z[i]) * point.z;
         return {along, along, Doubles::all(id), Doubles::all(id)};
     }
-    /// Of two sets; of values that are equal, the smaller id.
+    /// The DOP of two sets. If values are equal, the smaller id counts.
     friend HWY_INLINE DopLanes merge(const DopLanes& a, const DopLanes& b) {
         const auto b_upper =
             (a.upper < b.upper) | ((a.upper == b.upper) & (b.upper_id < a.upper_id));

@@ -2,7 +2,7 @@
 
 #include "core/base/simd_targets.h"
 
-// The baseline alone: this is for plain lists of points, and for tests.
+// For the baseline target alone: this is for plain lists of points, and for tests.
 #include "core/fit/dop26-inl.h"
 
 HWY_BEFORE_NAMESPACE();

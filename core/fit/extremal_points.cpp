@@ -3,7 +3,8 @@
 namespace scb {
 namespace {
 
-// Which ids were met, and at which index: open addressing in twice and a half the capacity.
+// The ids met so far, and their indices: a hash table with open addressing and two and a half times
+// the capacity.
 struct MetIds {
     static constexpr std::size_t slots = 64;
     std::array<std::uint8_t, slots> index_plus_1{};

@@ -7,8 +7,8 @@
 
 namespace scb {
 
-/// Up to 26 points, behind which copies of the first are, so that whole vectors can be loaded: of
-/// several equal points the first counts, so the copies change no result.
+/// Up to 26 points. Copies of the first point fill the last vector. They change no result, since
+/// the first of several equal points counts.
 struct FewPoints {
     static constexpr std::size_t capacity = 26;
     static constexpr std::size_t padded = 32;

@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// From the first three directions of the DOP. Subtraction rounds monotonically, so what holds of
-/// the two ends holds of all points, to the last bit.
+/// From the first three directions of the DOP. Subtraction rounds monotonically, so a box that
+/// contains both ends contains all points, to the last bit.
 template <bool exact>
 void fit(BasicAabb<exact>& result, const FitInput& input, const FitOptions&, FitCounts&) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Ritter's update: the smallest ball that contains `ball` and the point; unchanged where the point
-/// is inside.
+/// Ritter's update: the smallest ball that contains `ball` and the point; unchanged if the point is
+/// inside.
 HWY_INLINE void shift_to_enclose(Ball& ball, const Vec3& point) {
     const Vec3 offset = point - ball.center;
     const double squared = squared_norm(offset);
@@ -28,7 +28,7 @@ HWY_INLINE void shift_to_enclose(Ball& ball, const Vec3& point) {
     ball.radius = radius;
 }
 
-/// The ball of this center that contains all of the points.
+/// The smallest ball about this center that contains all points.
 HWY_INLINE Ball reaching(const Vec3& center, const FitInput& input, std::uint64_t& visits) {
     double reach = 0;
     for (const PointsView& part : input.parts)
@@ -45,12 +45,12 @@ HWY_INLINE Ball grown_by_shifting(Ball ball, const FitInput& input, std::uint64_
         for (std::size_t first = 0; first < part.size; first += block) {
             const PointsView points = part.sub(first, std::min(block, part.size - first));
             visits += points.size;
-            // Mostly all are inside, which is quicker to tell of a block.
+            // Mostly all points are inside, which is quicker to see for a whole block.
             if (max_squared_distance(points, ball.center) <= ball.radius * ball.radius) continue;
             visits += points.size;
             for (std::size_t i = 0; i < points.size; ++i) shift_to_enclose(ball, points[i]);
         }
-    // The center moved after the first points were met, so what they need is measured anew.
+    // The center moved after the first points, so the radius is measured again.
     return reaching(ball.center, input, visits);
 }
 

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// By the `fit` of the volume's own header.
+/// Calls the `fit` of the volume's own header.
 template <ConvexVolume V>
 void fit(V& result, const FitInput& input, const FitOptions&, FitCounts&) {
     scb::fit(result, FitPoints(input));

@@ -11,16 +11,16 @@
 
 namespace scb {
 
-/// A set of points to fit a volume to, with what is already known about it.
+/// A set of points to fit a volume to, with facts that are already known.
 struct FitInput {
     /// All points, in ascending order of their ids; either part may be empty.
     std::array<PointsView, 2> parts;
-    /// All points where they are at most 26, else the extremal ones of the DOP (the set E of Figure
-    /// 3) in the order of the directions, upper before lower.
+    /// All points if they are at most 26. Else the extremal points of the DOP (the set E of
+    /// Figure 3) in the order of the directions, upper before lower.
     const FewPoints* few = nullptr;
-    const ExtremalPairs* pairs = nullptr;  ///< which of `few` they are
+    const ExtremalPairs* pairs = nullptr;  ///< the extremal points, as indices of `few`
     const Dop26* dop = nullptr;
-    const SurfaceMoments* moments = nullptr;  ///< of the triangles, where there are any
+    const SurfaceMoments* moments = nullptr;  ///< of the triangles, if any
 
     std::size_t size() const { return parts[0].size + parts[1].size; }
     bool is_few() const { return size() <= FewPoints::capacity; }

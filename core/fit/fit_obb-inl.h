@@ -25,7 +25,7 @@ HWY_INLINE void fit(Obb& result, const FitInput& input, const FitOptions&, FitCo
         for (const PointsView& part : input.parts) extend(interval, part, origin, axis);
         result.center += 0.5 * (interval.lower + interval.upper) * axis;
     }
-    // Measured again from the center itself, so that every point is inside to the last bit.
+    // Measured again from the rounded center, so that every point is inside to the last bit.
     for (int i = 0; i < 3; ++i) {
         Interval interval;
         for (const PointsView& part : input.parts)

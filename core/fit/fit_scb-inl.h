@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 struct CandidateSlab {
     Vec3 n;
-    double width;  // of the interval below, or of the DOP's, before the interval is known
+    double width;  // of `interval`, or of the DOP's slab until `interval` is measured
     Interval interval;
     bool measured;
 };
@@ -37,8 +37,8 @@ HWY_INLINE CandidateSlab narrowest_dop_slab(const Dop26& dop) {
     return {dop26_directions[first] * dop26_directions.inverse_length[first], width, {}, false};
 }
 
-// Line 9: the point farthest from the line through h and l, the first of several; line 10: the unit
-// normal of the three. False where they are collinear.
+// Line 9: the point farthest from the line through h and l, the first of several. Line 10: the unit
+// normal of the three. False if they are collinear.
 HWY_INLINE bool normal_of_largest_triangle(const FewPoints& points, const Vec3& h, const Vec3& l,
                                            Vec3& normal) {
     const Vec3 d = l - h;
@@ -47,15 +47,15 @@ HWY_INLINE bool normal_of_largest_triangle(const FewPoints& points, const Vec3& 
         const Doubles3 c = cross(along, p - start);
         return dot(c, c);
     });
-    // Squares of tiny areas lose their digits to underflow, and then are no more than those of
+    // Squares of tiny areas lose their digits to underflow, and cannot be distinguished from
     // collinear points.
     if (!(squared_area.value > 1e-280)) return false;
     normal = cross(d, points[squared_area.index] - h) / std::sqrt(squared_area.value);
     return true;
 }
 
-// Lines 11 to 13, given up as soon as the slab is no narrower. The extremal points come first: they
-// mostly decide. Returns how many points were looked at.
+// Lines 11 to 13, which end as soon as the slab is no narrower. The extremal points come first,
+// since they mostly decide. Returns the number of visited points.
 HWY_INLINE std::size_t keep_if_narrower(CandidateSlab& best, const Vec3& n, const Vec3& c,
                                         const FitInput& input) {
     Interval interval = interval_of(*input.few, c, n);
@@ -73,11 +73,11 @@ HWY_INLINE void fit(Scb& result, const FitInput& input, const FitOptions& option
                     FitCounts& counts) {
     const Ball ball = enclosing_ball(input, options.growth, counts.point_visits);
 
-    // Few points stand for themselves, as they do for the ball: the third corner of a slender
+    // If there are few points, all of them count, as for the ball: the third corner of a slender
     // triangle need not be extremal, and a slab through the other two alone is not flat.
     const FewPoints& points = *input.few;
     CandidateSlab slab = narrowest_dop_slab(*input.dop);
-    std::array<std::uint32_t, FewPoints::capacity> met{};  // bit j of i: the pair i < j
+    std::array<std::uint32_t, FewPoints::capacity> met{};  // bit j of element i: the pair i < j
     for (std::size_t i = 0; i < Dop26::directions; ++i) {
         const auto upper = static_cast<std::size_t>(input.pairs->upper[i]),
                    lower = static_cast<std::size_t>(input.pairs->lower[i]);
@@ -99,7 +99,7 @@ HWY_INLINE void fit(Scb& result, const FitInput& input, const FitOptions& option
         counts.point_visits += input.size();
     }
 
-    // The center is in the convex hull, so f <= 0 <= e but for rounding, which is repaired outward.
+    // The center is in the convex hull, so f <= 0 <= e up to rounding, which is corrected outward.
     result.c = ball.center;
     result.n = slab.n;
     result.e = std::max(slab.interval.upper, 0.0);

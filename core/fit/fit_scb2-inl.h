@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 /// A unit vector at right angles to the unit vector n.
 HWY_INLINE Vec3 unit_across(const Vec3& n, Vec3 v) {
-    // Twice: the first difference leaves its rounding where the vector is nearly along n.
+    // Twice, since the rounding of the first difference remains if the vector is nearly along n.
     for (int i = 0; i < 2; ++i) {
         v -= dot(n, v) * n;
         v /= std::sqrt(squared_norm(v));
@@ -26,9 +26,9 @@ HWY_INLINE Vec3 unit_across(const Vec3& n, Vec3 v) {
     return v;
 }
 
-/// The normal of the narrowest slab at right angles to n that holds the few points: one of its
-/// planes has an edge of the hull of the points as n sees them (as of every narrowest strip: Houle
-/// and Toussaint, "Computing the Width of a Set", 1988).
+/// The normal of the narrowest slab at right angles to n that holds the few points. Projected along
+/// n, an edge of the points' hull is in one of its planes, as for every narrowest strip (Houle and
+/// Toussaint, "Computing the Width of a Set", 1988).
 HWY_INLINE Vec3 narrowest_across(const Vec3& n, const FewPoints& points) {
     const Vec3 axis = std::abs(n[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY();
     const Vec3 u = unit_across(n, axis), v = cross(n, u);

@@ -13,7 +13,7 @@ namespace {
 using Hull = std::array<FlatPoint, 2 * FewPoints::capacity>;
 
 // Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979: a chain over the
-// points in order, and one back. Returns how many corners there are.
+// points in order, and one back. Returns the number of corners.
 std::size_t corners_of(std::span<FlatPoint> points, Hull& hull) {
     std::sort(points.begin(), points.end());
     const auto turns_left = [](const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
@@ -28,7 +28,7 @@ std::size_t corners_of(std::span<FlatPoint> points, Hull& hull) {
     if (points.size() < 2) return size;
     const std::size_t lower = size;
     for (std::size_t i = points.size() - 1; i-- > 0;) extend(points[i], lower);
-    return size - 1;  // the first point again
+    return size - 1;  // without the first point at the end
 }
 
 }  // namespace

@@ -23,18 +23,18 @@ namespace HWY_NAMESPACE {
 // rounding errors.
 inline constexpr double equal_squares = 1 + 1e-15;
 
-// At most four points on the surface of the ball, and the point that is to join them.
+// At most four points on the surface of the ball, and the next point to join them.
 using Support = std::array<Vec3, 5>;
 
 struct Candidate {
     Vec3 center;
-    bool inside_hull;  // the center lies in the convex hull of the points that define it: the ball
-                       // is their smallest
+    bool inside_hull;  // the center is in the convex hull of the defining points, so this is their
+                       // smallest ball
 };
 
 HWY_INLINE Candidate ball_of_two(const Vec3& a, const Vec3& b) { return {a + 0.5 * (b - a), true}; }
 
-// The circumcenter of a triangle; false where the three are collinear.
+// The circumcenter of a triangle; false if the three points are collinear.
 HWY_INLINE bool ball_of_three(const Vec3& a, const Vec3& b, const Vec3& c, Candidate& result) {
     const Vec3 u = b - a, v = c - a;
     const double uu = squared_norm(u), vv = squared_norm(v), uv = dot(u, v);
@@ -45,7 +45,7 @@ HWY_INLINE bool ball_of_three(const Vec3& a, const Vec3& b, const Vec3& c, Candi
     return true;
 }
 
-// The circumcenter of a tetrahedron; false where the four are coplanar.
+// The circumcenter of a tetrahedron; false if the four points are coplanar.
 HWY_INLINE bool ball_of_four(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                              Candidate& result) {
     const Vec3 u = b - a, v = c - a, w = d - a;
@@ -59,8 +59,8 @@ HWY_INLINE bool ball_of_four(const Vec3& a, const Vec3& b, const Vec3& c, const 
     return true;
 }
 
-// The smallest ball of the first `count` points, the last of which lies on its surface. `count`
-// becomes the number of points that define it; they move to the front.
+// The smallest ball of the first `count` points; the last point lies on its surface. `count`
+// becomes the number of points that define the ball; these move to the front.
 struct SupportSolver {
     Support& points;
     int& count;
@@ -72,7 +72,7 @@ struct SupportSolver {
     // A candidate counts with the radius at which it contains all points, so a badly conditioned
     // one can only lose.
     void consider(const Candidate& candidate, unsigned members) {
-        // Of points that are collinear but for rounding, quotients may overflow.
+        // Quotients may overflow if points are nearly collinear.
         optimal = false;
         if (!std::isfinite(candidate.center[0] + candidate.center[1] + candidate.center[2])) return;
         double reach = 0, own = 0;
@@ -123,10 +123,11 @@ struct SupportSolver {
 };
 
 /// The smallest ball that contains the points, see min_ball.h; at least one. `Points` has
-/// `farthest_point(points, center)`. Adds the points looked at to `visits`.
+/// `farthest_point(points, center)`. Adds the number of visited points to `visits`.
 template <class Points>
 HWY_INLINE Ball min_ball_of(const Points& points, std::size_t size, std::uint64_t& visits) {
-    // A long diagonal to begin with: from any point to the farthest one.
+    // Begins with a long diagonal: from the point farthest from the first point to its own farthest
+    // point.
     Support support;
     int count = 2;
     support[0] = points[farthest_point(points, points[0]).index];
@@ -134,8 +135,8 @@ HWY_INLINE Ball min_ball_of(const Points& points, std::size_t size, std::uint64_
     Vec3 center = ball_of_two(support[0], support[1]).center;
     double squared_radius = squared_norm(support[0] - center);
 
-    // Each pivot enlarges the smallest ball of the support, so no support returns; the bound is for
-    // rounding alone.
+    // Each pivot enlarges the smallest ball of the support, so no support returns. The bound is for
+    // rounding errors only.
     Largest far = farthest_point(points, center);
     std::uint64_t passes = 3;
     for (int pivot = 0; pivot < 256 && far.value > squared_radius * equal_squares; ++pivot) {
@@ -144,8 +145,8 @@ HWY_INLINE Ball min_ball_of(const Points& points, std::size_t size, std::uint64_
         solver.enumerate();
         const Largest next = farthest_point(points, solver.center);
         ++passes;
-        // Where the gain in radius is lost in rounding, the center may still have moved to
-        // advantage: the third corner of a nearly right-angled triangle.
+        // Even if the gain in radius is lost in rounding, the new center may be better: with the
+        // third corner of a nearly right-angled triangle.
         if (solver.squared_radius <= squared_radius && next.value >= far.value) break;
         solver.keep_chosen();
         center = solver.center;

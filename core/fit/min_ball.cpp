@@ -2,7 +2,7 @@
 
 #include "core/base/simd_targets.h"
 
-// The baseline alone: fits have few points, and their own.
+// For the baseline target alone: fits compile their own.
 #include "core/fit/min_ball-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -17,8 +17,8 @@ namespace scb {
 namespace HWY_NAMESPACE {
 
 // Passes over points, a vector at a time. Minimum and maximum do not depend on the order, so the
-// result is that of the plain loop; each lane rounds as `contains` does, so what a pass bounds is
-// contained exactly.
+// result is the same as in a plain loop. Each lane rounds as `contains` does, so the points within
+// a pass's bound are contained exactly.
 
 HWY_INLINE Doubles3 load_points(const FewPoints& points, std::size_t i) {
     return {Doubles::load(&points.x[i]), Doubles::load(&points.y[i]), Doubles::load(&points.z[i])};
@@ -27,8 +27,8 @@ HWY_INLINE Doubles3 load_points(const PointsView& points, std::size_t i) {
     return {Doubles::load(points.x + i), Doubles::load(points.y + i), Doubles::load(points.z + i)};
 }
 
-/// Calls `pass` with vectors that hold all of the points, some perhaps twice; with the points one
-/// by one, each in all lanes, where they do not fill a vector.
+/// Calls `pass` with vectors that hold all points, some perhaps twice. If the points do not fill a
+/// vector, calls it with each point, in all lanes.
 template <class Pass>
 HWY_INLINE void in_vectors(const PointsView& points, Pass pass) {
     if (points.size < double_lanes) {
@@ -59,8 +59,8 @@ struct Interval {
     double width() const { return upper - lower; }
 };
 
-/// Extends the interval by n.(p - c) of every point; gives up, with an interval at least `enough`
-/// wide, as soon as it is. Returns how many points it looked at.
+/// Extends the interval by n.(p - c) of every point; ends early once the interval is at least
+/// `enough` wide. Returns the number of visited points.
 inline HWY_ATTR std::size_t extend(Interval& interval, const PointsView& points, const Vec3& c,
                                    const Vec3& n,
                                    double enough = std::numeric_limits<double>::infinity()) {
@@ -92,7 +92,7 @@ HWY_INLINE Interval interval_of(const FewPoints& points, const Vec3& c, const Ve
     return {lower.smallest(), upper.largest()};
 }
 
-/// The first of the points for which a number is largest, and that number.
+/// The index of the largest number, the first of several, and the number.
 struct Largest {
     std::size_t index;
     double value;
