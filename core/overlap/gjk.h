@@ -11,14 +11,14 @@ namespace scb {
 /// Up to four points of a convex set, and the point of their hull that is closest to the origin.
 class Simplex {
   public:
-    /// Adds a point, and drops those that the closest point does not need. False where the closest
+    /// Adds a point, and drops points that do not span the closest point. False if the closest
     /// point is the origin, or no closer than before.
     bool add(const Vec3& point) {
         points_[size_] = point;
         const std::size_t last = size_;
         Candidate best;
-        // The closest point is on a part of the hull that has the new point, else it were closer
-        // before.
+        // The closest point is on a part of the hull with the new point; otherwise it would have
+        // been found before.
         consider(best, {last}, 1);
         for (std::size_t i = 0; i < last; ++i) consider(best, {i, last}, 2);
         for (std::size_t i = 0; i < last; ++i)
@@ -50,8 +50,8 @@ class Simplex {
         std::size_t count;
     };
 
-    /// The point of the plane through one, two or three points that is closest to the origin, where
-    /// it is between them.
+    /// The point closest to the origin in the plane through one, two or three points, if it is
+    /// between them.
     void consider(Candidate& best, const std::array<std::size_t, 3>& which,
                   std::size_t count) const {
         const Vec3& a = points_[which[0]];
@@ -93,10 +93,10 @@ class Simplex {
 /// Walks to the point of a convex set that is closest to the origin (Gilbert, Johnson and Keerthi,
 /// "A Fast Procedure for Computing the Distance Between Complex Objects in Three-Dimensional
 /// Space", 1988). `farthest(d)` is the point of the set that is farthest along d, which is not
-/// zero; the walk begins along `first`. `is_done(d, w)` sees each direction d, and that point w:
-/// the set is beyond the origin by -d.w / |d| along it, which proves that it does not hold it. The
-/// walk ends where this says so, or where it comes no closer, and returns the points between which
-/// the closest one is.
+/// zero; the walk begins along `first`. `is_done(d, w)` receives each direction d and its farthest
+/// point w. If -d.w / |d| is positive, it is a distance along d that separates the set from the
+/// origin. The walk ends if `is_done` returns true, or if it comes no closer. It returns the points
+/// that span the closest point.
 template <class Farthest, class IsDone>
 Simplex gjk(const Farthest& farthest, const Vec3& first, const IsDone& is_done) {
     constexpr int most_steps = 64;

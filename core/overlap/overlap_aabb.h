@@ -5,11 +5,11 @@
 
 namespace scb {
 
-/// Two boxes along the axes of their bodies, which in A's frame are an upright box and a turned
-/// one. As engines test them, A against the upright box about the turned one, which is the first
-/// three of the separating axes (van den Bergen, "Efficient Collision Detection of Complex
-/// Deformable Models using AABB Trees", 1997, calls it SAT lite); or exactly, by all fifteen. The
-/// turned axes are columns of the pose, so that only B's center is transformed.
+/// Two boxes along the axes of their bodies: in A's frame, an upright box and a turned box. As in
+/// engines, A against the upright box about the turned one: the first three of the separating axes
+/// (van den Bergen, "Efficient Collision Detection of Complex Deformable Models using AABB Trees",
+/// 1997, calls it SAT lite); or exactly, by all fifteen. The turned axes are columns of the pose,
+/// so that only B's center is transformed.
 template <bool exact>
 Stage overlap_aabb(const BasicAabb<exact>& a, const BasicAabb<exact>& b, const Placement& placed) {
     const Vec3 offset = transform_point(placed.b_to_a, b.center) - a.center;

@@ -7,7 +7,7 @@
 
 namespace scb {
 
-/// The set of differences of the cores of A and B, B placed: it holds the origin where they meet.
+/// The set of differences of the cores of A and placed B: it contains the origin if they meet.
 template <ConvexVolume V>
 struct CoreDifference {
     const V& a;
@@ -31,9 +31,9 @@ struct CoreDifference {
 /// Two convex volumes, by their farthest points: first along the line through the centers, then
 /// along the directions in which the search of Gilbert, Johnson and Keerthi closes in on the
 /// closest points of the cores. A pair is rejected only along a direction that separates it by more
-/// than the margin, so what touches is never rejected, wherever rounding takes the search; exact up
-/// to rounding and the margin. `told(stage, d, w)` is told each direction, and the farthest point
-/// along it.
+/// than the margin, so rounding in the search never makes the test reject touching volumes. Exact
+/// up to rounding and the margin. `told(stage, d, w)` receives each direction, and the farthest
+/// point along it.
 template <ConvexVolume V, class Told>
 Stage overlap_convex(const V& a, const V& b, const Placement& placed, const Told& told) {
     const CoreDifference<V> farthest(a, b, placed);
@@ -46,7 +46,7 @@ Stage overlap_convex(const V& a, const V& b, const Placement& placed, const Told
             result = stage;
             return true;
         }
-        // From the second step on d leads back from a difference of two points of the cores.
+        // From the second step on, -d is a difference of two points of the cores.
         const bool meet = stage == Stage::search && squared_norm(d) <= rounded * rounded;
         stage = Stage::search;
         return meet;

@@ -9,9 +9,9 @@
 
 namespace scb {
 
-/// How far an SCB reaches from its center in a direction at this cosine to its normal, see
-/// support(); never too little by more than rounding of the radius. The bound is that of
-/// BasicPlacement. T is the scalar type, see BasicScb.
+/// The extent of an SCB from its center in a direction at this cosine to its normal, see support();
+/// too small by rounding of the radius at most. The bound is BasicPlacement::squared_sine_bound. T
+/// is the scalar type, see BasicScb.
 template <class T>
 T reach_at_cosine(const BasicScb<T>& s, const T& cosine, const T& squared_sine_bound) {
     using std::max;
@@ -28,7 +28,8 @@ T reach_at_cosine(const BasicScb<T>& s, const T& cosine, const T& squared_sine_b
 template <class T>
 bool is_beyond_slab(const BasicScb<T>& s, const BasicScb<T>& other, const T& d, const T& cosine,
                     const BasicPlacement<T>& placed) {
-    // The point of its axis that is nearest to its center and in it says on which side it can be.
+    // The point of its axis that is nearest to its center and inside its slab decides on which side
+    // it can be.
     const T axis_point = d + (other.f > 0 ? other.f : other.e < 0 ? other.e : T(0)) * cosine;
     if (axis_point > s.e)
         return d - reach_at_cosine(other, T(-cosine), placed.squared_sine_bound) >
@@ -39,8 +40,8 @@ bool is_beyond_slab(const BasicScb<T>& s, const BasicScb<T>& other, const T& d, 
 }
 
 /// Separation by the exact extents of both SCBs along the normal of A, the normal of B, and the
-/// line through the centers: the "effective radius of the intersection volume itself" of Section
-/// 4's last paragraph. The balls are tested first. No threshold; five square roots at most.
+/// line through the centers: the "effective radius of the intersection volume itself" of the last
+/// paragraph of Section 4. The balls are tested first. No threshold; at most five square roots.
 template <class T>
 Stage overlap_extents(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed) {
     using std::sqrt;
@@ -57,8 +58,8 @@ Stage overlap_extents(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPla
     const T d1 = -dot(n, c);
     if (is_beyond_slab(b, a, d1, cosine, placed)) return Stage::slab_b;
 
-    // Along the line through the centers, where there is one; the sum of the extents may be
-    // negative for slabs that leave their centers out.
+    // Along the line through the centers, if they differ. The sum of the extents may be negative if
+    // slabs do not contain their centers.
     const T distance = sqrt(squared_distance);
     if (!(distance > placed.margin)) return Stage::overlapping;
     if (distance - placed.margin >

@@ -4,7 +4,7 @@
 
 namespace scb {
 
-/// Which of the two errors of Figure 8 are kept.
+/// The errors of Figure 8 that are kept.
 struct Figure8Errata {
     bool line_8 = false;       ///< `d1 - f1 < -r1`, where it must be -r0: misses collisions
     bool lines_20_23 = false;  ///< the two calls are exchanged: they never reject
@@ -14,9 +14,9 @@ struct Figure8Errata {
 /// Slab Cut Balls", Figure 8: the stage that rejected A and B, or overlapping. The cylinder tests
 /// are made where |n0.n1| > threshold (the paper's a).
 ///
-/// The cylinder's top is not made a point and projected, as equations 7 and 8 do it: its distance
-/// along the other normal is d + k cos(alpha), which is the same and cheaper. The four cases of the
-/// cylinder tests are one, with the planes that face each other selected first.
+/// Equations 7 and 8 project the cylinder's top as a point. Here its distance along the other
+/// normal is d + k cos(alpha), which is equal and cheaper. The four cases of the cylinder tests are
+/// one, since the planes that face each other are selected first.
 template <Figure8Errata errata, class T>
 Stage overlap_figure8(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed,
                       const T& threshold) {

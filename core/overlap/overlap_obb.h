@@ -10,10 +10,10 @@ namespace scb {
 
 /// The first 3 or all 15 of the separating axes of Gottschalk, Lin and Manocha, "OBBTree: A
 /// Hierarchical Structure for Rapid Interference Detection": the 6 face normals, then the 9 cross
-/// products of edges. With all it is exact, up to the margin. Half lengths are `a` and `b`;
+/// products of edges. With all 15 it is exact, up to the margin. `a` and `b` are the half lengths;
 /// `along_a(i, t, r)` sets t, the offset of the centers along the axis i of A, and row i of r, the
-/// axes of B along it. The cross products are not normalized; where two edges are parallel, both
-/// sides of the comparison vanish and the margin keeps the pair.
+/// axes of B along it. The cross products are not normalized: if two edges are parallel, both sides
+/// of the comparison vanish, and because of the margin the pair passes.
 template <int axes, class AlongA>
 Stage overlap_boxes(const Vec3& a, const Vec3& b, double margin, const AlongA& along_a) {
     static_assert(axes == 3 || axes == 15);

@@ -12,7 +12,8 @@ namespace scb {
 template <class T>
 struct Scb2Frames {
     std::array<Vector3<T>, 3> a, b;
-    /// Of A's axes, in the rows, and B's: row i is A's axis in B's frame, column j is B's in A's.
+    /// Cosines of A's axes, in the rows, and B's: row i is A's axis i in B's frame, column j is B's
+    /// axis j in A's frame.
     Matrix3<T> cosines;
     Vector3<T> c;     ///< B's center from A's
     Vector3<T> in_a;  ///< the same in A's frame
@@ -35,12 +36,12 @@ struct Scb2Frames {
     void measure_along_b(int axis) { in_b[axis] = dot(b[static_cast<std::size_t>(axis)], c); }
 };
 
-/// The product of the long axes, A's times B's, turned so that it leads from A to B; of unit length
-/// where the two are at right angles.
+/// The product of the long axes, A's times B's, with the sign that leads from A to B; a unit vector
+/// if the two are at right angles.
 template <class T>
 struct LongAxesProduct {
     Vector3<T> in_a;           ///< in A's frame, see Scb2Frames
-    Vector3<T> in_b_reversed;  ///< its opposite in B's
+    Vector3<T> in_b_reversed;  ///< its opposite in B's frame
     T length;
     T distance;  ///< of the centers along it, times `length`
 
@@ -60,22 +61,22 @@ struct LongAxesProduct {
 
 /// Whether all of `other` is beyond one of the planes of the slab. `d` is the signed distance of
 /// its center along the slab's normal, from the center of the slab's ball; `normal` is this normal
-/// in the frame of `other`, see scb2_reach. Both centers are within their slabs, so the plane is
-/// the one on whose side `other` has its center.
+/// in the frame of `other`, see scb2_reach. Both centers are within their slabs, so only the plane
+/// on the side of the center of `other` matters.
 template <class T>
 bool is_beyond_plane(const BasicSlab<T>& slab, const BasicScb2<T>& other, const T& d,
                      const Vector3<T>& normal, const BasicPlacement<T>& placed) {
-    // Where the center is within the slab, nothing is to be measured.
+    // If the center is within the slab, no plane separates the two.
     if (d < 0) return d < slab.f && -d - scb2_reach(other, normal, T(1)) > placed.margin - slab.f;
     return d > slab.e && d - scb2_reach(other, Vector3<T>(-normal), T(1)) > slab.e + placed.margin;
 }
 
 /// Two balls of two slabs each, by their exact extents: the balls; along the normals of A's slabs,
-/// then of B's; along the line through the centers; along the product of the long axes, which is
-/// what separates needles that cross. The last two are not made unit vectors: where the axes are
-/// parallel, both sides of the comparison vanish and the margin keeps the pair. Every rejection has
-/// a separating direction. The long axes themselves and the other eight products would reject few
-/// pairs more, see core/README.md. T is the scalar type, see BasicScb.
+/// then of B's; along the line through the centers; along the product of the long axes, which
+/// separates crossing needles. The last two directions are not unit vectors: if the axes are
+/// parallel, both sides of the comparison vanish, and because of the margin the pair passes. Every
+/// rejection has a separating direction. The long axes themselves and the other eight products
+/// would reject few more pairs, see core/README.md. T is the scalar type, see BasicScb.
 template <class T>
 Stage overlap_scb2(const BasicScb2<T>& a, const BasicScb2<T>& b, const BasicPlacement<T>& placed) {
     using std::sqrt;

@@ -6,7 +6,7 @@
 
 namespace scb {
 
-/// Where two slab cut balls are along their normals, as overlap_slabs finds it.
+/// Distances of two slab cut balls along their normals, computed by overlap_slabs.
 template <class T>
 struct SlabDistances {
     T d0 = 0;      ///< signed distance of B's center from A's, along A's normal
@@ -14,9 +14,9 @@ struct SlabDistances {
     T cosine = 0;  ///< of the two normals
 };
 
-/// The stages that Figure 8 (lines 2 to 11) and its symmetric form have in common: the balls, then
-/// each slab against the other's ball. `found` is set where none of them rejects.
-/// `line_8_as_printed` compares with the other radius, see Figure8Errata.
+/// The stages that Figure 8 (lines 2 to 11) and its symmetric form share: the balls, then each slab
+/// against the other's ball. `found` is set if none of them rejects. `line_8_as_printed` compares
+/// with the radius of the other ball, see Figure8Errata.
 template <bool line_8_as_printed = false, class T>
 Stage overlap_slabs(const BasicScb<T>& a, const BasicScb<T>& b, const BasicPlacement<T>& placed,
                     SlabDistances<T>& found) {

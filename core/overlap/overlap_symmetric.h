@@ -7,8 +7,8 @@ namespace scb {
 /// The symmetric form of Figure 8: slab against cylinder without distinguishing cases, and without
 /// a threshold. A slab is its middle plane, at m along the normal, and half its thickness, h: the
 /// cylinder about B with the slab's height reaches |h1 cos| + r1 |sin| from its middle, m1, along
-/// A's normal. It rejects all that the corrected Figure 8 rejects, and its answer stays when A and
-/// B are exchanged or (n, e, f) becomes (-n, -f, -e).
+/// A's normal. It rejects all that the corrected Figure 8 rejects, and its result does not change
+/// when A and B are exchanged, or (n, e, f) becomes (-n, -f, -e).
 template <class T>
 Stage overlap_symmetric(const BasicScb<T>& a, const BasicScb<T>& b,
                         const BasicPlacement<T>& placed) {

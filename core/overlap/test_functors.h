@@ -16,8 +16,8 @@
 
 namespace scb {
 
-/// An overlap test as a type, so that a traversal is compiled for it: called with A, B and where B
-/// is, it returns the stage that rejected, or overlapping.
+/// An overlap test as a type, so that a traversal is compiled for it. Called with A, B and the
+/// placement of B, it returns the stage that rejected them, or overlapping.
 struct BallTest {
     Stage operator()(const Ball& a, const Ball& b, const Placement& placed) const {
         return overlap_ball(a, b, placed);
@@ -63,8 +63,7 @@ struct ScbTest {
     }
 };
 
-/// Calls `use` with the test of the options, as one of the types above, and returns what it
-/// returns.
+/// Calls `use` with the test of the options, as one of the types above, and returns its result.
 template <Volume V, class Use>
 decltype(auto) with_overlap_test(const OverlapOptions& options, Use&& use) {
     if constexpr (std::same_as<V, Ball>) {
