@@ -16,7 +16,7 @@ bool holds(const Box& box, const Vec3& p) {
 
 bool overlap(const Box& a, const Box& b) { return gap_between(a, b).isZero(0); }
 
-/// `parity` is asked for only where a vertex is in the other body's box.
+/// `parity` is called only if a vertex is in the other body's box.
 PartsInside parts_inside(const Mesh& mesh, const MeshParts& parts, const Box& other,
                          bool other_is_closed, const std::function<const MeshParity&()>& parity) {
     PartsInside result;
@@ -33,7 +33,8 @@ PartsInside parts_inside(const Mesh& mesh, const MeshParts& parts, const Box& ot
             continue;
         }
         const PointSide side = parity().side(vertex);
-        // A test that misses contacts may leave some; a vertex beside the contact decides.
+        // If an overlap test missed contacts, a vertex may be on the other body. Another vertex of
+        // the part decides then.
         is_decided[part] = side != PointSide::on;
         result.inside += side == PointSide::in;
     }
@@ -60,7 +61,7 @@ std::array<PartsInside, 2> BodiesInside::at(const Pose& b_to_a) {
     const Box box_of_b = bounding_box(*b.mesh, b_to_a);
     if (!overlap(a.box, box_of_b)) return {};
     prepare();
-    // Vertices that no triangle uses may be anywhere, and are of no account.
+    // Vertices that no triangle uses may be anywhere, and have no effect.
     Mesh placed{b.mesh->vertices, b.mesh->triangles};
     for (Vec3& vertex : placed.vertices) vertex = transform_point(b_to_a, vertex);
     std::optional<MeshParity> parity_of_b;

@@ -11,25 +11,26 @@
 
 namespace scb {
 
-/// How much of a body lies inside of another. A part is what common vertices connect.
+/// How many parts of a body lie inside another body. Common vertices connect the triangles of a
+/// part.
 struct PartsInside {
     std::size_t inside = 0, parts = 0;
-    /// Of parts that might lie inside nothing is known, since the other body is not closed.
+    /// Whether some parts are not judged: they may lie inside, but the other body is not closed.
     bool not_judged = false;
 };
 
-/// For two bodies, of which no triangles intersect, which of them lies inside the other.
+/// Finds whether one of two bodies lies inside the other, if none of their triangles intersect.
 ///
-/// A part without contact is inside where one of its vertices is, by MeshParity. A's vertices are
-/// taken as they are, B's as transform_point rounds them into A's frame, as in a query: on these
+/// A part without contact is inside if one of its vertices is, by MeshParity. As in a query, A's
+/// vertices are used as stored, and B's as transform_point rounds them into A's frame: for these
 /// numbers the answer is exact.
 class BodiesInside {
   public:
-    /// The meshes must satisfy check_mesh; refers to them and to the topologies.
+    /// The meshes must satisfy check_mesh. Refers to them and to the topologies.
     BodiesInside(const Mesh& a, const Topology& of_a, const Mesh& b, const Topology& of_b);
 
-    /// Of A inside B, and of B inside A. O(n log n) the first time that the boxes overlap, then
-    /// O(n) where one body is near the other.
+    /// A inside B, and B inside A. O(n log n) the first time that the boxes overlap, later O(n) if
+    /// they overlap.
     std::array<PartsInside, 2> at(const Pose& b_to_a);
 
   private:

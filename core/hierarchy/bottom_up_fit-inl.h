@@ -31,7 +31,7 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// The pairs of a DOP among points, by their ids; all of them are there.
+/// The indices of a DOP's pairs among points, by their ids; each id must be among `ids`.
 HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t count,
                            ExtremalPairs& pairs) {
     const hn::FixedTag<std::int32_t, double_lanes> integers;
@@ -49,9 +49,9 @@ HWY_INLINE void find_pairs(const Dop26& dop, const double* ids, std::size_t coun
     }
 }
 
-/// Fits the volumes of a subtree, children before their parents. What a fitted subtree leaves for
-/// its parent is on a stack, and the ids of the points that it shares with what lies left of it at
-/// the end of another. Nodes that are not wanted are merged all the same.
+/// Fits the volumes of a subtree, children before their parents. The data of a fitted subtree that
+/// its parent needs are on a stack. A second stack has the ids of the points that the subtree
+/// shares with triangles left of it. Unwanted nodes are merged too.
 template <class V>
 class BottomUpFit {
   public:
@@ -68,7 +68,7 @@ class BottomUpFit {
     }
 
     void run(std::uint32_t root, int depth = 0) {
-        // Above some thousand triangles, the two halves at once.
+        // Above some thousand triangles, the two halves are fitted in parallel.
         constexpr std::uint32_t divided_from = 4096;
         const TopologyNode& node = topology_.nodes[root];
         if (threads_ == 1 || node.count < divided_from) {
@@ -99,7 +99,7 @@ class BottomUpFit {
     };
 
     void in_turn(std::uint32_t root, int root_depth) {
-        // A node is met twice: before its children, and after them.
+        // A node is visited twice: before its children, and after them.
         struct Visit {
             std::uint32_t index;
             int depth;
@@ -124,7 +124,7 @@ class BottomUpFit {
         }
     }
 
-    // The node on top of the stack.
+    // Fits the node on top of the stack.
     void fit_if_wanted(std::uint32_t index, int depth) {
         const TopologyNode& node = topology_.nodes[index];
         if (depth > wanted_.deepest) return;
@@ -136,8 +136,8 @@ class BottomUpFit {
         if (leaves_out_ && !node.is_leaf()) fit_triangles_below(index);
     }
 
-    // The children that are triangles, once their parent is fitted. Where it may become a packed
-    // leaf, they need no volumes unless to be leaves of their own might cost less, see collapse.
+    // Fits the children that are triangles, after their parent. If the parent may become a packed
+    // leaf, they need volumes only if leaves of their own might cost less, see collapse.
     void fit_triangles_below(std::uint32_t parent) {
         if constexpr (may_be_unfitted) {
             const TopologyNode& node = topology_.nodes[parent];
@@ -151,7 +151,7 @@ class BottomUpFit {
     float own_cost(std::uint32_t index) const {
         return static_cast<float>(visit_cost(volumes_[index]));
     }
-    // Of the few triangles below a node, in any number of leaves.
+    // The least cost of the few triangles below a node, divided into leaves in any way.
     float least_cost(std::uint32_t index) const {
         const TopologyNode& node = topology_.nodes[index];
         const float own = own_cost(index);
@@ -196,7 +196,7 @@ class BottomUpFit {
             if (id < leaf.own_first) add_shared(leaf, id);
     }
 
-    // In ascending order, each once.
+    // Keeps the ids in ascending order, each once.
     void add_shared(Subtree& leaf, std::uint32_t id) {
         const auto begin = shared_.end() - leaf.shared_count;
         const auto at = std::lower_bound(begin, shared_.end(), id);
@@ -210,8 +210,7 @@ class BottomUpFit {
         Subtree& left = stack_[stack_.size() - 2];
         if constexpr (needs_dop) merge_into(left.dop, right.dop);
         if constexpr (needs_moments) left.moments = merge(left.moments, right.moments);
-        // What the right child shares with the left one belongs to both, and so becomes their
-        // parent's own.
+        // Shared points of the right child that are the left child's own become their parent's own.
         const auto right_begin = shared_.end() - right.shared_count;
         const auto left_begin = right_begin - left.shared_count;
         const auto right_end = std::lower_bound(right_begin, shared_.end(), left.own_first);

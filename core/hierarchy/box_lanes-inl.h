@@ -17,14 +17,14 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Eight doubles: the corners of a box as a Primitive has them, and two lanes of no use. Minima are
-/// exact, so the box of many does not depend on their order, nor on how wide vectors are.
+/// Eight doubles: the corners of a box as in Primitive, and two unused lanes. Minima are exact, so
+/// the box of many triangles depends neither on their order nor on the width of vectors.
 struct BoxLanes {
     static constexpr std::size_t lanes = 8;
     using Stored = std::array<double, lanes>;
     std::array<Doubles, lanes / double_lanes> part;
 
-    /// Of no triangles.
+    /// The box of no triangles.
     static HWY_INLINE BoxLanes empty() {
         return {lane_parts<lanes / double_lanes>([](std::size_t)
                                                      HWY_ATTR { return Doubles::all(1e300); })};
@@ -48,7 +48,7 @@ struct BoxLanes {
     }
 };
 
-/// The squared sum of a box's sides; infinite of an empty one.
+/// The squared sum of a box's sides; infinite if the box is empty.
 HWY_INLINE double squared_width_sum(const BoxLanes& box) {
     BoxLanes::Stored s;
     box.store(s);

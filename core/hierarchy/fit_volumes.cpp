@@ -21,7 +21,7 @@ void fit_tree(const Topology& topology, const LeafOrder& points, const FitOption
     if (options.counts != nullptr) options.counts->add(fit.counts());
 }
 
-// A name for each type, which the table of targets needs.
+// A name for each type, needed for the table of targets.
 #define SCB_FIT_TREE(V)                                                                  \
     void fit_tree_##V(const Topology& topology, const LeafOrder& points,                 \
                       const FitOptions& options, int threads, const FittedNodes& wanted, \

@@ -4,17 +4,16 @@
 
 namespace scb {
 
-/// Of which nodes of a topology volumes are wanted: all, unless told otherwise, in one way or the
-/// other.
+/// The nodes of a topology that get volumes: all by default. At most one of the members may be set.
 struct FittedNodes {
-    /// Those no deeper than that; the root has depth 0. Deeper ones keep the volume of a `V{}`.
+    /// Nodes down to this depth; the root has depth 0. Deeper nodes keep the volume `V{}`.
     int deepest = std::numeric_limits<int>::max();
 
-    /// Volumes that are only to be packed to leaves of up to so many triangles can leave out most
-    /// single ones, half of all nodes: those that share a leaf with their neighbour whatever else
-    /// is chosen, see collapse. These get no volumes that contain them, but unfitted ones of such
-    /// a cost that collapse chooses the same as if they were fitted. Of types other than Scb and
-    /// Scb2 all are fitted.
+    /// The largest leaf of a packed hierarchy, if the volumes are only packed. Most single
+    /// triangles, half of all nodes, need no volume then: in any choice of collapse they share a
+    /// leaf with their neighbour. They get unfitted volumes that do not contain them, with such a
+    /// cost that collapse makes the same choices as with fitted volumes. For types other than Scb
+    /// and Scb2, all nodes are fitted.
     int leaf_triangles = 1;
 };
 

@@ -19,7 +19,8 @@ LeafOrder leaf_order(const Mesh& mesh, const Topology& topology,
                      const std::vector<std::uint32_t>& welded, int threads) {
     const std::size_t count = mesh.triangles.size();
     LeafOrder result;
-    // Vertices at first, then points. What waits for memory is in threads; the rest is one pass.
+    // First vertices, then points. The loops that wait for memory run in threads; the rest is one
+    // pass.
     result.corners.resize(count);
     parallel_blocks(threads, count, [&](std::size_t first, std::size_t end) {
         for (std::size_t k = first; k < end; ++k)

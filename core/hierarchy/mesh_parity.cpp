@@ -12,9 +12,8 @@ constexpr int upward = 2;
 
 int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
 
-/// On which side of the line from u to v, seen from above, the moved point is: that of
-/// orient2d(u, v, p), or else the sign of the first of its derivatives, by e and e^2, that is not
-/// 0.
+/// The side of the line from u to v, seen from above, on which the moved point is: the sign of
+/// orient2d(u, v, p), or if that is 0, of the first of its derivatives by e and e^2 that is not 0.
 int side_of_line(const Vec3& u, const Vec3& v, const Vec3& p) {
     if (const int side = orient2d(u, v, p, upward); side != 0) return side;
     if (u[1] != v[1]) return sign_of(u[1] - v[1]);

@@ -5,8 +5,8 @@
 
 namespace scb {
 
-/// The triangles below a node as a mesh of their own, in the order of the topology; of the vertices
-/// those that they use. `mesh` is the one that the topology is of.
+/// The triangles below a node as a mesh, in the order of the topology, with the vertices that they
+/// use. `mesh` is the mesh of the topology.
 Mesh node_mesh(const Mesh& mesh, const Topology& topology, std::uint32_t node);
 
 }  // namespace scb

@@ -7,8 +7,8 @@
 
 namespace scb {
 
-/// For each node the area of the triangles in it and below it, in squared units of the mesh, whose
-/// tree the shape is of.
+/// For each node, the area of the triangles in it and below it, in squared units of the mesh.
+/// `shape` is the shape of a tree of `mesh`.
 std::vector<double> node_surfaces(const TreeShape& shape, const Mesh& mesh);
 
 }  // namespace scb

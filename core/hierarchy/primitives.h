@@ -10,8 +10,8 @@
 
 namespace scb {
 
-/// What splits look at: the box and the centroid of a triangle, side by side for vectors of up to
-/// eight doubles. The upper corner is negated, so that one minimum joins two boxes.
+/// The box and the centroid of a triangle, for splits; contiguous for vectors of up to eight
+/// doubles. The upper corner is negated, so that one minimum joins two boxes.
 struct Primitive {
     std::array<double, 3> lower, negated_upper, centroid;
 
@@ -21,7 +21,7 @@ struct Primitive {
     }
 };
 
-/// Those of all triangles of a mesh.
+/// The primitives of all triangles of a mesh.
 class Primitives {
   public:
     Primitives(const Mesh& mesh, int threads)

@@ -23,15 +23,15 @@ constexpr std::size_t bins = 32;
 struct Division {
     double cost = std::numeric_limits<double>::infinity();
     int axis = -1;
-    std::size_t at = 0;  // of how many triangles, or before which bin
+    std::size_t at = 0;  // the number of triangles before the division, or the first bin after it
 };
 
 HWY_INLINE double cost(const BoxLanes& box, std::size_t count) {
     return squared_width_sum(box) * static_cast<double>(count);
 }
 
-// Half of all inner nodes: the same as split_few without the loops. All axes cost the same, so the
-// first is taken.
+// A shortcut for half of all inner nodes: the same as split_few without the loops. All axes cost
+// the same, so it takes the first.
 HWY_INLINE std::uint32_t split_two(std::span<std::uint32_t> range, const Primitives& primitives) {
     BoxLanes first = BoxLanes::of(primitives[range[0]]);
     const BoxLanes second = BoxLanes::of(primitives[range[1]]);
@@ -42,7 +42,7 @@ HWY_INLINE std::uint32_t split_two(std::span<std::uint32_t> range, const Primiti
     return 1;
 }
 
-// Centroids along an axis, and triangles as numbers; behind them such as come last.
+// Centroids along an axis, and indices of triangles as doubles; unused entries sort last.
 struct Keys {
     static_assert(tried_all % BoxLanes::lanes == 0);
     alignas(64) std::array<double, tried_all> key, triangle;
@@ -55,7 +55,7 @@ struct Keys {
             triangle[i] = range[i];
         }
     }
-    // How many come before one of them: its place in the order.
+    // The place of entry i in the order: the number of entries before it.
     HWY_INLINE std::size_t place(std::size_t i, std::size_t count) const {
         const Doubles x = Doubles::all(key[i]), t = Doubles::all(triangle[i]);
         std::size_t before = 0;
@@ -105,7 +105,7 @@ struct Interval {
     }
 };
 
-// The intervals along the three axes: between the outermost centroids.
+// The intervals along the three axes between the outermost centroids.
 HWY_INLINE std::array<Interval, 3> intervals_of(std::span<const std::uint32_t> range,
                                                 const Primitives& primitives) {
     Vec3 lower = Vec3::Constant(1e300), upper = -lower;
@@ -141,13 +141,13 @@ struct Bins {
     }
 };
 
-// Those in bins before `at` to the front, in their order; returns their number.
+// Moves the triangles in bins before `at` to the front, in their order; returns their number.
 HWY_INLINE std::uint32_t partition(std::span<std::uint32_t> range, const Primitives& primitives,
                                    const Interval& interval, const Division& division) {
     const auto axis = static_cast<std::size_t>(division.axis);
     const auto behind = std::make_unique_for_overwrite<std::uint32_t[]>(range.size());
     std::size_t left = 0, right = 0;
-    // Which side cannot be predicted, so each is written to both.
+    // The side cannot be predicted, so each triangle is written to both.
     for (const std::uint32_t t : range) {
         const bool before = interval.bin_of(primitives[t].centroid[axis]) < division.at;
         range[left] = t;

@@ -18,7 +18,7 @@ constexpr std::uint32_t sort_below = 8;
 
 using Range = std::span<std::uint32_t>;
 
-// The longest first; of equal ones the first.
+// The longest axis first; equal axes keep their order.
 std::array<std::size_t, 3> axes_by_length(const Box& box) {
     const Vec3 sides = box.upper - box.lower;
     std::array<std::size_t, 3> axes = {0, 1, 2};
@@ -29,10 +29,10 @@ std::array<std::size_t, 3> axes_by_length(const Box& box) {
     return axes;
 }
 
-// Moves the triangles whose centroid is below the plane to the front; returns their number. What
-// stands on the wrong side changes places with its counterpart from the other end, as in quicksort.
-// Which side a centroid is on cannot be predicted, so what stands wrong is listed without branches,
-// a block at a time (Edelkamp and Weiss, "BlockQuicksort", 2016).
+// Moves the triangles whose centroid is below the plane to the front; returns their number. As in
+// quicksort, triangles on the wrong side are exchanged in pairs. Branches on the side of a centroid
+// cannot be predicted, so triangles on the wrong side are listed without branches, a block at a
+// time (Edelkamp and Weiss, "BlockQuicksort", 2016).
 std::uint32_t partition(Range range, const Primitives& primitives, std::size_t axis, double plane) {
     const auto below = [&](std::size_t i) {
         return std::size_t{primitives[range[i]].centroid[axis] < plane};
@@ -95,7 +95,7 @@ struct Split {
 Split split_by_section_3(Range range, std::uint32_t first, const Primitives& primitives) {
     const auto count = static_cast<std::uint32_t>(range.size());
     if (count == 2) {
-        // Half of all inner nodes: the same as below without the loops.
+        // A shortcut for half of all inner nodes: the same as below without the loops.
         Box box = primitives[range[0]].box();
         box.add(primitives[range[1]].box());
         const std::size_t axis = axes_by_length(box)[0];
@@ -156,14 +156,14 @@ class Builder {
     }
 
   private:
-    // A node whose children, and behind them all that is below them, go to nodes[next] and on: a
+    // A node whose children are stored from nodes[next] on, followed by all nodes below them: a
     // subtree of n triangles has 2 n - 1 nodes, so every place is known beforehand.
     struct Open {
         std::uint32_t index, next;
     };
 
     void divide(Open root) {
-        // Above some thousand triangles, the two halves at once.
+        // Above some thousand triangles, the two halves are built in parallel.
         constexpr std::uint32_t divided_from = 4096;
         if (options_.threads > 1 && topology_.nodes[root.index].count >= divided_from) {
             const std::pair<Open, Open> halves = children(root);

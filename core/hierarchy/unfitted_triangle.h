@@ -8,12 +8,12 @@
 
 namespace scb {
 
-// What stands for the volume of a triangle of which nothing but its visit_cost is asked: at most
-// that of any such volume that contains the triangle, and mostly nearly as much.
+// Stand-ins for the volumes of triangles, of use only for their visit_cost: at most the cost of any
+// volume of the type that contains the triangle, and mostly nearly as much.
 
-/// The triangle's area, and a radius that every ball about it has: that of the smallest, which is
-/// half the longest side, or that of the circumcircle where all angles are acute; for slender
-/// triangles, and for rounding, less.
+/// The triangle's area, and a lower bound of the radius of balls about it: the radius of the
+/// smallest ball, which is half the longest side, or the radius of the circumcircle if all angles
+/// are acute. Both are smaller for slender triangles, and because of rounding.
 struct TriangleSize {
     double area, radius;
 
@@ -22,7 +22,7 @@ struct TriangleSize {
         const double uu = squared_norm(u), vv = squared_norm(v), ww = squared_norm(c - b);
         const double longest = std::max({uu, vv, ww}), product = squared_norm(cross(u, v));
         double squared_radius = longest / 4;
-        // Of a slender triangle the product may be little but rounding errors.
+        // For a slender triangle, the product may be mostly rounding errors.
         const bool slender = !(product > 1e-3 * longest * longest);
         if (uu + vv + ww > 2 * longest && !slender) squared_radius = uu * vv / product * ww / 4;
         constexpr double rounding = 1 - 1e-9;
@@ -31,8 +31,8 @@ struct TriangleSize {
     }
 };
 
-/// A disc. An SCB contains the disc about its center across its normal, of its whole radius, since
-/// its slab contains the center; the disc's two sides have less area than its surface.
+/// A disc. An SCB contains the disc about its center, across its normal and with its radius, since
+/// its slab contains the center. The disc's two sides have less area than the SCB's surface.
 inline void set_unfitted(Scb& scb, const Vec3& a, const Vec3& b, const Vec3& c) {
     scb = {a, TriangleSize(a, b, c).radius, Vec3::UnitX(), 0, 0};
 }
@@ -40,7 +40,7 @@ inline void set_unfitted(Scb& scb, const Vec3& a, const Vec3& b, const Vec3& c) 
 /// A strip. The widths of the slabs, w and v, and the length 2 r along them bound the triangle's
 /// shadows along the axes: a triangle fills at most half of a rectangle, so its squared area is at
 /// most (w^2 v^2 + 4 r^2 (w^2 + v^2)) / 4, which is less than r^2 (w + v)^2. And 2 r + area / r
-/// grows with r from the smallest ball on.
+/// grows with r, from the radius of the smallest ball on.
 inline void set_unfitted(Scb2& scb, const Vec3& a, const Vec3& b, const Vec3& c) {
     const TriangleSize size(a, b, c);
     scb = {};

@@ -56,14 +56,14 @@ struct LevelStatistics : VolumeStatistics {
 template <Volume V>
 std::vector<LevelStatistics> level_statistics(const Hierarchy<V>& hierarchy);
 
-/// The volumes of a cover in numbers: of those nodes that have one.
+/// Statistics of the volumes of a cover; nodes without a volume are left out.
 VolumeStatistics cover_statistics(const Tree& tree, const std::vector<std::uint32_t>& cover);
 
-/// The same of the covers of all levels, see level_cover; root first. O(n).
+/// The same for the covers of all levels, see level_cover; root first. O(n).
 std::vector<VolumeStatistics> cover_statistics(const Tree& tree);
 
 std::vector<LevelStatistics> level_statistics(const AnyHierarchy& hierarchy);
-/// The same of any tree: without rules.
+/// The same for any tree: without rules.
 std::vector<LevelStatistics> level_statistics(const Tree& tree);
 
 }  // namespace scb
