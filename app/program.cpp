@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #include "app/cli/choice.h"
@@ -117,6 +118,119 @@ struct ToldInputs {
     }
 };
 
+/// The program's own options.
+struct ProgramOptions {
+    Console console;
+    ToldInputs inputs;
+    std::string color = "auto";
+    bool without_files = false, json = false;
+};
+
+void add_program_options(CLI::App& program, const Command& root, ProgramOptions& options,
+                         Watch& watch) {
+    program.add_flag("--tell-inputs", options.inputs.wanted)->group("");
+    program.add_flag("--quiet", options.console.quiet, "No notes and no progress");
+    add_choice(root, "--color", options.color, words_as_choices({"auto", "always", "never"}),
+               "Color in messages")
+        .type_name("WHEN");
+    program.add_flag("--watch", watch.wanted,
+                     "Run again whenever a file that was read changes, until Ctrl-C");
+    program.add_flag("--no-config", options.without_files,
+                     "Leave configuration files alone (see config)");
+    program.add_flag("--json", options.json)->group("");
+    program.add_flag_callback(
+        "--version",
+        [&json = options.json] {
+            print_result(json ? version_json() : version_text());
+            throw CLI::Success();
+        },
+        "Versions of scb and of what it draws with; as JSON with --json");
+    program.fallthrough();
+}
+
+void add_commands(const Command& root, const ProgramOptions& options, const RunAgain& run_again,
+                  Action& action) {
+    const Console& console = options.console;
+    const Command render = root.add_subcommand("render", "Draw pictures");
+    render.require_subcommand();
+    add_render_levels(render, console, action);
+    add_render_pairs(render, console, action);
+    add_render_rejections(render, console, action);
+    add_render_traversal(render, console, action);
+    add_view(root, console, action);
+    add_merge(root, console, run_again, action);
+    add_inspect(root, console, action);
+    add_collide(root, console, action);
+    add_bench(root, console, action);
+    add_tune(root, console, action);
+    add_trace(root, console, action);
+    add_diff(root, console, action);
+    add_explain(root, console, action);
+    add_golden(root, console, action);
+    add_stats(root, console, action);
+    add_convert(root, console, action);
+    add_export(root, console, action);
+    add_scenes(root, action);
+    add_doctor(root, action);
+    add_config(root, options.without_files, action);
+    add_completion(root, action);
+    add_man(root, action);
+}
+
+/// Reads the words behind the program's name. Returns the exit status if there is no command to
+/// run: help or versions were printed, or the words were refused.
+std::optional<int> parse(CLI::App& program, const std::vector<std::string>& words,
+                         const ConfiguredLine& line, const Console& console) {
+    try {
+        // The parser takes them from the end.
+        program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
+        return std::nullopt;
+    } catch (const CLI::CallForHelp&) {
+        // Help of the command that was named last.
+        const Named named = named_command(program);
+        print_result(named.command->help(named.parents));
+        return exit_done;
+    } catch (const CLI::CallForAllHelp&) {
+        print_result(program.help("", CLI::AppFormatMode::All));
+        return exit_done;
+    } catch (const CLI::Success&) {
+        return exit_done;
+    } catch (const CLI::ParseError& error) {
+        console.error(line.placed(usage_sentence(program, words, error)));
+        return exit_bad_input;
+    }
+}
+
+/// Reports the exception that is being handled. Returns the exit status.
+int report_exception(const ConfiguredLine& line, const Console& console) {
+    try {
+        throw;
+    } catch (const InputError& error) {
+        console.error(line.placed(error.what()));
+        return exit_bad_input;
+    } catch (const render::OutputError& error) {
+        console.error(error.what());
+    } catch (const render::GlError& error) {
+        console.error(error.what());
+        return exit_no_gl;
+    } catch (const render::DrawError& error) {
+        console.error(error.what());
+    } catch (const scenes::MeshReaderError& error) {
+        console.error(error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        console.error(std::string(error.what()) + ".");
+    } catch (const std::system_error& error) {
+        console.error(std::string("a thread cannot be started or a system call failed (") +
+                      error.what() +
+                      "); check the limits of processes and memory (ulimit -u, -v).");
+    } catch (const std::bad_alloc&) {
+        tell_out_of_memory();
+    } catch (const std::exception& error) {
+        console.error(std::string("unexpected: ") + error.what() + "; please report this.");
+    }
+    return exit_environment;
+}
+
 }  // namespace
 
 void tell_out_of_memory() {
@@ -146,121 +260,35 @@ int run_program(const std::vector<std::string>& words, Watch& watch) {
 
     OptionTable table;
     const Command root(program, table);
-    Console console;
+    ProgramOptions options;
     Action action;
-    std::string color = "auto";
-    ToldInputs inputs;
-    program.add_flag("--tell-inputs", inputs.wanted)->group("");
-    program.add_flag("--quiet", console.quiet, "No notes and no progress");
-    add_choice(root, "--color", color, words_as_choices({"auto", "always", "never"}),
-               "Color in messages")
-        .type_name("WHEN");
-    program.add_flag("--watch", watch.wanted,
-                     "Run again whenever a file that was read changes, until Ctrl-C");
-    bool without_files = false;
-    program.add_flag("--no-config", without_files, "Leave configuration files alone (see config)");
-    bool json = false;
-    program.add_flag("--json", json)->group("");
-    program.add_flag_callback(
-        "--version",
-        [&json] {
-            print_result(json ? version_json() : version_text());
-            throw CLI::Success();
-        },
-        "Versions of scb and of what it draws with; as JSON with --json");
-    program.fallthrough();
-
-    const Command render = root.add_subcommand("render", "Draw pictures");
-    render.require_subcommand();
-    add_render_levels(render, console, action);
-    add_render_pairs(render, console, action);
-    add_render_rejections(render, console, action);
-    add_render_traversal(render, console, action);
-    add_view(root, console, action);
     const RunAgain run_again = [&watch](const auto& others) { return run_program(others, watch); };
-    add_merge(root, console, run_again, action);
-    add_inspect(root, console, action);
-    add_collide(root, console, action);
-    add_bench(root, console, action);
-    add_tune(root, console, action);
-    add_trace(root, console, action);
-    add_diff(root, console, action);
-    add_explain(root, console, action);
-    add_golden(root, console, action);
-    add_stats(root, console, action);
-    add_convert(root, console, action);
-    add_export(root, console, action);
-    add_scenes(root, action);
-    add_doctor(root, action);
-    add_config(root, without_files, action);
-    add_completion(root, action);
-    add_man(root, action);
+    add_program_options(program, root, options, watch);
+    add_commands(root, options, run_again, action);
 
+    Console& console = options.console;
     ConfiguredLine line;
     try {
-        try {
-            const ReferenceCommand reference = reference_of_program(root);
-            line = configured(read_command_line(words, reference), reference, table);
-            // The parser takes them from the end.
-            program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
-        } catch (const CLI::CallForHelp&) {
-            // Help of the command that was named last.
-            const Named named = named_command(program);
-            print_result(named.command->help(named.parents));
-            return exit_done;
-        } catch (const CLI::CallForAllHelp&) {
-            print_result(program.help("", CLI::AppFormatMode::All));
-            return exit_done;
-        } catch (const CLI::Success&) {
-            return exit_done;
-        } catch (const CLI::ParseError& error) {
-            console.error(line.placed(usage_sentence(program, words, error)));
-            return exit_bad_input;
-        }
-        if (json) {
+        const ReferenceCommand reference = reference_of_program(root);
+        line = configured(read_command_line(words, reference), reference, table);
+        if (const std::optional<int> status = parse(program, words, line, console)) return *status;
+        if (options.json) {
             const Named named = named_command(program);
             const std::string command = named.parents + " " + named.command->get_name();
             throw InputError("unknown option '--json' of `" + command + "`; see `" + command +
                              " --help`.");
         }
-        console.color = color == "always"  ? ColorMode::always
-                        : color == "never" ? ColorMode::never
-                                           : ColorMode::automatic;
+        console.color = options.color == "always"  ? ColorMode::always
+                        : options.color == "never" ? ColorMode::never
+                                                   : ColorMode::automatic;
         if (const std::string note = line.note(); !note.empty()) console.note(note);
         watch.quiet = console.quiet;
         const int status = action();
         for (const std::string& sentence : scenes::take_left_out())
             console.note("scb: " + sentence);
         return status;
-    } catch (const InputError& error) {
-        console.error(line.placed(error.what()));
-        return exit_bad_input;
-    } catch (const render::OutputError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const render::GlError& error) {
-        console.error(error.what());
-        return exit_no_gl;
-    } catch (const render::DrawError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const scenes::MeshReaderError& error) {
-        console.error(error.what());
-        return exit_environment;
-    } catch (const std::filesystem::filesystem_error& error) {
-        console.error(std::string(error.what()) + ".");
-        return exit_environment;
-    } catch (const std::system_error& error) {
-        console.error(std::string("a thread cannot be started or a system call failed (") +
-                      error.what() +
-                      "); check the limits of processes and memory (ulimit -u, -v).");
-        return exit_environment;
-    } catch (const std::bad_alloc&) {
-        tell_out_of_memory();
-        return exit_environment;
-    } catch (const std::exception& error) {
-        console.error(std::string("unexpected: ") + error.what() + "; please report this.");
-        return exit_environment;
+    } catch (const std::exception&) {
+        return report_exception(line, console);
     }
 }
 

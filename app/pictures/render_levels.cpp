@@ -55,6 +55,49 @@ std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
 // Its volumes are too large for a view to be shared with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
 
+/// All volumes and levels side by side.
+render::LevelSheet sheet_of(const LevelSubject& subject, const LevelFigures& figures) {
+    const std::vector<int>& levels = subject.levels;
+    const std::vector<LevelTrees>& trees = subject.trees;
+    const render::LevelFigure& common = figures.common();
+    std::vector<int> shared = levels;
+    std::erase_if(shared, has_own_view);
+    const render::Support held = figures.support_of(shared.empty() ? levels : shared);
+    // Of one level the volumes stand side by side.
+    const bool one_row = levels.size() == 1;
+    render::LevelSheet sheet;
+    sheet.layout = render::level_sheet_layout(
+        one_row ? 1 : trees.size(), one_row ? trees.size() : levels.size(),
+        common.detail.has_value(), render::aspect_of(held, common.camera.axes));
+    sheet.title = subject.scene.name + " · levels";
+    sheet.subtitle = common.subtitle;
+    sheet.style = common.style;
+    sheet.center = common.center;
+    sheet.detail = common.detail;
+    const auto sheet_camera = [&](const render::Support& shown) {
+        render::Camera camera =
+            camera_for(figures.wish(), shown,
+                       static_cast<double>(sheet.layout.view_width) / sheet.layout.view_height);
+        render::set_depth_range(camera, figures.support());
+        return camera;
+    };
+    const render::Camera shared_camera = sheet_camera(held);
+    std::vector<render::Camera> cameras;  // per level
+    for (const int level : levels)
+        cameras.push_back(has_own_view(level) ? sheet_camera(figures.support_of({level}))
+                                              : shared_camera);
+    for (std::size_t k = 0; k < trees.size(); ++k) {
+        if (trees.size() > 1) sheet.note += (k == 0 ? "" : "; ") + trees[k].title + ": ";
+        sheet.note += render::lengths_words(figures.bodies(k).front().tree->family());
+        if (k == 0 || !one_row) sheet.rows.emplace_back();
+        std::vector<render::LevelSheetCell>& row = sheet.rows.back();
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            row.push_back({trees[k].title + " · " + level_title(levels[i]), figures.bodies(k),
+                           levels[i], cameras[i]});
+    }
+    return sheet;
+}
+
 int run(const LevelOptions& options, const Console& console) {
     options.check();
     const LevelSubject subject =
@@ -62,29 +105,26 @@ int run(const LevelOptions& options, const Console& console) {
     const scenes::Scene& scene = subject.scene;
     const std::string stem = options.scene.file_stem(scene.name);
     const int frame = subject.frame;
-    const std::vector<int>& levels = subject.levels;
     const std::vector<LevelTrees>& trees = subject.trees;
     PictureRun pictures(options.picture, scene.name);
     const LevelFigures figures(options, subject, pictures.renderer());
-    const scenes::CameraView& wish = figures.wish();
     const render::LevelFigure& common = figures.common();
-    const int width = options.picture.width(), height = options.picture.height();
 
     const NamedOptions named = named_options(options);
-    const std::size_t total = trees.size() * levels.size();
+    const std::size_t total = trees.size() * subject.levels.size();
     Progress progress(console, total);
     std::vector<std::string> names;
     for (const LevelTrees& each : trees) names.push_back(each.name);
-    Json head = level_head(options, scene, names, frame, levels,
-                           exact_camera_view(wish, common.camera, common.center));
+    Json head = level_head(options, scene, names, frame, subject.levels,
+                           exact_camera_view(figures.wish(), common.camera, common.center));
     pictures.plan(total, [&] { return head; });
     for (std::size_t k = 0; k < trees.size(); ++k)
-        for (const int level : levels) {
+        for (const int level : subject.levels) {
             const std::string name = level_name(named, stem, trees[k].name, level, frame);
             const auto draw = [&, k = k] {
-                const render::Picture picture =
-                    render::compose(figures.figure(k, level), width, height,
-                                    options.picture.samples, pictures.overlay());
+                const render::Picture picture = render::compose(
+                    figures.figure(k, level), options.picture.width(), options.picture.height(),
+                    options.picture.samples, pictures.overlay());
                 pictures.draw(name, picture,
                               level_entry(trees[k].name, level, frame, figures.bodies(k),
                                           options.picture.ids));
@@ -97,47 +137,11 @@ int run(const LevelOptions& options, const Console& console) {
         pictures.finish_shard(console);
         return exit_done;
     }
-
-    if (total > 1 && !options.no_sheet) {
-        render::LevelSheet sheet;
-        std::vector<int> shared = levels;
-        std::erase_if(shared, has_own_view);
-        const render::Support held = figures.support_of(shared.empty() ? levels : shared);
-        // Of one level the volumes stand side by side.
-        const bool one_row = levels.size() == 1;
-        const render::LevelSheetLayout layout = render::level_sheet_layout(
-            one_row ? 1 : trees.size(), one_row ? trees.size() : levels.size(),
-            common.detail.has_value(), render::aspect_of(held, common.camera.axes));
-        sheet.layout = layout;
-        sheet.title = scene.name + " · levels";
-        sheet.subtitle = common.subtitle;
-        sheet.style = common.style;
-        sheet.center = common.center;
-        sheet.detail = common.detail;
-        const auto sheet_camera = [&](const render::Support& shown) {
-            render::Camera camera = camera_for(
-                wish, shown, static_cast<double>(layout.view_width) / layout.view_height);
-            render::set_depth_range(camera, figures.support());
-            return camera;
-        };
-        const render::Camera shared_camera = sheet_camera(held);
-        std::vector<render::Camera> cameras;  // per level
-        for (const int level : levels)
-            cameras.push_back(has_own_view(level) ? sheet_camera(figures.support_of({level}))
-                                                  : shared_camera);
-        for (std::size_t k = 0; k < trees.size(); ++k) {
-            if (trees.size() > 1) sheet.note += (k == 0 ? "" : "; ") + trees[k].title + ": ";
-            sheet.note += render::lengths_words(figures.bodies(k).front().tree->family());
-            if (k == 0 || !one_row) sheet.rows.emplace_back();
-            std::vector<render::LevelSheetCell>& row = sheet.rows.back();
-            for (std::size_t i = 0; i < levels.size(); ++i)
-                row.push_back({trees[k].title + " · " + level_title(levels[i]), figures.bodies(k),
-                               levels[i], cameras[i]});
-        }
-        const render::Picture picture =
-            render::compose(sheet, options.picture.samples, pictures.overlay());
-        pictures.draw(sheet_name(named, options, stem, frame), picture, {{"sheet", true}}, false);
-    }
+    if (total > 1 && !options.no_sheet)
+        pictures.draw(sheet_name(named, options, stem, frame),
+                      render::compose(sheet_of(subject, figures), options.picture.samples,
+                                      pictures.overlay()),
+                      {{"sheet", true}}, false);
     // Behind plan(): shards of one run may have their meshes in other folders.
     head["source"] = utf8_names(options.scene.names);
     pictures.finish(head, console);

@@ -192,6 +192,130 @@ std::string with_columns(std::string row, const std::string& columns) {
     return row.insert(stopped != std::string::npos ? stopped : row.rfind('\n'), columns);
 }
 
+/// Output of the command, frame by frame: a table, CSV or JSON, and the pairs.
+class CollideReport {
+  public:
+    /// Refers to its arguments. `recorded`: the recording of the queries, or null.
+    CollideReport(const CollideCommandOptions& options, const SceneQuery& query,
+                  scenes::RecordedTrace* recorded)
+        : options_(options),
+          query_(query),
+          recorded_(recorded),
+          stages_(counted_stages(query.kind, query.options.overlap)),
+          pairs_(query.options.stop_level >= 0 ? "frame,node_a,node_b\n"
+                                               : "frame,triangle_a,triangle_b\n"),
+          inside_(query) {
+        const bool is_table = !options.json && !options.csv;
+        // The sixteen of boxes make no table.
+        if (is_table && stages_.size() > 8) stages_.clear();
+        if (options.csv)
+            text_ = csv_header(stages_);
+        else if (is_table)
+            text_ = title_of(options, query) + count_table_header(stages_);
+        if (recorded && !options.json)
+            text_ = with_columns(text_, options.csv ? ",recorded,missed,false" : recorded_header);
+    }
+
+    void add(int frame, const Collision& found) {
+        sums_.add(found);
+        if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self())
+            for (Json& found_inside : inside_.add(frame))
+                json_inside_.push_back(std::move(found_inside));
+        std::optional<RecordedCounts> there;
+        if (recorded_ != nullptr) {
+            const bool complete = recorded_->frame(frame).found.complete;
+            there.emplace(recorded_->results(), complete && recorded_->tells_results());
+            grazing_ += there->grazing;
+        }
+        if (options_.json)
+            add_json(frame, found, there);
+        else
+            text_ += row(frame, found, there);
+        if (!options_.pairs_out.empty())
+            for (const IndexPair& pair : found.pairs)
+                pairs_ += format("%d,%u,%u\n", frame, pair.a, pair.b);
+    }
+
+    const Sums& sums() const { return sums_; }
+    const std::string& pairs() const { return pairs_; }
+
+    /// The whole text, of the frames so far; to be called once.
+    std::string text() {
+        if (options_.json) {
+            Json json = json_of(options_, query_, sums_, std::move(json_frames_));
+            json["inside"] = std::move(json_inside_);
+            if (const auto names = inside_.not_closed(); !names.empty()) json["not_closed"] = names;
+            return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        }
+        if (options_.csv) return text_;
+        return text_ + (sums_.frames > 1 ? mean_row(sums_, stages_) : "") + recorded_words() +
+               apart_words();
+    }
+
+  private:
+    void add_json(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
+        json_frames_.push_back(count_json(frame, query_.b_to_a(frame), found, stages_));
+        if (there)
+            json_frames_.back()["recorded"] = {
+                {"pairs", there->pairs},
+                {"missed", there->missed ? Json(*there->missed) : Json()},
+                {"false", there->wrong},
+                {"within_rounding", there->grazing}};
+    }
+
+    std::string row(int frame, const Collision& found,
+                    const std::optional<RecordedCounts>& there) const {
+        const std::string row =
+            options_.csv ? csv_row(frame, found, stages_) : count_table_row(frame, found, stages_);
+        if (!there) return row;
+        return with_columns(row, options_.csv
+                                     ? format(",%llu,%s,%llu", wide(there->pairs),
+                                              there->missed_text().c_str(), wide(there->wrong))
+                                     : recorded_row(*there));
+    }
+
+    /// Explains the columns of the recording.
+    std::string recorded_words() const {
+        if (recorded_ == nullptr) return "";
+        return "\nrecorded: pairs that " + recorded_->header().engine->name +
+               " reported; missed and false: against the exact ones. `scb inspect` says why.\n" +
+               (grazing_ == 0 ? std::string()
+                              : format("%llu of these pairs have a distance or depth within the "
+                                       "tolerance of `scb inspect`, and are not judged.\n",
+                                       wide(grazing_)));
+    }
+
+    /// Says of frames without contact whether a body lies inside the other.
+    std::string apart_words() const {
+        if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
+        if (sums_.pairs == 0) return nothing_text(query_, inside_);
+        const std::string claims = inside_.claims(sums_.frames);
+        return claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n";
+    }
+
+    const CollideCommandOptions& options_;
+    const SceneQuery& query_;
+    scenes::RecordedTrace* recorded_;
+    std::vector<Stage> stages_;
+    Sums sums_;
+    std::string text_, pairs_;
+    Json json_frames_ = Json::array(), json_inside_ = Json::array();
+    std::uint64_t grazing_ = 0;  ///< recorded pairs within the tolerance
+    InsideReport inside_;
+};
+
+/// Throws InputError if the exact pairs are no measure of the recorded queries.
+void check_recorded(const scenes::RecordedTrace& recorded, const std::string& file) {
+    if (recorded.header().engine->objects)
+        throw InputError(file +
+                         ": its items are objects without triangles, of which there are no exact "
+                         "pairs; see `scb trace` for what it recorded.");
+    if (recorded.sides()[0] == recorded.sides()[1])
+        throw InputError(file +
+                         ": its queries are of a body against itself, which this command does not "
+                         "make; `scb inspect` judges their pairs.");
+}
+
 int run(CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
@@ -202,14 +326,7 @@ int run(CollideCommandOptions& options, const Console& console) {
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
     if (options.scene.is_recording() && whole) {
         recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames);
-        if (recorded->header().engine->objects)
-            throw InputError(options.scene.names[0] +
-                             ": its items are objects without triangles, of which there are no "
-                             "exact pairs; see `scb trace` for what it recorded.");
-        if (recorded->sides()[0] == recorded->sides()[1])
-            throw InputError(options.scene.names[0] +
-                             ": its queries are of a body against itself, which this command does "
-                             "not make; `scb inspect` judges their pairs.");
+        check_recorded(*recorded, options.scene.names[0]);
         options.query.bodies =
             recorded->header().bodies[0].name + "," + recorded->header().bodies[1].name;
     }
@@ -220,87 +337,18 @@ int run(CollideCommandOptions& options, const Console& console) {
     note_doubts(options.hierarchy, {query.kind}, console);
     note_doubts(options.scene, options.query, {query.kind}, console);
 
-    std::vector<Stage> stages = counted_stages(query.kind, query.options.overlap);
-    // The sixteen of boxes make no table.
-    if (!options.json && !options.csv && stages.size() > 8) stages.clear();
-    Sums sums;
-    std::string text, pairs = query.options.stop_level >= 0 ? "frame,node_a,node_b\n"
-                                                            : "frame,triangle_a,triangle_b\n";
-    Json json_frames = Json::array();
-    if (options.csv)
-        text = csv_header(stages);
-    else if (!options.json)
-        text = title_of(options, query) + count_table_header(stages);
-    if (recorded && !options.json)
-        text = with_columns(text, options.csv ? ",recorded,missed,false" : recorded_header);
-    std::uint64_t grazing = 0;
-    InsideReport inside(query);
-    Json json_inside = Json::array();
+    CollideReport report(options, query, recorded ? &*recorded : nullptr);
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
         if (watch.signal() != 0) break;
-        const Collision found = query.collide(frame);
-        sums.add(found);
-        const bool is_apart =
-            found.pairs.empty() && query.options.stop_level < 0 && !query.is_self();
-        if (is_apart)
-            for (Json& found_inside : inside.add(frame))
-                json_inside.push_back(std::move(found_inside));
-        std::optional<RecordedCounts> there;
-        if (recorded) {
-            const bool complete = recorded->frame(frame).found.complete;
-            there.emplace(recorded->results(), complete && recorded->tells_results());
-            grazing += there->grazing;
-        }
-        if (options.json) {
-            json_frames.push_back(count_json(frame, query.b_to_a(frame), found, stages));
-            if (there)
-                json_frames.back()["recorded"] = {
-                    {"pairs", there->pairs},
-                    {"missed", there->missed ? Json(*there->missed) : Json()},
-                    {"false", there->wrong},
-                    {"within_rounding", there->grazing}};
-        } else {
-            const std::string row =
-                options.csv ? csv_row(frame, found, stages) : count_table_row(frame, found, stages);
-            text +=
-                !there ? row
-                : options.csv
-                    ? with_columns(row, format(",%llu,%s,%llu", wide(there->pairs),
-                                               there->missed_text().c_str(), wide(there->wrong)))
-                    : with_columns(row, recorded_row(*there));
-        }
-        if (!options.pairs_out.empty())
-            for (const IndexPair& pair : found.pairs)
-                pairs += format("%d,%u,%u\n", frame, pair.a, pair.b);
+        report.add(frame, query.collide(frame));
         progress.step("frames");
     }
-    if (options.json) {
-        Json json = json_of(options, query, sums, std::move(json_frames));
-        json["inside"] = std::move(json_inside);
-        if (const auto names = inside.not_closed(); !names.empty()) json["not_closed"] = names;
-        text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    } else if (!options.csv && sums.frames > 1)
-        text += mean_row(sums, stages);
-    if (recorded && !options.json && !options.csv)
-        text += "\nrecorded: pairs that " + recorded->header().engine->name +
-                " reported; missed and false: against the exact ones. `scb inspect` says why.\n" +
-                (grazing == 0 ? std::string()
-                              : format("%llu of these pairs have a distance or depth within the "
-                                       "tolerance of `scb inspect`, and are not judged.\n",
-                                       wide(grazing)));
-    const bool all = sums.frames == query.frames.size() && query.options.stop_level < 0;
-    if (!options.json && !options.csv && all) {
-        const std::string claims = inside.claims(sums.frames);
-        if (sums.pairs == 0)
-            text += nothing_text(query, inside);
-        else if (!claims.empty())
-            text += "\nWhere no triangles intersect: " + claims + ".\n";
-    }
+    const Sums& sums = report.sums();
     if (!options.pairs_out.empty() && sums.frames > 0)
-        render::write_file_whole(options.pairs_out, pairs);
-    print_result(text);
+        render::write_file_whole(options.pairs_out, report.pairs());
+    print_result(report.text());
     if (!sums.complete && !options.first)
         console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
                      " pairs (--max-pairs); there may be more.");

@@ -40,6 +40,10 @@ struct Entry {
     std::size_t a = 0, b = 0;
     std::vector<int> frames;
     bool builtin = false;
+
+    const scenes::NamedMesh& mesh(std::size_t body) const {
+        return scene.meshes[scene.bodies[body].mesh];
+    }
 };
 
 Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
@@ -81,21 +85,32 @@ std::vector<Entry> entries(const BenchCommandOptions& options, const Console& co
     return result;
 }
 
-/// What the run has written and will print.
+/// Results of the scenes that were measured.
 struct Report {
-    std::string table, csv = bench_csv_header;
+    const BenchCommandOptions& options;
+    const BenchOptions& bench;
+    std::size_t wanted;  ///< number of scenes to measure
+    std::string table{}, csv = bench_csv_header;
     Json scenes = Json::array();
-    BenchCosts costs;
-    std::optional<BenchCorrelation> correlation;  ///< where hierarchies are measured
+    BenchCosts costs{};
+    std::optional<BenchCorrelation> correlation{};  ///< with --measures
 
-    std::string text() const {
-        return table + "\n" + costs.table() + (correlation ? "\n" + correlation->table() : "");
+    void add(const SceneBench& scene) {
+        table += (table.empty() ? "" : "\n") + bench_table(scene);
+        costs.add(scene);
+        if (correlation) correlation->add(scene);
+        csv += bench_csv(scene);
+        scenes.push_back(bench_json(scene));
     }
 
-    std::string json(const BenchCommandOptions& options, const std::string& simd,
-                     bool complete) const {
+    std::string text() const {
+        return table + "\n" + costs.table() + (correlation ? "\n" + correlation->table() : "") +
+               "\n" + conditions(options, bench) + "\n";
+    }
+
+    std::string json() const {
         Json document = {{"scenes", scenes},
-                         {"complete", complete},
+                         {"complete", scenes.size() == wanted},
                          {"equation_1", costs.json()},
                          {"options",
                           {{"threshold", options.query.threshold},
@@ -104,7 +119,7 @@ struct Report {
                            {"margin", options.hierarchy.margin},
                            {"split", options.splits},
                            {"leaf", options.leaf_triangles},
-                           {"simd", simd},
+                           {"simd", simd_text(bench.packed.level)},
                            {"threads", options.threads},
                            {"coherent", options.coherent},
                            {"repeats", options.repeats},
@@ -116,26 +131,61 @@ struct Report {
     }
 };
 
-/// Where the files of a run are: those of another pose, and of other bodies, are others.
-struct BenchFiles {
-    NamedOptions named;
-
-    explicit BenchFiles(const BenchCommandOptions& options) {
-        named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
-        name_pose(named, options.scene.pose);
-    }
-    std::string picture(const Entry& entry) const {
-        return picture_name(entry.stem, "bench", named, "") + ".png";
-    }
-    std::string of_all(const char* name, const char* ending) const {
-        return name + named.text() + ending;
-    }
-};
-
 /// Behind the name of the scene in a title: where B is, which tells poses of one rotation apart.
 std::string place_words(const std::vector<double>& pose) {
     if (pose.empty()) return "";
     return format(" · B at %.4g, %.4g, %.4g", pose[3], pose[7], pose[11]);
+}
+
+/// Files of a run. Runs with another pose, or with other bodies, have other file names.
+struct BenchFiles {
+    std::filesystem::path folder;
+    NamedOptions named;
+
+    explicit BenchFiles(const BenchCommandOptions& options) : folder(options.picture.output) {
+        named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
+        name_pose(named, options.scene.pose);
+    }
+    std::filesystem::path picture(const Entry& entry) const {
+        return folder / (picture_name(entry.stem, "bench", named, "") + ".png");
+    }
+    std::filesystem::path of_all(const char* name, const char* ending) const {
+        return folder / (name + named.text() + ending);
+    }
+
+    /// Throws InputError if the run has read one of the files that it will write.
+    void refuse_inputs(const std::vector<Entry>& all, bool measures) const {
+        std::vector<std::filesystem::path> written = {of_all("bench", ".csv"),
+                                                      of_all("bench", ".json")};
+        if (measures)
+            for (const char* ending : {".csv", ".png"})
+                written.push_back(of_all("measures", ending));
+        for (const Entry& entry : all) written.push_back(picture(entry));
+        for (const std::filesystem::path& file : written) scenes::refuse_input(file, "-o");
+    }
+};
+
+/// Draws a scene of the report, and writes the tables of all scenes.
+void write_files(const Report& report, const Entry& entry, const SceneBench& bench,
+                 const BenchFiles& files, render::Renderer& renderer) {
+    const auto draw = [&](auto figure, const std::filesystem::path& file,
+                          const std::string& scene) {
+        figure.footnote = conditions(report.options, report.bench);
+        write_plot(std::move(figure), report.options.picture, renderer, file, scene);
+    };
+    render::BenchFigure figure = bench_figure(bench);
+    figure.scene += place_words(report.options.scene.pose);
+    draw(std::move(figure), files.picture(entry), entry.scene.name);
+    if (report.correlation) {
+        std::string names;
+        for (const std::string& name : report.correlation->names)
+            names += (names.empty() ? "" : ", ") + name;
+        draw(report.correlation->figure(), files.of_all("measures", ".png"), names);
+        render::write_file_whole(files.of_all("measures", ".csv"),
+                                 correlation_csv_header() + report.correlation->csv);
+    }
+    render::write_file_whole(files.of_all("bench", ".csv"), report.csv);
+    render::write_file_whole(files.of_all("bench", ".json"), report.json());
 }
 
 /// The parts of a run are frames of scenes: the number of the scene's first one.
@@ -150,144 +200,125 @@ Json subject_of(const std::vector<Entry>& all) {
     Json subject;
     for (const Entry& entry : all) {
         for (const std::size_t body : {entry.a, entry.b})
-            subject.push_back(hash_text(
-                fingerprint(entry.scene.meshes[entry.scene.bodies[body].mesh].mesh).hash));
+            subject.push_back(hash_text(fingerprint(entry.mesh(body).mesh).hash));
         subject.push_back(all_poses_json(entry.scene, entry.frames));
     }
     return subject;
 }
 
-int run(const BenchCommandOptions& options, const Console& console) {
-    BenchOptions bench_options;
-    bench_options.subjects = subjects(options);
+/// The measurement that the options describe. Throws InputError.
+BenchOptions measurement(const BenchCommandOptions& options) {
+    BenchOptions result;
+    result.subjects = subjects(options);
     QueryOptions one_test = options.query;
     one_test.test = scenes::split_list(options.query.test)[0];
-    bench_options.collide = one_test.collide();
-    bench_options.build = options.hierarchy.build();
-    bench_options.packed.level = simd_level(options);
+    result.collide = one_test.collide();
+    result.build = options.hierarchy.build();
+    result.packed.level = simd_level(options);
     check_threads(options.threads);
-    bench_options.build.threads = options.threads;
-    bench_options.measures = options.measures;
+    result.build.threads = options.threads;
+    result.measures = options.measures;
     // Other queries have one thread each.
-    if (any_packed(bench_options.subjects)) bench_options.packed.threads = options.threads;
-    bench_options.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
+    if (any_packed(result.subjects)) result.packed.threads = options.threads;
+    result.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
-    bench_options.repeats = options.repeats;
+    result.repeats = options.repeats;
+    return result;
+}
+
+/// Throws InputError if packed layouts cannot hold a mesh.
+void check_meshes(const std::vector<Entry>& all) {
+    for (const Entry& entry : all)
+        for (const std::size_t body : {entry.a, entry.b}) {
+            const scenes::NamedMesh& mesh = entry.mesh(body);
+            check_packable(mesh.mesh, entry.scene.name + ", " + mesh.name);
+        }
+}
+
+/// Times the frames of the scene that are parts of this run, or reads all of them from shards. A
+/// shard keeps its parts. `first`: number of the scene's first part. Returns nothing if `step`
+/// ended the measurement.
+std::optional<SceneBench> measured(const Entry& entry, std::size_t first, Parts& parts,
+                                   const BenchOptions& options, const std::function<bool()>& step) {
+    std::optional<SceneBench> bench = empty_bench(entry.scene, entry.a, entry.b, options.subjects);
+    std::vector<int> frames;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < entry.frames.size(); ++i) {
+        if (parts.are_merged())
+            parts.read(first + i,
+                       [&](const Json& made, const auto&) { add_bench_frame(*bench, made); });
+        if (!parts.is_made_here(first + i)) continue;
+        frames.push_back(entry.frames[i]);
+        numbers.push_back(first + i);
+    }
+    if (!frames.empty()) bench = bench_scene(entry.scene, entry.a, entry.b, frames, options, step);
+    if (!bench) return std::nullopt;
+    if (parts.are_of_shard())
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            parts.keep(numbers[i], bench_frame_json(*bench, i));
+    bench->builtin = entry.builtin;
+    bench->all_frames = entry.frames.size() == static_cast<std::size_t>(entry.scene.frames);
+    return bench;
+}
+
+/// Shows and opens the pictures of the first scenes, if the options say so.
+void present(const BenchCommandOptions& options, const BenchFiles& files,
+             const std::vector<Entry>& all, std::size_t drawn, const Console& console) {
+    if (options.picture.show) {
+        std::vector<std::filesystem::path> pictures;
+        for (std::size_t e = 0; e < drawn; ++e) pictures.push_back(files.picture(all[e]));
+        show_pictures(pictures, console);
+    }
+    if (options.picture.open && drawn > 0)
+        open_file(all.size() == 1 ? files.picture(all[0]) : files.folder, console);
+}
+
+int run(const BenchCommandOptions& options, const Console& console) {
+    const BenchOptions bench_options = measurement(options);
     options.picture.check();
     // Nothing is measured if one of them is refused.
     const std::vector<Entry> all = entries(options, console);
     // Two names are two bodies only where they are meshes.
     if (all.size() == 1) note_same_pose(options.scene, console);
     note_surprises(options, bench_options.subjects, console);
-
-    if (any_packed(bench_options.subjects))
-        for (const Entry& entry : all)
-            for (const std::size_t body : {entry.a, entry.b}) {
-                const scenes::NamedMesh& mesh = entry.scene.meshes[entry.scene.bodies[body].mesh];
-                check_packable(mesh.mesh, entry.scene.name + ", " + mesh.name);
-            }
+    if (any_packed(bench_options.subjects)) check_meshes(all);
 
     const ShardOptions& shards = options.picture.shards;
     shards.check_folder(options.picture.output);
     Parts parts(
         shards, first_part(all, all.size()), versions_json(nullptr),
         [&] { return subject_of(all); }, options.picture.output);
-    const bool writes = !options.picture.output.empty() && !parts.are_of_shard();
     const BenchFiles files(options);
-    const std::string csv_file = files.of_all("bench", ".csv"),
-                      json_file = files.of_all("bench", ".json"),
-                      measures_csv = files.of_all("measures", ".csv"),
-                      measures_picture = files.of_all("measures", ".png");
-    if (writes) {
-        std::vector<std::string> written = {csv_file, json_file};
-        if (options.measures)
-            for (const std::string& file : {measures_csv, measures_picture})
-                written.push_back(file);
-        for (const Entry& entry : all) written.push_back(files.picture(entry));
-        for (const std::string& file : written)
-            scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
-    }
-    std::filesystem::path folder;
     std::optional<render::Context> context;
-    std::optional<render::Renderer> renderer;
-    if (writes) {
-        folder = options.picture.output_folder();
+    std::optional<render::Renderer> renderer;  // where files are written
+    if (!options.picture.output.empty() && !parts.are_of_shard()) {
+        files.refuse_inputs(all, options.measures);
+        options.picture.output_folder();
         context.emplace(options.picture.backend());
         renderer.emplace(*context);
     }
 
     const InterruptWatch watch;
-    Report report;
+    Report report{options, bench_options, all.size()};
     if (options.measures) report.correlation.emplace();
-    const auto draw = [&](auto figure, const std::string& file, const std::string& scene) {
-        figure.footnote = conditions(options, bench_options);
-        write_plot(std::move(figure), options.picture, *renderer, folder / file, scene);
-    };
-    const auto json = [&] {
-        return report.json(options, simd_text(bench_options.packed.level),
-                           report.scenes.size() == all.size());
-    };
-    const auto scene_names = [&] {
-        std::string names;
-        for (const std::string& name : report.correlation->names)
-            names += (names.empty() ? "" : ", ") + name;
-        return names;
-    };
-    // Whether it was finished.
+    // Returns false if the run is interrupted.
     const auto measure = [&](std::size_t e) {
         const Entry& entry = all[e];
         const std::size_t first = first_part(all, e);
         const std::size_t queries =
             bench_options.subjects.size() * static_cast<std::size_t>(options.repeats);
         Progress progress(console, parts.count(first, first + entry.frames.size()) * queries);
-        const std::string what = entry.scene.name + " (scene " + std::to_string(e + 1) + " of " +
-                                 std::to_string(all.size()) + ")";
-        const auto step = [&] {
-            progress.step(what);
+        const std::string title = entry.scene.name + " (scene " + std::to_string(e + 1) + " of " +
+                                  std::to_string(all.size()) + ")";
+        const auto bench = measured(entry, first, parts, bench_options, [&] {
+            progress.step(title);
             return watch.signal() == 0;
-        };
-        std::optional<SceneBench> bench;
-        if (parts.are_merged()) {
-            bench = empty_bench(entry.scene, entry.a, entry.b, bench_options.subjects);
-            for (std::size_t i = 0; i < entry.frames.size(); ++i)
-                parts.read(first + i,
-                           [&](const Json& made, const auto&) { add_bench_frame(*bench, made); });
-        } else {
-            std::vector<int> frames;
-            std::vector<std::size_t> numbers;
-            for (std::size_t i = 0; i < entry.frames.size(); ++i) {
-                if (!parts.is_made_here(first + i)) continue;
-                frames.push_back(entry.frames[i]);
-                numbers.push_back(first + i);
-            }
-            if (frames.empty()) return true;
-            bench = bench_scene(entry.scene, entry.a, entry.b, frames, bench_options, step);
-            if (!bench) return false;
-            if (parts.are_of_shard()) {
-                for (std::size_t i = 0; i < frames.size(); ++i)
-                    parts.keep(numbers[i], bench_frame_json(*bench, i));
-                return true;
-            }
-        }
-        bench->builtin = entry.builtin;
-        bench->all_frames = entry.frames.size() == static_cast<std::size_t>(entry.scene.frames);
-        report.table += (report.table.empty() ? "" : "\n") + bench_table(*bench);
-        report.costs.add(*bench);
-        if (report.correlation) report.correlation->add(*bench);
-        report.csv += bench_csv(*bench);
-        report.scenes.push_back(bench_json(*bench));
-        if (!writes) return true;
-        render::BenchFigure figure = bench_figure(*bench);
-        figure.scene += place_words(options.scene.pose);
-        draw(std::move(figure), files.picture(entry), entry.scene.name);
-        if (report.correlation) {
-            draw(report.correlation->figure(), measures_picture, scene_names());
-            render::write_file_whole(folder / measures_csv,
-                                     correlation_csv_header() + report.correlation->csv);
-        }
-        render::write_file_whole(folder / csv_file, report.csv);
-        render::write_file_whole(folder / json_file, json());
+        });
+        if (!bench) return false;
+        if (parts.are_of_shard()) return true;
+        report.add(*bench);
+        if (renderer) write_files(report, entry, *bench, files, *renderer);
         return true;
     };
     // What was measured is printed also where the rest fails.
@@ -301,18 +332,11 @@ int run(const BenchCommandOptions& options, const Console& console) {
     if (failure && report.scenes.empty()) std::rethrow_exception(failure);
     if (parts.are_of_shard()) return finish_shard(parts, watch, console);
     if (options.json)
-        print_result(json());
+        print_result(report.json());
     else if (!report.table.empty())
-        print_result(report.text() + "\n" + conditions(options, bench_options) + "\n");
+        print_result(report.text());
     if (failure) std::rethrow_exception(failure);
-    if (writes && options.picture.show) {
-        std::vector<std::filesystem::path> drawn;
-        for (std::size_t e = 0; e < report.scenes.size(); ++e)
-            drawn.push_back(folder / files.picture(all[e]));
-        show_pictures(drawn, console);
-    }
-    if (options.picture.open && !report.scenes.empty())
-        open_file(all.size() == 1 ? folder / files.picture(all[0]) : folder, console);
+    if (renderer) present(options, files, all, report.scenes.size(), console);
     if (watch.signal() == 0) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.scenes.size()) + " of " +
                  std::to_string(all.size()) + " scenes are finished.");

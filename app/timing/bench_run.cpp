@@ -73,6 +73,100 @@ std::vector<std::vector<double>> predictors_of(const std::vector<BuiltHierarchie
     return result;
 }
 
+/// The queries of all subjects on two bodies of a scene.
+class BenchQueries {
+  public:
+    /// Builds and packs the hierarchies. Refers to its arguments. Throws InputError if a layout
+    /// cannot hold a mesh.
+    BenchQueries(const scenes::Scene& scene, std::size_t a, std::size_t b,
+                 const std::vector<int>& frames, const BenchOptions& options)
+        : scene_(scene),
+          meshes_{scene.bodies[a].mesh, scene.bodies[b].mesh},
+          frames_(frames),
+          options_(options),
+          packed_(options.subjects.size()),
+          fronts_(options.subjects.size()) {
+        for (const BenchSubject& subject : options.subjects)
+            built_of_.push_back(built_for(subject, scene, options.build, built_));
+        for (const int frame : frames)
+            poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
+                                           scenes::pose_at(scene.bodies[b].motion, frame)));
+        for (std::size_t s = 0; s < options.subjects.size(); ++s)
+            if (const std::optional<PackedLayout>& layout = options.subjects[s].layout)
+                for (const std::size_t m : meshes_)
+                    packed_[s].push_back(pack_any(*layout, hierarchies(s)[m], mesh(m),
+                                                  scene.name + ", " + scene.meshes[m].name,
+                                                  options.build.threads));
+    }
+
+    /// The i-th frame. Throws InputError for more than max_pairs.
+    Collision query(std::size_t s, std::size_t i) {
+        Collision found = packed_[s].empty() ? reference_query(s, i) : packed_query(s, i);
+        if (!found.complete || found.pairs.size() > options_.max_pairs)
+            throw InputError(scene_.name + ", frame " + std::to_string(frames_[i]) +
+                             ": more than " + std::to_string(options_.max_pairs) +
+                             " pairs of triangles intersect; time other meshes or poses.");
+        return found;
+    }
+
+    /// Of the hierarchies of both bodies.
+    std::size_t bytes(std::size_t s) const {
+        std::size_t sum = 0;
+        for (const AnyPacked& packed : packed_[s]) sum += bytes_of(packed);
+        if (packed_[s].empty())
+            for (const std::size_t m : meshes_) sum += bytes_of(hierarchies(s)[m]);
+        return sum;
+    }
+
+    void clear_front(std::size_t s) { fronts_[s].clear(); }
+    /// See SubjectBench::from_front.
+    double from_front(std::size_t s) const {
+        return static_cast<double>(fronts_[s].used() - fronts_[s].made()) /
+               static_cast<double>(frames_.size());
+    }
+
+    /// Sets the predictors of reference hierarchies.
+    void measure(std::vector<SubjectBench>& subjects) const {
+        const auto predictors =
+            predictors_of(built_, scene_, {meshes_[0], meshes_[1]}, options_.build.threads);
+        for (std::size_t s = 0; s < subjects.size(); ++s)
+            if (packed_[s].empty()) subjects[s].predictors = predictors[built_of_[s]];
+    }
+
+  private:
+    const Mesh& mesh(std::size_t m) const { return scene_.meshes[m].mesh; }
+    const std::vector<AnyHierarchy>& hierarchies(std::size_t s) const {
+        return built_[built_of_[s]].hierarchies;
+    }
+
+    Collision packed_query(std::size_t s, std::size_t i) {
+        PackedOptions options = options_.packed;
+        options.give_up_after = options_.max_pairs;
+        return collision_of(collide_packed(packed_[s][0], mesh(meshes_[0]), packed_[s][1],
+                                           mesh(meshes_[1]), poses_[i], options, &workspace_,
+                                           options_.subjects[s].coherent ? &fronts_[s] : nullptr));
+    }
+
+    Collision reference_query(std::size_t s, std::size_t i) const {
+        CollideOptions options = options_.collide;
+        options.overlap.test = options_.subjects[s].test;
+        options.max_pairs = options_.max_pairs + 1;
+        const auto [a, b] = meshes_;
+        return collide(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i], options);
+    }
+
+    const scenes::Scene& scene_;
+    std::array<std::size_t, 2> meshes_;  ///< of A and B
+    const std::vector<int>& frames_;
+    const BenchOptions& options_;
+    std::vector<BuiltHierarchies> built_;
+    std::vector<std::size_t> built_of_;           ///< per subject: index of `built_`
+    std::vector<Pose> poses_;                     ///< per frame: B in A's frame
+    std::vector<std::vector<AnyPacked>> packed_;  ///< per subject: both bodies if it is packed
+    std::vector<PackedFront> fronts_;
+    PackedWorkspace workspace_;
+};
+
 }  // namespace
 
 double SubjectBench::mean_ms() const { return mean(ms); }
@@ -91,67 +185,15 @@ SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
 std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
-    std::vector<BuiltHierarchies> built;
-    std::vector<std::size_t> built_of;  // per subject: index of `built`
-    for (const BenchSubject& subject : options.subjects)
-        built_of.push_back(built_for(subject, scene, options.build, built));
-
-    const std::size_t mesh_a = scene.bodies[a].mesh, mesh_b = scene.bodies[b].mesh;
-    std::vector<Pose> poses;
-    for (const int frame : frames)
-        poses.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
-                                      scenes::pose_at(scene.bodies[b].motion, frame)));
-    // Per subject: both bodies, where it is packed.
-    std::vector<std::vector<AnyPacked>> packed(options.subjects.size());
-    PackedWorkspace workspace;
-    std::vector<PackedFront> fronts(options.subjects.size());
-    const auto packed_query = [&](std::size_t s, std::size_t i) {
-        PackedOptions packed_options = options.packed;
-        packed_options.give_up_after = options.max_pairs;
-        return collision_of(collide_packed(packed[s][0], scene.meshes[mesh_a].mesh, packed[s][1],
-                                           scene.meshes[mesh_b].mesh, poses[i], packed_options,
-                                           &workspace,
-                                           options.subjects[s].coherent ? &fronts[s] : nullptr));
-    };
-    const auto any_query = [&](std::size_t s, std::size_t i) {
-        if (!packed[s].empty()) return packed_query(s, i);
-        CollideOptions collide_options = options.collide;
-        collide_options.overlap.test = options.subjects[s].test;
-        collide_options.max_pairs = options.max_pairs + 1;
-        const std::vector<AnyHierarchy>& h = built[built_of[s]].hierarchies;
-        return collide(h[mesh_a], scene.meshes[mesh_a].mesh, h[mesh_b], scene.meshes[mesh_b].mesh,
-                       poses[i], collide_options);
-    };
-    const auto query = [&](std::size_t s, std::size_t i) {
-        Collision found = any_query(s, i);
-        if (!found.complete || found.pairs.size() > options.max_pairs)
-            throw InputError(scene.name + ", frame " + std::to_string(frames[i]) + ": more than " +
-                             std::to_string(options.max_pairs) +
-                             " pairs of triangles intersect; time other meshes or poses.");
-        return found;
-    };
-
+    BenchQueries queries(scene, a, b, frames, options);
     SceneBench result = empty_bench(scene, a, b, options.subjects);
     result.frames = frames;
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
-        const BenchSubject& subject = options.subjects[s];
-        const std::vector<AnyHierarchy>& h = built[built_of[s]].hierarchies;
-        std::size_t bytes = 0;
-        for (const std::size_t m : {mesh_a, mesh_b}) {
-            if (!subject.layout) {
-                bytes += bytes_of(h[m]);
-                continue;
-            }
-            packed[s].push_back(pack_any(*subject.layout, h[m], scene.meshes[m].mesh,
-                                         scene.name + ", " + scene.meshes[m].name,
-                                         options.build.threads));
-            bytes += bytes_of(packed[s].back());
-        }
         result.subjects[s].bytes_per_triangle =
-            static_cast<double>(bytes) /
+            static_cast<double>(queries.bytes(s)) /
             static_cast<double>(result.triangles[0] + result.triangles[1]);
+        queries.query(s, 0);
     }
-    for (std::size_t s = 0; s < options.subjects.size(); ++s) query(s, 0);
 
     QueryTiming timing;
     timing.subjects = options.subjects.size();
@@ -159,10 +201,10 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     timing.repeats = options.repeats;
     timing.order = options.order;
     timing.wall = options.packed.threads > 1;
-    timing.query = query;
+    timing.query = [&](std::size_t s, std::size_t i) { return queries.query(s, i); };
     // Each time through the frames as if it were the first.
     timing.before = [&](std::size_t s, std::size_t i) {
-        if (i == 0) fronts[s].clear();
+        if (i == 0) queries.clear_front(s);
     };
     timing.keep = [&](std::size_t s, std::size_t, const Collision& found) {
         SubjectBench& subject = result.subjects[s];
@@ -177,16 +219,9 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     if (!ms) return std::nullopt;
     for (std::size_t s = 0; s < ms->size(); ++s) {
         result.subjects[s].ms = (*ms)[s];
-        result.subjects[s].from_front = static_cast<double>(fronts[s].used() - fronts[s].made()) /
-                                        static_cast<double>(frames.size());
+        result.subjects[s].from_front = queries.from_front(s);
     }
-    if (options.measures) {
-        const auto predictors =
-            predictors_of(built, scene, {mesh_a, mesh_b}, options.build.threads);
-        for (std::size_t s = 0; s < options.subjects.size(); ++s)
-            if (!options.subjects[s].layout)
-                result.subjects[s].predictors = predictors[built_of[s]];
-    }
+    if (options.measures) queries.measure(result.subjects);
     return result;
 }
 

@@ -29,6 +29,107 @@ int cell_height(const LevelSheetLayout& layout) {
     return layout.view_height + layout.detail_size + histogram_height(layout) + 5 * layout.unit;
 }
 
+/// The bodies by color, in one line, as far as there is room.
+void draw_body_keys(Overlay& overlay, const LevelSheet& sheet, int y) {
+    const Theme& theme = *sheet.style.theme;
+    const int unit = sheet.layout.unit;
+    int x = sheet_margin;
+    const auto& bodies = sheet.rows.front().front().bodies;
+    const TextStyle style{unit, FontWeight::regular, theme.text};
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const ItemCount held = item_count(*bodies[b].mesh, *bodies[b].tree);
+        const std::string text =
+            "body " + bodies[b].name + ", " + count_text(held.count) + " " + std::string(held.what);
+        const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
+        if (x + width > sheet.layout.width - 6 * unit && b + 1 < bodies.size()) {
+            overlay.text(x, y, "and " + std::to_string(bodies.size() - b) + " more", style);
+            break;
+        }
+        draw_side_panel(overlay, {x, y, width, 2 * unit}, theme, unit,
+                        {PanelKey{category_color(b), text}});
+        x += width;
+    }
+}
+
+/// The colors under the heading, and the note beside the scale or below the keys.
+void draw_legend(Overlay& overlay, const LevelSheet& sheet) {
+    const Theme& theme = *sheet.style.theme;
+    const int unit = sheet.layout.unit, y = sheet_margin + title_size(unit) + unit / 2,
+              width = sheet.layout.width - 2 * sheet_margin;
+    PixelRect note{sheet_margin, y + 7 * unit / 4, width, 0};
+    if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
+        draw_side_panel(overlay, {sheet_margin, y, 18 * unit, 4 * unit}, theme, unit, {*scale});
+        note = {sheet_margin + 19 * unit, y, width - 19 * unit, 0};
+    } else if (sheet.style.colors.by == ColorBy::subtree) {
+        draw_side_panel(overlay, {sheet_margin, y, width, 2 * unit}, theme, unit,
+                        {PanelNote{"color: the subtree below the third division"}});
+    } else {
+        draw_body_keys(overlay, sheet, y);
+    }
+    note.height = level_heading_height(unit) - unit / 2 - note.y;
+    draw_side_panel(overlay, note, theme, unit, {PanelNote{sheet.note}});
+}
+
+/// Caption and numbers above a view.
+void draw_cell_text(Overlay& overlay, const LevelSheet& sheet, const LevelSheetCell& cell, int x,
+                    int y) {
+    const Theme& theme = *sheet.style.theme;
+    const int unit = sheet.layout.unit, width = sheet.layout.view_width;
+    const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
+    std::string counts;
+    for (const VolumeStatistics& v : numbers.bodies)
+        counts += (counts.empty() ? "" : " + ") + count_text(v.volumes);
+    if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
+    counts += counts == "1" ? " volume" : " volumes";
+    const TextStyle bold{unit, FontWeight::bold, theme.text};
+    const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
+    const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
+    const int room = width - overlay.measure(counts, right).width - unit;
+    std::string second = "mean d " + number_text(numbers.all.mean_diameter()) + ", mean τ " +
+                         thickness_text(numbers.all) + ", Σ volume " + volume_text(numbers.all);
+    if (overlay.measure(cell.caption, bold).width <= room)
+        overlay.text(x + width, y, counts, right);
+    else
+        second = counts;  // a narrow cell: the counts matter most
+    overlay.text(x, y, fitted_text(overlay, cell.caption, bold, width), bold);
+    overlay.text(x, y + unit * 5 / 4, fitted_text(overlay, second, faint, width), faint);
+}
+
+/// The detail below a view, and its place in the view.
+void draw_detail(Overlay& overlay, Picture& picture, const LevelSheet& sheet,
+                 const LevelSheetCell& cell, const PixelRect& view) {
+    const Theme& theme = *sheet.style.theme;
+    const int unit = sheet.layout.unit, size = sheet.layout.detail_size;
+    const PixelRect square{view.x + (view.width - size) / 2, view.y + view.height, size, size};
+    picture.panes.push_back(
+        level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
+    overlay.frame(square, theme.accent, 2);
+    if (const auto marker =
+            marker_of(view, cell.camera, sheet.detail->center, sheet.detail->radius))
+        overlay.frame(*marker, theme.accent, 2);
+    overlay.text(square.x + square.width + unit / 2,
+                 square.y + square.height - small_size(unit) * 5 / 4,
+                 number_text(2 * sheet.detail->radius) + " wide",
+                 {small_size(unit), FontWeight::regular, theme.faint_text});
+}
+
+void draw_cell(Overlay& overlay, Picture& picture, const LevelSheet& sheet,
+               const LevelSheetCell& cell, int x, int y, bool has_scale_bar) {
+    const LevelSheetLayout& layout = sheet.layout;
+    const Theme& theme = *sheet.style.theme;
+    const int unit = layout.unit;
+    draw_cell_text(overlay, sheet, cell, x, y);
+    const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
+    picture.panes.push_back(level_pane(view, cell.camera, cell.bodies, cell.level, sheet.style));
+    overlay.frame(view, theme.border);
+    draw_length_histogram(overlay,
+                          {x, view.y + view.height + layout.detail_size + unit / 2,
+                           layout.view_width, histogram_height(layout)},
+                          level_lengths(cell.bodies, cell.level, sheet.style), {theme, unit});
+    if (has_scale_bar) draw_scale_bar(overlay, view, cell.camera, sheet.center, theme, unit);
+    if (sheet.detail) draw_detail(overlay, picture, sheet, cell, view);
+}
+
 }  // namespace
 
 LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, bool with_detail,
@@ -57,109 +158,27 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
 }
 
 Picture compose(const LevelSheet& sheet, int samples, Overlay& overlay) {
-    const std::size_t levels = sheet.rows.front().size();
     const LevelSheetLayout& layout = sheet.layout;
     const Theme& theme = *sheet.style.theme;
-    const int unit = layout.unit;
     Picture picture{layout.width, layout.height, samples, theme.background, {}};
     overlay.begin();
 
     FigureLayout frame;
-    frame.unit = unit;
-    frame.heading = {sheet_margin, sheet_margin, layout.width - 2 * sheet_margin, title_size(unit)};
+    frame.unit = layout.unit;
+    frame.heading = {sheet_margin, sheet_margin, layout.width - 2 * sheet_margin,
+                     title_size(layout.unit)};
     draw_heading(overlay, frame, theme, sheet.title, sheet.subtitle);
-
-    // Keys in one line under the heading: bodies by color, or the scale.
-    const int key_y = sheet_margin + title_size(unit) + unit / 2;
-    if (const std::optional<PanelScale> scale = legend_of(sheet.style.colors)) {
-        draw_side_panel(overlay, {sheet_margin, key_y, 18 * unit, 4 * unit}, theme, unit, {*scale});
-    } else if (sheet.style.colors.by == ColorBy::subtree) {
-        draw_side_panel(overlay, {sheet_margin, key_y, layout.width - 2 * sheet_margin, 2 * unit},
-                        theme, unit, {PanelNote{"color: the subtree below the third division"}});
-    } else {
-        int x = sheet_margin;
-        const auto& bodies = sheet.rows.front().front().bodies;
-        const TextStyle style{unit, FontWeight::regular, theme.text};
-        for (std::size_t b = 0; b < bodies.size(); ++b) {
-            const ItemCount held = item_count(*bodies[b].mesh, *bodies[b].tree);
-            const std::string text = "body " + bodies[b].name + ", " + count_text(held.count) +
-                                     " " + std::string(held.what);
-            const int width = unit * 5 / 4 + overlay.measure(text, style).width + 2 * unit;
-            if (x + width > layout.width - 6 * unit && b + 1 < bodies.size()) {
-                overlay.text(x, key_y, "and " + std::to_string(bodies.size() - b) + " more", style);
-                break;
-            }
-            draw_side_panel(overlay, {x, key_y, width, 2 * unit}, theme, unit,
-                            {PanelKey{category_color(b), text}});
-            x += width;
+    draw_legend(overlay, sheet);
+    const int rows = static_cast<int>(sheet.rows.size());
+    for (int r = 0; r < rows; ++r) {
+        const std::vector<LevelSheetCell>& cells = sheet.rows[static_cast<std::size_t>(r)];
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const int c = static_cast<int>(i), band = c / layout.columns;
+            draw_cell(overlay, picture, sheet, cells[i], layout.x(c % layout.columns),
+                      level_heading_height(layout.unit) + (band * rows + r) * cell_height(layout),
+                      i == 0 || !same_view(cells[i].camera, cells[i - 1].camera));
         }
     }
-
-    const bool beside = legend_of(sheet.style.colors).has_value();
-    const int note_x = sheet_margin + (beside ? 19 * unit : 0),
-              note_y = key_y + (beside ? 0 : 7 * unit / 4);
-    draw_side_panel(overlay,
-                    {note_x, note_y, layout.width - sheet_margin - note_x,
-                     level_heading_height(unit) - unit / 2 - note_y},
-                    theme, unit, {PanelNote{sheet.note}});
-
-    const int first_y = level_heading_height(unit);
-    for (std::size_t r = 0; r < sheet.rows.size(); ++r)
-        for (std::size_t c = 0; c < levels; ++c) {
-            const LevelSheetCell& cell = sheet.rows[r][c];
-            const int band = static_cast<int>(c) / layout.columns,
-                      column = static_cast<int>(c) % layout.columns;
-            const int x = layout.x(column);
-            const int y =
-                first_y + (band * static_cast<int>(sheet.rows.size()) + static_cast<int>(r)) *
-                              cell_height(layout);
-            const LevelNumbers numbers = level_numbers(cell.bodies, cell.level);
-
-            const TextStyle bold{unit, FontWeight::bold, theme.text};
-            std::string counts;
-            for (const VolumeStatistics& v : numbers.bodies)
-                counts += (counts.empty() ? "" : " + ") + count_text(v.volumes);
-            if (numbers.bodies.size() > 3) counts = count_text(numbers.all.volumes);
-            counts += counts == "1" ? " volume" : " volumes";
-            const TextStyle right{unit, FontWeight::regular, theme.text, Align::right};
-            const TextStyle faint{small_size(unit), FontWeight::regular, theme.faint_text};
-            const int room = layout.view_width - overlay.measure(counts, right).width - unit;
-            std::string second = "mean d " + number_text(numbers.all.mean_diameter()) +
-                                 ", mean τ " + thickness_text(numbers.all) + ", Σ volume " +
-                                 volume_text(numbers.all);
-            if (overlay.measure(cell.caption, bold).width <= room)
-                overlay.text(x + layout.view_width, y, counts, right);
-            else
-                second = counts;  // a narrow cell: the counts matter most
-            overlay.text(x, y, fitted_text(overlay, cell.caption, bold, layout.view_width), bold);
-            overlay.text(x, y + unit * 5 / 4,
-                         fitted_text(overlay, second, faint, layout.view_width), faint);
-
-            const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
-            picture.panes.push_back(
-                level_pane(view, cell.camera, cell.bodies, cell.level, sheet.style));
-            overlay.frame(view, theme.border);
-            draw_length_histogram(overlay,
-                                  {x, view.y + view.height + layout.detail_size + unit / 2,
-                                   layout.view_width, histogram_height(layout)},
-                                  level_lengths(cell.bodies, cell.level, sheet.style),
-                                  {theme, unit});
-            if (c == 0 || !same_view(cell.camera, sheet.rows[r][c - 1].camera))
-                draw_scale_bar(overlay, view, cell.camera, sheet.center, theme, unit);
-            if (!sheet.detail) continue;
-            const PixelRect square{x + (layout.view_width - layout.detail_size) / 2,
-                                   view.y + view.height, layout.detail_size, layout.detail_size};
-            picture.panes.push_back(
-                level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
-            overlay.frame(square, theme.accent, 2);
-            if (const auto marker =
-                    marker_of(view, cell.camera, sheet.detail->center, sheet.detail->radius)) {
-                overlay.frame(*marker, theme.accent, 2);
-            }
-            overlay.text(square.x + square.width + unit / 2,
-                         square.y + square.height - small_size(unit) * 5 / 4,
-                         number_text(2 * sheet.detail->radius) + " wide", faint);
-        }
     return picture;
 }
 

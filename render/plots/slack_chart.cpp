@@ -61,6 +61,37 @@ void keep_rows(std::vector<Row>& rows, std::size_t room, std::size_t closest) {
     if (closest >= first) rows.push_back(last);
 }
 
+/// One scale for both sides of a chart, which share the width as they need it.
+struct SlackScale {
+    int zero;  ///< x of slack 0
+    double pixels_per_unit;
+
+    int length(double slack) const {
+        if (slack == 0) return 0;
+        // What is too short to see still has a side.
+        return std::max(2, static_cast<int>(std::lround(std::abs(slack) * pixels_per_unit)));
+    }
+};
+
+SlackScale slack_scale(const OverlapSteps& steps, const PixelRect& area) {
+    double low = 0, high = 0;
+    for (const OverlapStep& step : steps.steps) {
+        low = std::max(low, -step.slack);
+        high = std::max(high, step.slack);
+    }
+    const double least_share = 0.2, share = low + high > 0 ? low / (low + high) : 0.5;
+    const int zero =
+        area.x +
+        static_cast<int>(std::lround(area.width * std::clamp(share, least_share, 1 - least_share)));
+    return {zero, std::min(low > 0 ? (zero - area.x) / low : HUGE_VAL,
+                           high > 0 ? (area.x + area.width - zero) / high : HUGE_VAL)};
+}
+
+TextStyle aligned_right(TextStyle style) {
+    style.align = Align::right;
+    return style;
+}
+
 }  // namespace
 
 int slack_line(int unit) { return small_size(unit) * 5 / 4; }
@@ -97,55 +128,37 @@ void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart&
     if (area.width < 2 * unit || area.height < line) return;
     keep_rows(rows, static_cast<std::size_t>(area.height / line), chart.steps->closest());
 
-    // One scale for both sides, which share the width as they need it.
-    double low = 0, high = 0;
-    for (const OverlapStep& step : chart.steps->steps) {
-        low = std::max(low, -step.slack);
-        high = std::max(high, step.slack);
-    }
-    const double least_share = 0.2, share = low + high > 0 ? low / (low + high) : 0.5;
-    const int zero =
-        area.x +
-        static_cast<int>(std::lround(area.width * std::clamp(share, least_share, 1 - least_share)));
-    const double scale = std::min(low > 0 ? (zero - area.x) / low : HUGE_VAL,
-                                  high > 0 ? (area.x + area.width - zero) / high : HUGE_VAL);
-    TextStyle left = faint, right = faint;
-    left.align = Align::right;
+    const SlackScale scale = slack_scale(*chart.steps, area);
     const bool has_lines = std::any_of(chart.steps->steps.begin(), chart.steps->steps.end(),
                                        [](const OverlapStep& step) { return step.line > 0; });
-    const int room = zero - 2 * gap - overlay.measure("short", faint).width - rect.x;
+    const int zero = scale.zero, number_x = area.x + area.width + gap + numbers,
+              room = zero - 2 * gap - overlay.measure("short", faint).width - rect.x;
     overlay.text(
         rect.x, rect.y,
         fitted_text(overlay, has_lines ? "line, separates if" : "separates if", faint, room),
         faint);
-    overlay.text(zero - gap, rect.y, "short", left);
-    overlay.text(zero + gap, rect.y, "apart", right);
-    overlay.text(area.x + area.width + gap + numbers, rect.y, "slack", left);
+    overlay.text(zero - gap, rect.y, "short", aligned_right(faint));
+    overlay.text(zero + gap, rect.y, "apart", faint);
+    overlay.text(number_x, rect.y, "slack", aligned_right(faint));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
         const int y = area.y + static_cast<int>(i) * line;
         const TextStyle& style = row.shown ? strong : row.faint ? faint : name;
-        if (row.number.empty()) {
-            overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
-            continue;
-        }
-        const OverlapStep& step = chart.steps->steps[row.step];
-        overlay.rectangle({rect.x, y + (small - swatch) / 2 + 1, swatch, swatch},
-                          ending_color(step.stage, theme));
+        const bool is_step = !row.number.empty();
+        const OverlapStep& step = chart.steps->steps[is_step ? row.step : 0];
+        if (is_step)
+            overlay.rectangle({rect.x, y + (small - swatch) / 2 + 1, swatch, swatch},
+                              ending_color(step.stage, theme));
         overlay.text(rect.x + indent, y, fitted_text(overlay, row.name, style, names), style);
-        int length =
-            step.slack != 0 ? static_cast<int>(std::lround(std::abs(step.slack) * scale)) : 0;
-        // What is too short to see still has a side.
-        if (step.slack != 0) length = std::max(length, 2);
+        if (!is_step) continue;
         const Rgba8 color = with_opacity(step.separates ? chart.separating : theme.faint_text,
                                          row.faint        ? 0.35
                                          : step.separates ? 1
                                                           : 0.7);
+        const int length = scale.length(step.slack);
         overlay.rectangle({step.slack > 0 ? zero : zero - length, y + 1, length, small - 1}, color);
-        TextStyle number = style;
-        number.align = Align::right;
-        overlay.text(area.x + area.width + gap + numbers, y, row.number, number);
-        overlay.text(area.x + area.width + 2 * gap + numbers, y, row.note, style);
+        overlay.text(number_x, y, row.number, aligned_right(style));
+        overlay.text(number_x + gap, y, row.note, style);
     }
     overlay.rectangle({zero, area.y, std::max(1, unit / 20),
                        std::min(area.height, static_cast<int>(rows.size()) * line)},

@@ -13,6 +13,7 @@ namespace scb::python {
 namespace {
 
 using Shared = std::shared_ptr<BuiltHierarchy>;
+using HierarchyClass = py::class_<BuiltHierarchy, Shared>;
 
 Shared build(const SharedMesh& mesh, const std::string& volume, const std::string& split,
              const std::string& growth, double margin, std::int64_t threads) {
@@ -44,31 +45,8 @@ int level_of(const py::object& level, int depth) {
     return app::parse_level(std::to_string(number), depth, "level");
 }
 
-}  // namespace
-
-int BuiltHierarchy::depth() const { return scb::depth(topology()); }
-
-void add_hierarchy(py::module_& module) {
-    py::class_<BuiltHierarchy, Shared>(
-        module, "Hierarchy", py::is_final(),
-        R"(A bounding volume hierarchy of a mesh: a binary tree with one triangle per leaf.
-
-Node 0 is the root; the children of a node follow each other. Arrays of a hierarchy are read-only and
-no copies. A hierarchy does not change, and any number of threads may ask it.)")
-        .def_property_readonly(
-            "mesh",
-            [](const Shared& h) {
-                return SharedMesh{h->mesh, h->name};
-            },
-            "Its mesh.")
-        .def_property_readonly(
-            "volume", [](const Shared& h) { return std::string(volume_kind_name(h->kind)); },
-            "The kind of its volumes, as build calls it.")
-        .def_property_readonly(
-            "depth", [](const Shared& h) { return h->depth(); },
-            "Of the deepest node; the root has 0.")
-        .def("__len__", [](const Shared& h) { return h->topology().nodes.size(); })
-        .def_property_readonly(
+void add_nodes(HierarchyClass& type) {
+    type.def_property_readonly(
             "first", [](const Shared& h) { return nodes_of(h, &TopologyNode::first); },
             "Per node, uint32: where its triangles begin in order.")
         .def_property_readonly(
@@ -102,25 +80,10 @@ no copies. A hierarchy does not change, and any number of threads may ask it.)")
 
 level: 0 to depth, or "leaves". The nodes are those at that depth and the leaves above it.
 
-Raises InputError where there is no such level.)")
-        .def(
-            "validate",
-            [](const Shared& h, const SharedMesh* mesh) {
-                const Mesh& of = mesh != nullptr ? *mesh->mesh : *h->mesh;
-                const py::gil_scoped_release unlocked;
-                return validate(h->hierarchy, of);
-            },
-            py::arg("mesh") = py::none(),
-            R"(Check that this is a hierarchy of its mesh, or of another one.
+Raises InputError where there is no such level.)");
+}
 
-Every triangle must be in exactly one leaf, the triangles of two children must be their parent's, and
-each volume must contain all vertices below it. Returns "" where all holds, or a sentence that names
-the first node at which it does not. Takes n log n time.)")
-        .def("__repr__", [](const Shared& h) {
-            return "<scb.Hierarchy of '" + h->name +
-                   "': " + std::string(volume_kind_name(h->kind)) + ", " +
-                   std::to_string(h->topology().nodes.size()) + " nodes>";
-        });
+void add_build(py::module_& module) {
     module.def("build", build, py::arg("mesh"), py::arg("volume") = "scb", py::kw_only(),
                py::arg("split") = "paper", py::arg("growth") = "ritter", py::arg("margin") = 0.0,
                py::arg("threads") = 0, R"(Build the hierarchy of a mesh.
@@ -140,6 +103,52 @@ Raises InputError.)");
             return names;
         },
         "The kinds of volumes that build knows.");
+}
+
+}  // namespace
+
+int BuiltHierarchy::depth() const { return scb::depth(topology()); }
+
+void add_hierarchy(py::module_& module) {
+    HierarchyClass type(
+        module, "Hierarchy", py::is_final(),
+        R"(A bounding volume hierarchy of a mesh: a binary tree with one triangle per leaf.
+
+Node 0 is the root; the children of a node follow each other. Arrays of a hierarchy are read-only and
+no copies. A hierarchy does not change, and any number of threads may ask it.)");
+    type.def_property_readonly(
+            "mesh",
+            [](const Shared& h) {
+                return SharedMesh{h->mesh, h->name};
+            },
+            "Its mesh.")
+        .def_property_readonly(
+            "volume", [](const Shared& h) { return std::string(volume_kind_name(h->kind)); },
+            "The kind of its volumes, as build calls it.")
+        .def_property_readonly(
+            "depth", [](const Shared& h) { return h->depth(); },
+            "Of the deepest node; the root has 0.")
+        .def("__len__", [](const Shared& h) { return h->topology().nodes.size(); });
+    add_nodes(type);
+    type.def(
+            "validate",
+            [](const Shared& h, const SharedMesh* mesh) {
+                const Mesh& of = mesh != nullptr ? *mesh->mesh : *h->mesh;
+                const py::gil_scoped_release unlocked;
+                return validate(h->hierarchy, of);
+            },
+            py::arg("mesh") = py::none(),
+            R"(Check that this is a hierarchy of its mesh, or of another one.
+
+Every triangle must be in exactly one leaf, the triangles of two children must be their parent's, and
+each volume must contain all vertices below it. Returns "" where all holds, or a sentence that names
+the first node at which it does not. Takes n log n time.)")
+        .def("__repr__", [](const Shared& h) {
+            return "<scb.Hierarchy of '" + h->name +
+                   "': " + std::string(volume_kind_name(h->kind)) + ", " +
+                   std::to_string(h->topology().nodes.size()) + " nodes>";
+        });
+    add_build(module);
 }
 
 }  // namespace scb::python
