@@ -76,7 +76,7 @@ std::uint32_t checked_number(std::int64_t number, const std::string& option) {
     return static_cast<std::uint32_t>(number);
 }
 
-std::uint32_t checked_node(const BodyAtFrame& body, const RecordedNodes& tree, std::uint32_t number,
+std::uint32_t checked_node(const BodyAtFrame& body, const EngineNodes& tree, std::uint32_t number,
                            int frame, const std::string& option) {
     const std::uint32_t node = tree.index_of(number);
     const std::string start = option + ": at frame " + std::to_string(frame) + " ";
@@ -103,7 +103,7 @@ std::uint32_t checked_node(const BodyAtFrame& body, const RecordedNodes& tree, s
 }
 
 ExplainedNode described(const BodyAtFrame& body, const EngineSide& side, std::uint32_t node) {
-    const RecordedNode& told = (*side.tree)[node];
+    const EngineNode& told = (*side.tree)[node];
     ExplainedNode result{body.name, told.number, 0, items_below(*side.shape)[node]};
     result.are_objects = side.mesh == nullptr;
     if (side.shape->is_reachable(node)) result.depth = static_cast<int>(side.shape->depths[node]);
@@ -223,7 +223,7 @@ Json report_json(const RecordedPair& found) {
     const EngineQuery& query = found.trace->query();
     for (std::size_t side = 0; side < 2; ++side) {
         const ExplainedNode& node = (*found.pair.nodes)[side];
-        const RecordedNodes& tree = *query.sides[side].tree;
+        const EngineNodes& tree = *query.sides[side].tree;
         const std::uint32_t index = side == 0 ? found.nodes.a : found.nodes.b;
         Json entry = {{"body", node.body},
                       {"index", node.index},

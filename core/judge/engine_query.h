@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 #include "scb/observer.h"
 
@@ -33,7 +33,7 @@ struct EngineEvent {
 
 /// One of the two trees of a query. Refers, does not own.
 struct EngineSide {
-    const RecordedNodes* tree = nullptr;
+    const EngineNodes* tree = nullptr;
     const TreeShape* shape = nullptr;
     /// nullptr: items are no triangles. Vertices need not be finite, see has_finite_corners.
     const Mesh* mesh = nullptr;

@@ -146,7 +146,7 @@ NodeVolume mapped(const NodeVolume& volume, const Mat3& map) {
         volume);
 }
 
-RecordedNodes mapped(RecordedNodes tree, const Mat3& map) {
+EngineNodes mapped(EngineNodes tree, const Mat3& map) {
     tree.change_volumes([&map](const NodeVolume& volume) { return mapped(volume, map); });
     return tree;
 }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 
 namespace scb {
@@ -13,7 +13,7 @@ namespace scb {
 NodeVolume mapped(const NodeVolume& volume, const Mat3& map);
 
 /// All volumes of the tree, mapped.
-RecordedNodes mapped(RecordedNodes tree, const Mat3& map);
+EngineNodes mapped(EngineNodes tree, const Mat3& map);
 
 /// All vertices of the mesh, mapped.
 Mesh mapped(Mesh mesh, const Mat3& map);

@@ -81,7 +81,7 @@ Similarity nearest_map(const std::vector<Vec3>& from, const std::vector<Vec3>& t
 
 class Fit {
   public:
-    Fit(const RecordedNodes& tree, const TreeShape& shape, const Mesh& mesh) : mesh_(mesh) {
+    Fit(const EngineNodes& tree, const TreeShape& shape, const Mesh& mesh) : mesh_(mesh) {
         std::vector<std::uint32_t> leaves;
         for (const std::uint32_t node : shape.order)
             if (!tree.items(node).empty()) leaves.push_back(node);
@@ -99,7 +99,7 @@ class Fit {
     }
 
   private:
-    void take_leaf(const RecordedNodes& tree, std::uint32_t leaf, std::size_t place) {
+    void take_leaf(const EngineNodes& tree, std::uint32_t leaf, std::size_t place) {
         if (!has_volume(tree[leaf].volume)) return;
         const ConvexShape shape = convex_shape(tree[leaf].volume);
         if (shape.faces.empty()) return;
@@ -162,7 +162,7 @@ std::string axis_words(const Vec3& axis) {
 
 }  // namespace
 
-std::optional<Similarity> fit_similarity(const RecordedNodes& tree, const TreeShape& shape,
+std::optional<Similarity> fit_similarity(const EngineNodes& tree, const TreeShape& shape,
                                          const Mesh& mesh) {
     return Fit(tree, shape, mesh).found();
 }

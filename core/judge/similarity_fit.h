@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 
 namespace scb {
@@ -22,7 +22,7 @@ struct Similarity {
 /// a start from the middles of the leaves (Davenport's q-method, as in Wahba, "A Least Squares
 /// Estimate of Satellite Attitude", 1965), then Gauss-Newton steps, in each of which the vertex
 /// that is farthest along a face stays the same. Nothing where there are too few faces.
-std::optional<Similarity> fit_similarity(const RecordedNodes& tree, const TreeShape& shape,
+std::optional<Similarity> fit_similarity(const EngineNodes& tree, const TreeShape& shape,
                                          const Mesh& mesh);
 
 /// "a rotation by 35 degrees about z, a scale by 2 and a shift by (0, 0, 1)"; what moves nothing by

@@ -50,7 +50,7 @@ void for_each_item(const EngineSide& side, std::uint32_t node, Add&& add) {
 
 /// Per node, along the axes of its box.
 std::vector<Extents> extents_below(const EngineSide& side) {
-    const RecordedNodes& tree = *side.tree;
+    const EngineNodes& tree = *side.tree;
     const TreeShape& shape = *side.shape;
     const Obb along{};  // the body's axes
     std::vector<Extents> of_axes(tree.size()), extents(tree.size());
@@ -81,7 +81,7 @@ std::vector<Extents> extents_below(const EngineSide& side) {
 }  // namespace
 
 TightBoxes tight_boxes(const EngineSide& side) {
-    const RecordedNodes& tree = *side.tree;
+    const EngineNodes& tree = *side.tree;
     const std::vector<Extents> extents = extents_below(side);
     TightBoxes result;
     for (std::uint32_t node = 0; node < tree.size(); ++node) {

@@ -60,11 +60,11 @@ namespace {
 
 /// Per node its worst problem.
 struct Worst {
-    const RecordedNodes& tree;
+    const EngineNodes& tree;
     std::vector<TreeProblem> problems;
     std::vector<bool> found;
 
-    explicit Worst(const RecordedNodes& of)
+    explicit Worst(const EngineNodes& of)
         : tree(of), problems(of.size()), found(of.size(), false) {}
 
     void note(std::uint32_t node, TreeFault fault, std::uint32_t item, std::uint32_t other,
@@ -79,7 +79,7 @@ struct Worst {
 };
 
 /// Of a triangle in several leaves.
-void check_split(const RecordedNodes& tree, const TreeShape& shape, const Mesh& mesh,
+void check_split(const EngineNodes& tree, const TreeShape& shape, const Mesh& mesh,
                  std::uint32_t item, NodeTolerance allowed, Worst& worst,
                  UnjudgedVolumes& unjudged) {
     double tolerance = 0;
@@ -110,7 +110,7 @@ void check_split(const RecordedNodes& tree, const TreeShape& shape, const Mesh& 
 
 /// A box along the axes contains the very numbers that it was made of. Where it does not, the
 /// engine may have rounded inwards; other volumes are made of rounded numbers anyway.
-void note_slight(const RecordedNode& node, const Box& below, NodeTolerance tolerance,
+void note_slight(const EngineNode& node, const Box& below, NodeTolerance tolerance,
                  UnjudgedVolumes& unjudged) {
     const auto* box = std::get_if<Obb>(&node.volume);
     if (!box || box->axes != Mat3::Identity() || !(below.lower[0] <= below.upper[0])) return;
@@ -122,7 +122,7 @@ void note_slight(const RecordedNode& node, const Box& below, NodeTolerance toler
     unjudged.open_by = std::max(unjudged.open_by, by);
 }
 
-void check_triangles(const RecordedNodes& tree, const TreeShape& shape, const Mesh& mesh,
+void check_triangles(const EngineNodes& tree, const TreeShape& shape, const Mesh& mesh,
                      NodeTolerance tolerance, Worst& worst, UnjudgedVolumes& unjudged) {
     std::vector<bool> split(mesh.triangles.size(), false);
     for (const auto& [item, node] : shape.more_holders)
@@ -162,7 +162,7 @@ void check_triangles(const RecordedNodes& tree, const TreeShape& shape, const Me
 }
 
 /// Of a tree whose items are objects.
-void check_objects(const RecordedNodes& tree, const TreeShape& shape, NodeTolerance tolerance,
+void check_objects(const EngineNodes& tree, const TreeShape& shape, NodeTolerance tolerance,
                    Worst& worst, UnjudgedVolumes& unjudged) {
     // From the leaves up: the box of all extents below, which settles most nodes.
     std::vector<Box> boxes(tree.size());
@@ -207,7 +207,7 @@ bool is_box_along_axes(const NodeVolume& volume) {
 /// Checks boxes of object trees whose objects have no recorded extent: the box of a parent contains
 /// the boxes of its children. Objects with an extent are checked themselves. Other types of volumes
 /// need not contain the volumes of their children.
-void check_children(const RecordedNodes& tree, const TreeShape& shape, NodeTolerance tolerance,
+void check_children(const EngineNodes& tree, const TreeShape& shape, NodeTolerance tolerance,
                     Worst& worst) {
     std::vector<bool> has_items(tree.size()), has_unknown(tree.size());
     for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
@@ -240,14 +240,14 @@ std::uint32_t broken_vertex(const Mesh& mesh, std::uint32_t item) {
     return no_index;
 }
 
-std::string number_words(const RecordedNodes& tree, std::uint32_t number) {
+std::string number_words(const EngineNodes& tree, std::uint32_t number) {
     const std::uint32_t index = tree.index_of(number);
     return index == no_index ? "node " + std::to_string(number) : tree.words(index);
 }
 
 }  // namespace
 
-std::vector<TreeProblem> check_shape(const RecordedNodes& tree, const TreeShape& shape,
+std::vector<TreeProblem> check_shape(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh* mesh) {
     std::vector<TreeProblem> problems;
     const auto add = [&](TreeFault fault, std::uint32_t node, std::uint32_t other = no_index,
@@ -267,7 +267,7 @@ std::vector<TreeProblem> check_shape(const RecordedNodes& tree, const TreeShape&
                 lister[c] = i;
         }
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
-        const RecordedNode& node = tree[i];
+        const EngineNode& node = tree[i];
         const std::uint32_t parent = tree.parent(i);
         if (parent != no_index && lister[i] == no_index)
             add(TreeFault::dropped, node.number, parent);
@@ -293,7 +293,7 @@ std::vector<TreeProblem> check_shape(const RecordedNodes& tree, const TreeShape&
     return problems;
 }
 
-std::vector<TreeProblem> check_volumes(const RecordedNodes& tree, const TreeShape& shape,
+std::vector<TreeProblem> check_volumes(const EngineNodes& tree, const TreeShape& shape,
                                        const Mesh* mesh, NodeTolerance tolerance,
                                        UnjudgedVolumes* unjudged) {
     std::vector<TreeProblem> problems;
@@ -335,7 +335,7 @@ std::string amount_words(double length) {
     return length >= max_coordinate / 2 ? "an infinite length" : format("%.6g", length);
 }
 
-std::string words_of(const TreeProblem& problem, const RecordedNodes& tree) {
+std::string words_of(const TreeProblem& problem, const EngineNodes& tree) {
     const std::string node = problem.node == no_index ? "" : number_words(tree, problem.node),
                       other = problem.other == no_index ? "" : number_words(tree, problem.other),
                       triangle = (tree.has_objects ? "object " : "triangle ") +

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 
 namespace scb {
@@ -20,7 +20,7 @@ enum class TreeFault {
     triangle_nowhere,  ///< no node that a root leads to has `item`
     triangle_unknown,  ///< `node` has `item`, which the mesh does not
     triangle_broken,   ///< `item` has the vertex `other`, which is not finite
-    bad_volume,        ///< of `node`: see RecordedNodes::volume_fault
+    bad_volume,        ///< of `node`: see EngineNodes::volume_fault
     no_volume,         ///< `node` has none, where others do
     outside,       ///< `item`, or the volume of the child `other`, is `amount` outside of `node`
     part_outside,  ///< a part of `item` is in none of the leaves that have it; the nearest is below
@@ -40,7 +40,7 @@ struct TreeProblem {
 };
 
 /// Checks what does not depend on volumes. `mesh`: nullptr where items are no triangles.
-std::vector<TreeProblem> check_shape(const RecordedNodes& tree, const TreeShape& shape,
+std::vector<TreeProblem> check_shape(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh* mesh);
 
 /// The length up to which an engine's arithmetic may be off, by the reach of a node's volume.
@@ -50,7 +50,7 @@ struct NodeTolerance {
     NodeTolerance(double length) : least(length) {}  // NOLINT: the same length for all nodes
     NodeTolerance(double of_least, double of_reach) : least(of_least), share(of_reach) {}
     double of(double reach) const { return std::max(least, share * reach); }
-    double of(const RecordedNode& node) const { return of(node.reach); }
+    double of(const EngineNode& node) const { return of(node.reach); }
 };
 
 /// What of the volumes of a tree could not be judged.
@@ -73,7 +73,7 @@ struct UnjudgedVolumes {
 /// them together, see cover_of. One problem per node, that of the greatest amount; the nodes
 /// farthest from the root first. O(n) where the box of what is below shows that it is contained,
 /// else O(n depth).
-std::vector<TreeProblem> check_volumes(const RecordedNodes& tree, const TreeShape& shape,
+std::vector<TreeProblem> check_volumes(const EngineNodes& tree, const TreeShape& shape,
                                        const Mesh* mesh, NodeTolerance tolerance,
                                        UnjudgedVolumes* unjudged = nullptr);
 
@@ -85,6 +85,6 @@ std::string amount_words(double length);
 
 /// The problem as a sentence that begins with the node: "node 7 does not contain triangle 12 by
 /// 0.03."
-std::string words_of(const TreeProblem& problem, const RecordedNodes& tree);
+std::string words_of(const TreeProblem& problem, const EngineNodes& tree);
 
 }  // namespace scb

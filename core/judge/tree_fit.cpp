@@ -15,7 +15,7 @@ namespace {
 
 class Search {
   public:
-    Search(const RecordedNodes& tree, const TreeShape& shape, const Mesh& mesh, double tolerance,
+    Search(const EngineNodes& tree, const TreeShape& shape, const Mesh& mesh, double tolerance,
            std::uint64_t outside)
         : tree_(tree), shape_(shape), mesh_(mesh), tolerance_(tolerance), outside_(outside) {
         for (const std::uint32_t node : shape.order) volumes_ += has_volume(tree[node].volume);
@@ -145,7 +145,7 @@ class Search {
         return false;
     }
 
-    const RecordedNodes& tree_;
+    const EngineNodes& tree_;
     const TreeShape& shape_;
     const Mesh& mesh_;
     double tolerance_, reach_ = 0;
@@ -155,7 +155,7 @@ class Search {
 
 }  // namespace
 
-std::optional<TreeFit> find_tree_fit(const RecordedNodes& tree, const TreeShape& shape,
+std::optional<TreeFit> find_tree_fit(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh& mesh, double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others) {
     return Search(tree, shape, mesh, tolerance, outside).found(others);

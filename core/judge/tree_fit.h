@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 
 namespace scb {
@@ -29,7 +29,7 @@ struct OtherMesh {
 /// axes in another order, common bounds, triangles in another order, and a rotation, a scale and a
 /// shift. Nothing where no such change leaves less than a tenth of these nodes. `outside` is how
 /// many there are. The mesh must be finite.
-std::optional<TreeFit> find_tree_fit(const RecordedNodes& tree, const TreeShape& shape,
+std::optional<TreeFit> find_tree_fit(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh& mesh, double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others);
 

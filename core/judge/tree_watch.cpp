@@ -16,7 +16,7 @@ void TreeWatch::look_at_shape(int frame, const WatchedTree& tree) {
 }
 
 void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& problem) {
-    const RecordedNode& node = tree.tree[tree.tree.index_of(problem.node)];
+    const EngineNode& node = tree.tree[tree.tree.index_of(problem.node)];
     const auto last = amounts_.find(problem.node);
     const double before = last == amounts_.end() ? 0 : last->second;
     const bool stale =

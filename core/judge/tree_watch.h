@@ -28,7 +28,7 @@ struct WatchedProblem {
 
 /// A tree to be checked, and how often what was recorded of it has changed.
 struct WatchedTree {
-    const RecordedNodes& tree;
+    const EngineNodes& tree;
     const TreeShape& shape;
     const Mesh* mesh = nullptr;
     NodeTolerance tolerance = 0;

@@ -18,7 +18,7 @@ struct Leaf {
 
 class Order {
   public:
-    Order(const RecordedNodes& tree, const TreeShape& shape, const Mesh& mesh, double tolerance)
+    Order(const EngineNodes& tree, const TreeShape& shape, const Mesh& mesh, double tolerance)
         : tolerance_(tolerance) {
         for (const std::uint32_t node : shape.order) {
             if (tree.items(node).empty()) continue;
@@ -149,7 +149,7 @@ class Order {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> find_triangle_order(const RecordedNodes& tree,
+std::optional<std::vector<std::uint32_t>> find_triangle_order(const EngineNodes& tree,
                                                               const TreeShape& shape,
                                                               const Mesh& mesh, double tolerance) {
     return Order(tree, shape, mesh, tolerance).found();

@@ -24,7 +24,7 @@ constexpr VolumeFamily family_of() {
 }
 
 /// A picture shows a box without an end as far as the other volumes reach, and a bit farther.
-void cut_open_boxes(RecordedNodes& nodes) {
+void cut_open_boxes(EngineNodes& nodes) {
     Box all;
     bool any = false;
     for (std::uint32_t node = 0; node < nodes.size(); ++node) {
@@ -50,7 +50,7 @@ void cut_open_boxes(RecordedNodes& nodes) {
             nodes[node].volume = cut_box(*open, all.lower.array() - more, all.upper.array() + more);
 }
 
-VolumeFamily family_of(const RecordedNodes& nodes) {
+VolumeFamily family_of(const EngineNodes& nodes) {
     std::optional<VolumeFamily> family;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         if (!has_volume(nodes[node].volume)) continue;
@@ -68,7 +68,7 @@ Tree::Tree(const AnyHierarchy& hierarchy)
     : shape_(std::visit([](const auto& h) { return tree_shape(*h.topology); }, hierarchy)),
       nodes_(&hierarchy) {}
 
-Tree::Tree(RecordedNodes nodes, TreeShape shape) : shape_(std::move(shape)) {
+Tree::Tree(EngineNodes nodes, TreeShape shape) : shape_(std::move(shape)) {
     cut_open_boxes(nodes);
     nodes_ = std::move(nodes);
 }
@@ -79,7 +79,7 @@ template <class Result, class Measure>
 Result Tree::measured(std::uint32_t node, const Measure& measure) const {
     if (const auto* const* own = std::get_if<const AnyHierarchy*>(&nodes_))
         return std::visit([&](const auto& h) -> Result { return measure(h.volumes[node]); }, **own);
-    const NodeVolume& volume = std::get<RecordedNodes>(nodes_)[node].volume;
+    const NodeVolume& volume = std::get<EngineNodes>(nodes_)[node].volume;
     return std::visit(
         [&]<class V>(const V& v) -> Result {
             if constexpr (std::is_same_v<V, std::monostate>)
@@ -93,7 +93,7 @@ Result Tree::measured(std::uint32_t node, const Measure& measure) const {
 }
 
 bool Tree::has_volume(std::uint32_t node) const {
-    const auto* nodes = std::get_if<RecordedNodes>(&nodes_);
+    const auto* nodes = std::get_if<EngineNodes>(&nodes_);
     return nodes == nullptr || scb::has_volume((*nodes)[node].volume);
 }
 
@@ -115,7 +115,7 @@ VolumeSize Tree::volume_size(std::uint32_t node) const {
 }
 
 bool Tree::contains(std::uint32_t node, const Vec3& point, double slack) const {
-    if (const auto* nodes = std::get_if<RecordedNodes>(&nodes_))
+    if (const auto* nodes = std::get_if<EngineNodes>(&nodes_))
         return excess((*nodes)[node].volume, point) <= slack;
     return std::visit(
         [&](const auto& h) { return scb::contains(enlarged(h.volumes[node], slack), point); },
@@ -123,7 +123,7 @@ bool Tree::contains(std::uint32_t node, const Vec3& point, double slack) const {
 }
 
 VolumeFamily Tree::family() const {
-    if (const auto* nodes = std::get_if<RecordedNodes>(&nodes_)) return family_of(*nodes);
+    if (const auto* nodes = std::get_if<EngineNodes>(&nodes_)) return family_of(*nodes);
     return std::visit(
         []<class V>(const Hierarchy<V>&) {
             return family_of<std::decay_t<decltype(shape_of(std::declval<V>()))>>();
@@ -132,7 +132,7 @@ VolumeFamily Tree::family() const {
 }
 
 std::span<const std::uint32_t> Tree::items(std::uint32_t node) const {
-    if (const auto* nodes = std::get_if<RecordedNodes>(&nodes_)) return nodes->items(node);
+    if (const auto* nodes = std::get_if<EngineNodes>(&nodes_)) return nodes->items(node);
     return std::visit(
         [&](const auto& h) -> std::span<const std::uint32_t> {
             const TopologyNode& place = h.topology->nodes[node];
@@ -143,22 +143,22 @@ std::span<const std::uint32_t> Tree::items(std::uint32_t node) const {
 }
 
 std::uint32_t Tree::number(std::uint32_t node) const {
-    const auto* nodes = std::get_if<RecordedNodes>(&nodes_);
+    const auto* nodes = std::get_if<EngineNodes>(&nodes_);
     return nodes ? (*nodes)[node].number : node;
 }
 
 std::uint32_t Tree::node_of(std::uint32_t number) const {
-    if (const auto* nodes = std::get_if<RecordedNodes>(&nodes_)) return nodes->index_of(number);
+    if (const auto* nodes = std::get_if<EngineNodes>(&nodes_)) return nodes->index_of(number);
     return number < size() ? number : no_index;
 }
 
 std::string Tree::name(std::uint32_t node) const {
-    const auto* nodes = std::get_if<RecordedNodes>(&nodes_);
+    const auto* nodes = std::get_if<EngineNodes>(&nodes_);
     return nodes ? nodes->name_of(node) : std::string();
 }
 
 std::string Tree::node_words(std::uint32_t node) const {
-    const auto* nodes = std::get_if<RecordedNodes>(&nodes_);
+    const auto* nodes = std::get_if<EngineNodes>(&nodes_);
     return nodes ? nodes->words(node) : "node " + std::to_string(node);
 }
 
@@ -196,7 +196,7 @@ std::string volume_title(const NodeVolume& volume) {
     return std::visit(Title{}, volume);
 }
 
-std::vector<std::string> volumes_titles(const RecordedNodes& nodes) {
+std::vector<std::string> volumes_titles(const EngineNodes& nodes) {
     std::vector<std::string> titles;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const std::string title = volume_title(nodes[i].volume);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/hierarchy/tree_shape.h"
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "core/volumes/any_volume.h"
 #include "scb/any_hierarchy.h"
 
@@ -24,7 +24,7 @@ class Tree {
     explicit Tree(const AnyHierarchy& hierarchy);
     /// The tree of an engine. `shape` is tree_shape of its nodes. Boxes without an end are cut a
     /// bit outside of the other volumes.
-    Tree(RecordedNodes nodes, TreeShape shape);
+    Tree(EngineNodes nodes, TreeShape shape);
 
     const TreeShape& shape() const { return shape_; }
     std::size_t size() const { return shape_.size(); }
@@ -61,7 +61,7 @@ class Tree {
     Result measured(std::uint32_t node, const Measure& measure) const;
 
     TreeShape shape_;
-    std::variant<const AnyHierarchy*, RecordedNodes> nodes_;
+    std::variant<const AnyHierarchy*, EngineNodes> nodes_;
 };
 
 /// The name of a volume's type in titles: "OBB", "AABB", "hull"; a box with the axes of its body is
@@ -69,6 +69,6 @@ class Tree {
 std::string volume_title(const NodeVolume& volume);
 
 /// The names of the types of a tree's volumes in titles: "OBB", "AABB", "hull".
-std::vector<std::string> volumes_titles(const RecordedNodes& nodes);
+std::vector<std::string> volumes_titles(const EngineNodes& nodes);
 
 }  // namespace scb

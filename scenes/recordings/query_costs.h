@@ -20,7 +20,7 @@ class QueryCosts {
   private:
     /// Known as long as the side is of this tree and version.
     struct TightOfBody {
-        const RecordedNodes* tree = nullptr;
+        const EngineNodes* tree = nullptr;
         int version = -1;
         TightBoxes boxes;
     };

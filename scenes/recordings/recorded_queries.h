@@ -32,7 +32,7 @@ struct StretchedBody {
     std::uint32_t of = record_none;  ///< the tree that it was made of
     int volume_version = -1;         ///< of that tree
     int version = 0;                 ///< counts how often it was made
-    RecordedNodes tree;
+    EngineNodes tree;
     std::shared_ptr<const Mesh> mesh, finite;  ///< nullptr: items are no triangles
 };
 

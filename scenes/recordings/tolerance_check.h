@@ -27,7 +27,7 @@ class ToleranceCheck {
 
   private:
     struct Items {
-        const RecordedNodes* tree = nullptr;
+        const EngineNodes* tree = nullptr;
         int version = -1;
         /// Size and reach of each triangle or, of objects, of each leaf volume; points are left
         /// out. Ascending by size. All triangles have the reach 0: their tolerance is the same.

@@ -14,7 +14,7 @@ namespace scb::scenes {
 namespace {
 
 /// Above the numbers of a tree's objects; 0 where these are so large that they are no numbers.
-std::size_t objects_of(const RecordedNodes& tree) {
+std::size_t objects_of(const EngineNodes& tree) {
     constexpr std::size_t most = 1'000'000;
     std::size_t end = 0;
     for (std::size_t node = 0; node < tree.size(); ++node)
@@ -24,7 +24,7 @@ std::size_t objects_of(const RecordedNodes& tree) {
 }
 
 /// Whether items are alone in leaves.
-bool has_single_objects(const RecordedNodes& tree, const TreeShape& shape) {
+bool has_single_objects(const EngineNodes& tree, const TreeShape& shape) {
     for (std::uint32_t node = 0; node < shape.size(); ++node)
         if (tree.items(node).size() > (shape.is_leaf(node) ? 1 : 0)) return false;
     return !shape.holder.empty();
@@ -52,7 +52,7 @@ std::uint64_t links_hash(const RecordedNode& node) {
 void TreeState::begin(const RecordedTree& record) {
     TreeState made;
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
-        const RecordedNode& node = tree[i];
+        const EngineNode& node = tree[i];
         const NodeState& of_node = node_states[i];
         made.before[node_key(node.number, tree.items(i))] = {of_node.volume, node.told_at,
                                                              of_node.links, node.links_at};
@@ -67,7 +67,7 @@ void TreeState::begin(const RecordedTree& record) {
 }
 
 void TreeState::take(const RecordedNode& node, int frame, std::uint64_t epoch) {
-    RecordedNode made;
+    EngineNode made;
     made.number = node.node;
     made.parent = node.parent;
     made.id = node.id;

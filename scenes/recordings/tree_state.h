@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 #include "scb/mesh.h"
 #include "scenes/recordings/record.h"
 
@@ -30,7 +30,7 @@ struct EarlierNode {
 struct TreeState {
     std::string name;
     std::uint32_t mesh = record_none;  ///< number
-    RecordedNodes tree;
+    EngineNodes tree;
     TreeShape shape;  ///< see complete
     std::vector<double> directions;
     std::vector<NodeState> node_states;

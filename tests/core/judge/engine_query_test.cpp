@@ -6,8 +6,8 @@ namespace scb {
 namespace {
 
 TEST(EngineQuery, TheToleranceOfTwoNodesFollowsTheirOwnReach) {
-    RecordedNodes tree;
-    RecordedNode near, far;
+    EngineNodes tree;
+    EngineNode near, far;
     near.number = 0;
     near.reach = 1;
     far.number = 1;

@@ -15,7 +15,7 @@ struct Rows {
     using Kind = EngineEvent::Kind;
 
     Mesh mesh = row_of_triangles();
-    RecordedNodes trees[2];
+    EngineNodes trees[2];
     TreeShape shapes[2];
     EngineQuery query;
     std::vector<IndexPair> contacts;
@@ -41,7 +41,7 @@ struct Rows {
 
     /// As a sound engine does it.
     void visit(std::uint32_t a, std::uint32_t b) {
-        const RecordedNode &node_a = trees[0][a], &node_b = trees[1][b];
+        const EngineNode &node_a = trees[0][a], &node_b = trees[1][b];
         const bool apart =
             exact_verdict(node_a.volume, node_b.volume, query.b_to_a, 1e-9).contact ==
             Contact::disjoint;

@@ -38,10 +38,10 @@ inline std::vector<ToldNode> nodes_of_row() {
             {6, 2, {}, {3}, box_of_row(3, 3)}};
 }
 
-inline RecordedNodes tree_of(const std::vector<ToldNode>& nodes) {
-    RecordedNodes tree;
+inline EngineNodes tree_of(const std::vector<ToldNode>& nodes) {
+    EngineNodes tree;
     for (const ToldNode& told : nodes) {
-        RecordedNode node;
+        EngineNode node;
         node.number = told.number;
         node.parent = told.parent;
         node.volume = told.volume;

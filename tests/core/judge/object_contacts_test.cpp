@@ -12,7 +12,7 @@ namespace {
 
 /// Two sets of balls and boxes as opaque objects, each in a leaf below one root.
 struct ObjectSets {
-    RecordedNodes trees[2];
+    EngineNodes trees[2];
     TreeShape shapes[2];
     EngineQuery query;
 
@@ -25,10 +25,10 @@ struct ObjectSets {
         for (std::size_t side = 0; side < 2; ++side) {
             std::vector<std::uint32_t> children;
             for (std::uint32_t i = 0; i < count; ++i) children.push_back(i + 1);
-            RecordedNode root;
+            EngineNode root;
             trees[side].add(root, "", children, {});
             for (std::uint32_t i = 0; i < count; ++i) {
-                RecordedNode leaf;
+                EngineNode leaf;
                 leaf.number = i + 1;
                 leaf.parent = 0;
                 const std::uint32_t object = 7 + 2 * i;
@@ -97,7 +97,7 @@ TEST(ObjectContacts, WithoutThemResultsAreNotJudged) {
 
 /// A box of one unit on each side; the box of B is moved by `b`.
 std::size_t contacts_of_two(const Vec3& b, double tolerance) {
-    RecordedNodes trees[2];
+    EngineNodes trees[2];
     TreeShape shapes[2];
     EngineQuery query;
     for (std::size_t side = 0; side < 2; ++side) {

@@ -62,8 +62,8 @@ TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
                      {{0, 1, 2}}},
         needle{{Vec3(0.3915, 1.384, 0.8580), Vec3(0.3905, 1.381, 0.8575), Vec3(-0.3, 3.3, 0.75)},
                {{0, 1, 2}}};
-    const RecordedNodes trees[2] = {tree_of({{0, no_index, {}, {0}, Ball{}}}),
-                                    tree_of({{0, no_index, {}, {0}, Ball{}}})};
+    const EngineNodes trees[2] = {tree_of({{0, no_index, {}, {0}, Ball{}}}),
+                                  tree_of({{0, no_index, {}, {0}, Ball{}}})};
     const TreeShape shapes[2] = {tree_shape(trees[0], 1), tree_shape(trees[1], 1)};
     EngineQuery query;
     query.sides = {EngineSide{&trees[0], &shapes[0], &small},
@@ -233,7 +233,7 @@ TEST(QueryCheck, OneThatEndedEarlyNeedNotTestAllChildren) {
 
 TEST(QueryCheck, OfATreeWithoutNodesNothingIsKnown) {
     Rows rows;
-    rows.trees[0] = RecordedNodes{};
+    rows.trees[0] = EngineNodes{};
     rows.shapes[0] = tree_shape(rows.trees[0], rows.mesh.triangles.size());
     rows.query.events = {{Kind::pair, 0, 0, 0}, {Kind::pair, 0, 1, 1}, {Kind::pair, 0, 2, 2}};
     EXPECT_EQ(rows.problem().cause, PairCause::no_tree);

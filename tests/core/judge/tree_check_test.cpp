@@ -10,7 +10,7 @@ namespace {
 std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool with_mesh = true,
                                      double tolerance = 1e-9) {
     const Mesh mesh = row_of_triangles();
-    RecordedNodes tree = tree_of(nodes);
+    EngineNodes tree = tree_of(nodes);
     tree.has_objects = !with_mesh;
     const TreeShape shape = tree_shape(tree, with_mesh ? mesh.triangles.size() : 0);
     std::vector<std::string> words;
@@ -99,7 +99,7 @@ TEST(TreeCheck, LeavesOfOneTriangleContainItTogether) {
 }
 
 TEST(TreeCheck, NamesVerticesThatAreNotFinite) {
-    const RecordedNodes tree = tree_of(nodes_of_row());
+    const EngineNodes tree = tree_of(nodes_of_row());
     Mesh mesh = row_of_triangles();
     mesh.vertices[4][1] = NAN;
     const auto problems = check_shape(tree, tree_shape(tree, 4), &mesh);
@@ -172,7 +172,7 @@ TEST(TreeCheck, WhatIsOutsideByLittleMoreThanTheToleranceIsTold) {
 /// Of a node of objects, one child, which has an object with this extent, where there is one.
 Words words_of_objects(const NodeVolume& parent, const NodeVolume& child,
                        const NodeVolume& extent) {
-    RecordedNodes tree = tree_of({{0, no_index, {1}, {}, parent}, {1, 0, {}, {0}, child}});
+    EngineNodes tree = tree_of({{0, no_index, {1}, {}, parent}, {1, 0, {}, {0}, child}});
     tree.has_objects = true;
     if (has_volume(extent)) tree.set_object_volume(0, extent);
     Words words;
@@ -220,7 +220,7 @@ TEST(TreeCheck, ANodeAboveOneThatMissesATriangleInheritsThat) {
     nodes[3].volume = box_of_row(0, -0.5);
     nodes[1].volume = box_of_row(0, -0.25);
     const Mesh mesh = row_of_triangles();
-    const RecordedNodes tree = tree_of(nodes);
+    const EngineNodes tree = tree_of(nodes);
     const auto problems = check_volumes(tree, tree_shape(tree, 4), &mesh, 1e-9);
     ASSERT_EQ(problems.size(), 2u);
     EXPECT_EQ(problems[0].node, 3u);
@@ -228,7 +228,7 @@ TEST(TreeCheck, ANodeAboveOneThatMissesATriangleInheritsThat) {
     EXPECT_EQ(problems[1].node, 1u);
     EXPECT_EQ(problems[1].inherited, false) << "triangle 1 is in its leaf";
     nodes[1].volume = Obb{Vec3(1, 0.25, 0), Mat3::Identity(), Vec3(0.75, 0.25, 0)};
-    const RecordedNodes above = tree_of(nodes);
+    const EngineNodes above = tree_of(nodes);
     const auto inherited = check_volumes(above, tree_shape(above, 4), &mesh, 1e-9);
     ASSERT_EQ(inherited.size(), 2u);
     EXPECT_TRUE(inherited[1].inherited);
@@ -237,7 +237,7 @@ TEST(TreeCheck, ANodeAboveOneThatMissesATriangleInheritsThat) {
 TEST(TreeCheck, TheToleranceOfANodeFollowsItsOwnNumbers) {
     auto nodes = nodes_of_row();
     nodes[3].volume = box_of_row(0, -0.125);
-    RecordedNodes tree = tree_of(nodes);
+    EngineNodes tree = tree_of(nodes);
     tree[0].reach = 1e13;
     const Mesh mesh = row_of_triangles();
     const auto found = [&] {
@@ -251,7 +251,7 @@ TEST(TreeCheck, TheToleranceOfANodeFollowsItsOwnNumbers) {
 TEST(TreeCheck, ABoxThatMissesALittleWithinTheToleranceIsCounted) {
     auto nodes = nodes_of_row();
     nodes[3].volume = box_of_row(0, -1e-5);
-    RecordedNodes tree = tree_of(nodes);
+    EngineNodes tree = tree_of(nodes);
     for (std::uint32_t i = 0; i < tree.size(); ++i) tree[i].reach = 4;
     const Mesh mesh = row_of_triangles();
     UnjudgedVolumes unjudged;
@@ -268,7 +268,7 @@ TEST(TreeCheck, ATriangleWithoutAreaMayBeInNoLeaf) {
     auto nodes = nodes_of_row();
     nodes[6].items = {};
     Mesh mesh = row_of_triangles();
-    const RecordedNodes tree = tree_of(nodes);
+    const EngineNodes tree = tree_of(nodes);
     const TreeShape shape = tree_shape(tree, 4);
     EXPECT_EQ(check_shape(tree, shape, &mesh).size(), 1u);
     mesh.vertices[mesh.triangles[3][2]] = mesh.vertices[mesh.triangles[3][1]];

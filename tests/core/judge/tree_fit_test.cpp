@@ -28,7 +28,7 @@ Mesh scattered() {
 
 /// A tree of boxes about these triangles, in pairs of leaves; `items`: what leaf i names.
 struct BoxTree {
-    RecordedNodes tree;
+    EngineNodes tree;
     TreeShape shape;
 
     explicit BoxTree(const Mesh& mesh, const std::vector<std::uint32_t>& items = {}) {
@@ -50,7 +50,7 @@ struct BoxTree {
             own = {items.empty() ? first : items[first]};
         else
             children = {add(mesh, first, middle, items), add(mesh, middle, end, items)};
-        RecordedNode node;
+        EngineNode node;
         node.number = next_++;
         node.volume = box_between(lower, upper);
         tree.add(node, "", children, own);

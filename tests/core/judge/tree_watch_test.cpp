@@ -10,7 +10,7 @@ namespace scb {
 namespace {
 
 TEST(TreeWatch, NamesANodeThatGotOtherChildrenAndKeptItsVolume) {
-    RecordedNodes tree = tree_of(nodes_of_row());
+    EngineNodes tree = tree_of(nodes_of_row());
     const Mesh mesh = row_of_triangles();
     TreeWatch watch;
     TreeShape shape = tree_shape(tree, 4);
@@ -34,7 +34,7 @@ TEST(TreeWatch, NamesANodeThatGotOtherChildrenAndKeptItsVolume) {
 
 TEST(TreeWatch, AProblemThatGoesAndComesAgainHasGaps) {
     for (const bool comes_again : {false, true}) {
-        RecordedNodes tree = tree_of(nodes_of_row());
+        EngineNodes tree = tree_of(nodes_of_row());
         const Mesh mesh = row_of_triangles();
         const TreeShape shape = tree_shape(tree, 4);
         TreeWatch watch;
@@ -51,7 +51,7 @@ TEST(TreeWatch, AProblemThatGoesAndComesAgainHasGaps) {
 }
 
 TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
-    RecordedNodes tree = tree_of(nodes_of_row());
+    EngineNodes tree = tree_of(nodes_of_row());
     Mesh mesh = row_of_triangles();
     const TreeShape shape = tree_shape(tree, mesh.triangles.size());
     tree.set_volume(1, box_of_row(0, 0.75), 0, "");
@@ -86,7 +86,7 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
 /// A row that is looked at frame by frame. Node 1, of triangles 0 and 1, can be told a box that
 /// ends before them.
 struct WatchedRow {
-    RecordedNodes tree = tree_of(nodes_of_row());
+    EngineNodes tree = tree_of(nodes_of_row());
     Mesh mesh = row_of_triangles();
     TreeShape shape = tree_shape(tree, 4);
     TreeWatch watch;
@@ -174,7 +174,7 @@ TEST(TreeWatch, AVolumeIsStaleWhereItWasRightWhenItWasTold) {
 TEST(TreeWatch, AProblemOfTheShapeIsToldWhereItIsNew) {
     auto nodes = nodes_of_row();
     nodes[4].items = {};
-    const RecordedNodes tree = tree_of(nodes);
+    const EngineNodes tree = tree_of(nodes);
     const Mesh mesh = row_of_triangles();
     const TreeShape shape = tree_shape(tree, 4);
     TreeWatch watch;

@@ -8,7 +8,7 @@ namespace scb {
 namespace {
 
 Tree tree_with(const std::vector<ToldNode>& nodes) {
-    RecordedNodes recorded = tree_of(nodes);
+    EngineNodes recorded = tree_of(nodes);
     TreeShape shape = tree_shape(recorded, 4);
     return {std::move(recorded), std::move(shape)};
 }

@@ -21,7 +21,7 @@ TEST(TreeState, ANodeThatIsToldTwiceIsAsItWasFirst) {
                             RecordedNode{0, 5, record_none, 0, "", {}, {1}, ball_volume(2)},
                             RecordedNode{0, 6, 5, 0, "", {}, {2}, ball_volume(2)}});
     read.read_all();
-    const RecordedNodes& tree = read.queries.trees().at(0).tree;
+    const EngineNodes& tree = read.queries.trees().at(0).tree;
     ASSERT_EQ(tree.size(), 2u);
     EXPECT_EQ(std::get<Ball>(tree[0].volume).radius, 1);
     EXPECT_EQ(std::get<Ball>(tree[1].volume).radius, 2);
@@ -37,7 +37,7 @@ TEST(TreeState, ANodeThatIsRecordedInALaterFrameIsAnotherOne) {
     append(records, {RecordedFrame{1}, node_of(0, {2, 1}, {}, 3), node_of(1, {}, {0}, 2)});
     ReadSteps read(records);
     read.read_all();
-    const RecordedNodes& rotated = read.queries.trees().at(0).tree;
+    const EngineNodes& rotated = read.queries.trees().at(0).tree;
     EXPECT_TRUE(rotated.told_twice().empty());
     EXPECT_EQ(rotated.children(0)[0], 2u);
     EXPECT_EQ(rotated[0].links_at, 1);
@@ -63,7 +63,7 @@ TEST(TreeState, ANodeThatListsAnEarlierOneBecomesItsParent) {
                     node(1, 0, {3}), node(2, 0, {}), node(3, 1, {}), RecordedFrame{0},
                     RecordedFrame{1}, node(1, 0, {}), node(2, 0, {3})});
     read.read_all();
-    const RecordedNodes& tree = read.queries.trees().at(0).tree;
+    const EngineNodes& tree = read.queries.trees().at(0).tree;
     EXPECT_EQ(tree.parent(tree.index_of(3)), 2u);
     // A leaf that says so itself.
     ReadSteps moved({RecordedTree{0, record_none, "", {}}, node(0, record_none, {1, 2}),
@@ -91,7 +91,7 @@ TEST(TreeState, ATreeThatIsBuiltAnewKnowsWhichNodesAreTheSame) {
                                    node_of(2, {}, {1}, 1)};
     ReadSteps read(records);
     read.read_all();
-    const RecordedNodes& tree = read.queries.trees().at(0).tree;
+    const EngineNodes& tree = read.queries.trees().at(0).tree;
     EXPECT_EQ(tree[0].links_at, 1);
     EXPECT_EQ(tree[0].told_at, 0);
     EXPECT_EQ(tree[1].links_at, 0);

@@ -1,4 +1,4 @@
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ std::vector<ToldNode> row_from_below() {
     return nodes;
 }
 
-TEST(RecordedNodes, GoesByNumbersAsTheEngineTellsThem) {
-    const RecordedNodes tree = tree_of(row_from_below());
+TEST(EngineNodes, GoesByNumbersAsTheEngineTellsThem) {
+    const EngineNodes tree = tree_of(row_from_below());
     ASSERT_EQ(tree.size(), 7u);
     EXPECT_EQ(tree.index_of(16), 0u);
     EXPECT_EQ(tree.index_of(10), 6u);
@@ -34,22 +34,22 @@ TEST(RecordedNodes, GoesByNumbersAsTheEngineTellsThem) {
     EXPECT_TRUE(tree.children(0).empty());
 }
 
-TEST(RecordedNodes, TheSecondNodeOfANumberIsNotTaken) {
+TEST(EngineNodes, TheSecondNodeOfANumberIsNotTaken) {
     auto nodes = nodes_of_row();
     nodes.push_back({3, 2, {}, {0, 1, 2}, {}});
-    const RecordedNodes tree = tree_of(nodes);
+    const EngineNodes tree = tree_of(nodes);
     EXPECT_EQ(tree.size(), 7u);
     EXPECT_EQ(tree.told_twice(), Indices{3});
     EXPECT_EQ(tree.items(3).size(), 1u);
     EXPECT_EQ(tree.parent(3), 1u);
 }
 
-TEST(RecordedNodes, ParentsAreToldWhereTheyAreNotAllTheSame) {
+TEST(EngineNodes, ParentsAreToldWhereTheyAreNotAllTheSame) {
     const std::uint32_t leaf = 1;
     const auto parents = [&](std::array<std::uint32_t, 3> told) {
-        const RecordedNodes tree = tree_of({{0, told[0], std::vector(1, leaf), {}, {}},
-                                            {leaf, told[1], {}, {}, {}},
-                                            {2, told[2], {}, {}, {}}});
+        const EngineNodes tree = tree_of({{0, told[0], std::vector(1, leaf), {}, {}},
+                                          {leaf, told[1], {}, {}, {}},
+                                          {2, told[2], {}, {}, {}}});
         return Indices{tree.parent(0), tree.parent(1), tree.parent(2)};
     };
     EXPECT_EQ(parents({no_index, 0, no_index}), (Indices{no_index, 0, no_index}));
@@ -57,8 +57,8 @@ TEST(RecordedNodes, ParentsAreToldWhereTheyAreNotAllTheSame) {
     EXPECT_EQ(parents({0, 0, 0}), (Indices{no_index, no_index, no_index}));
 }
 
-TEST(RecordedNodes, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
-    RecordedNodes tree = tree_of(nodes_of_row());
+TEST(EngineNodes, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
+    EngineNodes tree = tree_of(nodes_of_row());
     tree.set_volume(2, {}, 4, "its radius is negative");
     EXPECT_FALSE(has_volume(tree[2].volume));
     EXPECT_EQ(tree.volume_fault(2), "its radius is negative");
@@ -72,9 +72,9 @@ TEST(RecordedNodes, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
     EXPECT_EQ(tree.volume_fault(3), "its half is not finite");
 }
 
-TEST(RecordedNodes, NamesItsNodes) {
-    RecordedNodes tree;
-    RecordedNode node;
+TEST(EngineNodes, NamesItsNodes) {
+    EngineNodes tree;
+    EngineNode node;
     node.number = 12;
     tree.add(node, "arm", {}, {});
     node.number = 13;
@@ -84,8 +84,8 @@ TEST(RecordedNodes, NamesItsNodes) {
     EXPECT_EQ(tree.name_of(1), "");
 }
 
-TEST(RecordedNodes, ItsShapeGoesDownFromTheRootsChildByChild) {
-    const RecordedNodes tree = tree_of(row_from_below());
+TEST(EngineNodes, ItsShapeGoesDownFromTheRootsChildByChild) {
+    const EngineNodes tree = tree_of(row_from_below());
     const TreeShape shape = tree_shape(tree, 4);
     // 10, 11, 13, 14, 12, 15, 16.
     EXPECT_EQ(shape.order, (Indices{6, 5, 3, 2, 4, 1, 0}));
@@ -98,7 +98,7 @@ TEST(RecordedNodes, ItsShapeGoesDownFromTheRootsChildByChild) {
     EXPECT_EQ(shape.holder, (Indices{3, 2, 1, 0}));
 }
 
-TEST(RecordedNodes, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
+TEST(EngineNodes, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
     auto nodes = nodes_of_row();
     nodes[0].items = {2};
     nodes[3].items = {0, 3, 4};
@@ -107,7 +107,7 @@ TEST(RecordedNodes, AnItemIsHeldByTheFirstNodeFromTheRootDown) {
     EXPECT_EQ(shape.holder_of(4), no_index) << "there are four";
 }
 
-TEST(RecordedNodes, WhatNoRootLeadsToHasNoPlace) {
+TEST(EngineNodes, WhatNoRootLeadsToHasNoPlace) {
     auto nodes = nodes_of_row();
     nodes[2].children = {5};     // 6 says that 2 is its parent
     nodes[6].children = {2, 9};  // 9 is none
@@ -119,7 +119,7 @@ TEST(RecordedNodes, WhatNoRootLeadsToHasNoPlace) {
     EXPECT_EQ(shape.holder_of(3), no_index);
 }
 
-TEST(RecordedNodes, OneThatOnlyIsACycleIsEnteredAtTheFirstNode) {
+TEST(EngineNodes, OneThatOnlyIsACycleIsEnteredAtTheFirstNode) {
     const TreeShape shape =
         tree_shape(tree_of({{0, 2, {1}, {}, {}}, {1, 0, {2}, {}, {}}, {2, 1, {0}, {}, {}}}), 0);
     EXPECT_EQ(shape.order, (Indices{0, 1, 2}));

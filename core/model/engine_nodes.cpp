@@ -1,13 +1,13 @@
-#include "core/model/recorded_nodes.h"
+#include "core/model/engine_nodes.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace scb {
 
-void RecordedNodes::add(RecordedNode node, std::string node_name,
-                        std::span<const std::uint32_t> children,
-                        std::span<const std::uint32_t> items) {
+void EngineNodes::add(EngineNode node, std::string node_name,
+                      std::span<const std::uint32_t> children,
+                      std::span<const std::uint32_t> items) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     if (!by_number_.emplace(node.number, index).second) {
         told_twice_.push_back(node.number);
@@ -15,14 +15,14 @@ void RecordedNodes::add(RecordedNode node, std::string node_name,
     }
     if (!node_name.empty()) names_.emplace(index, std::move(node_name));
     nodes_.push_back(std::move(node));
-    const RecordedNode& added = nodes_.back();
+    const EngineNode& added = nodes_.back();
     relink(index, added.parent, added.links_at, children, items);
 }
 
-void RecordedNodes::relink(std::uint32_t index, std::uint32_t parent, int frame,
-                           std::span<const std::uint32_t> children,
-                           std::span<const std::uint32_t> items) {
-    RecordedNode& node = nodes_[index];
+void EngineNodes::relink(std::uint32_t index, std::uint32_t parent, int frame,
+                         std::span<const std::uint32_t> children,
+                         std::span<const std::uint32_t> items) {
+    EngineNode& node = nodes_[index];
     node.parent = parent;
     node.links_at = frame;
     node.first_child = static_cast<std::uint32_t>(children_.size());
@@ -34,35 +34,35 @@ void RecordedNodes::relink(std::uint32_t index, std::uint32_t parent, int frame,
     tells_parents_ |= parent != nodes_.front().parent;
 }
 
-std::uint32_t RecordedNodes::index_of(std::uint32_t number) const {
+std::uint32_t EngineNodes::index_of(std::uint32_t number) const {
     const auto found = by_number_.find(number);
     return found == by_number_.end() ? no_index : found->second;
 }
 
-std::span<const std::uint32_t> RecordedNodes::children(std::size_t index) const {
+std::span<const std::uint32_t> EngineNodes::children(std::size_t index) const {
     return std::span(children_).subspan(nodes_[index].first_child, nodes_[index].child_count);
 }
 
-std::span<const std::uint32_t> RecordedNodes::items(std::size_t index) const {
+std::span<const std::uint32_t> EngineNodes::items(std::size_t index) const {
     return std::span(items_).subspan(nodes_[index].first_item, nodes_[index].item_count);
 }
 
-std::string RecordedNodes::name_of(std::size_t index) const {
+std::string EngineNodes::name_of(std::size_t index) const {
     const auto found = names_.find(static_cast<std::uint32_t>(index));
     return found == names_.end() ? std::string() : found->second;
 }
 
-std::string RecordedNodes::words(std::size_t index) const {
+std::string EngineNodes::words(std::size_t index) const {
     const std::string number = "node " + std::to_string(nodes_[index].number), own = name_of(index);
     return own.empty() ? number : number + " \"" + own + "\"";
 }
 
-std::uint32_t RecordedNodes::parent(std::size_t index) const {
+std::uint32_t EngineNodes::parent(std::size_t index) const {
     return tells_parents_ ? nodes_[index].parent : no_index;
 }
 
-void RecordedNodes::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault,
-                               double reach) {
+void EngineNodes::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault,
+                             double reach) {
     nodes_[index].volume = std::move(volume);
     nodes_[index].reach = reach;
     nodes_[index].told_at = frame;
@@ -72,26 +72,26 @@ void RecordedNodes::set_volume(std::uint32_t index, NodeVolume volume, int frame
         volume_faults_[index] = std::move(fault);
 }
 
-std::string RecordedNodes::volume_fault(std::uint32_t index) const {
+std::string EngineNodes::volume_fault(std::uint32_t index) const {
     const auto found = volume_faults_.find(index);
     return found == volume_faults_.end() ? std::string() : found->second;
 }
 
-void RecordedNodes::set_object_volume(std::uint32_t object, NodeVolume volume) {
+void EngineNodes::set_object_volume(std::uint32_t object, NodeVolume volume) {
     object_volumes_[object] = std::move(volume);
 }
 
-const NodeVolume* RecordedNodes::object_volume(std::uint32_t object) const {
+const NodeVolume* EngineNodes::object_volume(std::uint32_t object) const {
     const auto found = object_volumes_.find(object);
     return found == object_volumes_.end() ? nullptr : &found->second;
 }
 
-void RecordedNodes::change_volumes(const std::function<NodeVolume(const NodeVolume&)>& change) {
-    for (RecordedNode& node : nodes_) node.volume = change(node.volume);
+void EngineNodes::change_volumes(const std::function<NodeVolume(const NodeVolume&)>& change) {
+    for (EngineNode& node : nodes_) node.volume = change(node.volume);
     for (auto& [object, volume] : object_volumes_) volume = change(volume);
 }
 
-TreeShape tree_shape(const RecordedNodes& tree, std::size_t items) {
+TreeShape tree_shape(const EngineNodes& tree, std::size_t items) {
     const auto size = static_cast<std::uint32_t>(tree.size());
     TreeShape shape;
     shape.parents.assign(size, no_index);

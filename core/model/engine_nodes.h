@@ -15,7 +15,7 @@
 namespace scb {
 
 /// A recorded node, not validated; see judge/tree_check.h for contradictions.
-struct RecordedNode {
+struct EngineNode {
     std::uint32_t number = 0;         ///< the node's name in tests
     std::uint32_t parent = no_index;  ///< the parent's number
     std::uint64_t id = 0;             ///< the engine's own identity of the node
@@ -29,14 +29,14 @@ struct RecordedNode {
 /// The nodes of an engine's tree, as recorded: with any number of children, and perhaps no tree at
 /// all. Indices follow the order of the records. Items are triangles of a mesh, or objects of
 /// unknown shape.
-class RecordedNodes {
+class EngineNodes {
   public:
     std::string name;
     bool has_objects = false;  ///< items are objects, not triangles
 
     /// Adds a node and sets `node.first_child` to `node.item_count`. A second node of the same
     /// number is only noted, see told_twice.
-    void add(RecordedNode node, std::string node_name, std::span<const std::uint32_t> children,
+    void add(EngineNode node, std::string node_name, std::span<const std::uint32_t> children,
              std::span<const std::uint32_t> items);
 
     /// Replaces the parent, children and items of a node from this frame on.
@@ -44,8 +44,8 @@ class RecordedNodes {
                 std::span<const std::uint32_t> children, std::span<const std::uint32_t> items);
 
     std::size_t size() const { return nodes_.size(); }
-    const RecordedNode& operator[](std::size_t index) const { return nodes_[index]; }
-    RecordedNode& operator[](std::size_t index) { return nodes_[index]; }
+    const EngineNode& operator[](std::size_t index) const { return nodes_[index]; }
+    EngineNode& operator[](std::size_t index) { return nodes_[index]; }
     /// The index of a number; no_index if no node has it.
     std::uint32_t index_of(std::uint32_t number) const;
     /// The recorded number of the parent; no_index for roots, and for all nodes if all have the
@@ -76,7 +76,7 @@ class RecordedNodes {
     void change_volumes(const std::function<NodeVolume(const NodeVolume&)>& change);
 
   private:
-    std::vector<RecordedNode> nodes_;
+    std::vector<EngineNode> nodes_;
     std::vector<std::uint32_t> children_, items_, told_twice_;
     bool tells_parents_ = false;  ///< not all are the same
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
@@ -86,6 +86,6 @@ class RecordedNodes {
 
 /// The links of the nodes that a root reaches. `items`: the number of items; higher item numbers
 /// are left out.
-TreeShape tree_shape(const RecordedNodes& tree, std::size_t items);
+TreeShape tree_shape(const EngineNodes& tree, std::size_t items);
 
 }  // namespace scb
