@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
+#include <set>
 
 #include "app/cli/build_text.h"
 #include "app/cli/commands.h"
@@ -39,13 +42,12 @@ struct CollideCommandOptions {
 
 // A Collision holds its pairs; the counts alone are kept for the summary.
 struct Sums {
-    std::size_t frames = 0, pairs = 0;
+    std::size_t frames = 0, pairs = 0;  ///< `frames` counts whole frames
     std::uint64_t n_v = 0, n_p = 0, n_u = 0;
     StageCounts stages{};
     bool complete = true;
 
     void add(const Collision& found) {
-        ++frames;
         pairs += found.pairs.size();
         n_v += found.n_v;
         n_p += found.n_p;
@@ -82,6 +84,25 @@ std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
     return line + "\n";
 }
 
+bool is_of_many(const SceneQuery& query) { return query.pairs.size() > 1; }
+
+/// The two bodies of the queries; of several pairs all bodies of the scene.
+std::vector<std::size_t> queried_bodies(const SceneQuery& query) {
+    if (!is_of_many(query)) return {query.a, query.b};
+    std::vector<std::size_t> all(query.scene.bodies.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+const std::string& name_of(const SceneQuery& query, std::size_t body) {
+    return query.scene.bodies[body].name;
+}
+
+/// "pin and bracket".
+std::string pair_words(const SceneQuery& query) {
+    return name_of(query, query.a) + " and " + name_of(query, query.b);
+}
+
 Json json_of(const CollideCommandOptions& options, const SceneQuery& query, const Sums& sums,
              Json frames) {
     const auto body = [&](std::size_t i) -> Json {
@@ -89,9 +110,9 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     };
     Json result = {{"version", SCB_VERSION},
                    {"scene", query.scene.name},
-                   {"source", utf8_names(options.scene.names)},
-                   {"bodies", {body(query.a), body(query.b)}},
-                   {"volume", volume_kind_name(query.kind)}};
+                   {"source", utf8_names(options.scene.names)}};
+    for (const std::size_t i : queried_bodies(query)) result["bodies"].push_back(body(i));
+    result["volume"] = volume_kind_name(query.kind);
     if (query.is_self()) result["query"] = "self";
     if (query.kind == VolumeKind::scb) {
         result["test"] = options.query.test;
@@ -119,9 +140,15 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
         return query.scene.bodies[i].name +
                format(" (%zu triangles)", query.mesh(i).triangles.size());
     };
-    std::string text = query.scene.name + ": " + body(query.a) +
-                       (query.is_self() ? " against itself" : " and " + body(query.b)) + ", " +
-                       std::string(volume_kind_name(query.kind)) + " hierarchies";
+    const std::vector<std::size_t> bodies = queried_bodies(query);
+    std::string text = query.scene.name + ": " + body(bodies[0]);
+    if (query.is_self())
+        text += " against itself";
+    else
+        for (std::size_t i = 1; i < bodies.size(); ++i)
+            text += (i + 1 < bodies.size() ? ", " : " and ") + body(bodies[i]);
+    if (is_of_many(query)) text += format(", %zu pairs of bodies", query.pairs.size());
+    text += ", " + std::string(volume_kind_name(query.kind)) + " hierarchies";
     if (query.kind == VolumeKind::scb) {
         text += ", test " + options.query.test;
         if (has_threshold(query.options.overlap.test) &&
@@ -154,8 +181,7 @@ std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
         nearest = frame;
         gap = here;
     }
-    const std::string names =
-        query.scene.bodies[query.a].name + " and " + query.scene.bodies[query.b].name;
+    const std::string names = pair_words(query);
     const std::size_t frames = query.frames.size();
     if (overlapping > 0)
         return "\nNo triangles intersect, though the boxes of " + names + " overlap" +
@@ -164,7 +190,7 @@ std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
     return "\nNo triangles intersect: the boxes of " + names + format(" are %.6g apart", least) +
            (frames == 1 ? "" : format(" in frame %d, where they are nearest", nearest)) +
            format(" (x %.6g, y %.6g, z %.6g in the frame of ", gap[0], gap[1], gap[2]) +
-           query.scene.bodies[query.a].name + ").\n";
+           name_of(query, query.a) + ").\n";
 }
 
 /// What a recording has of a query beside the exact pairs.
@@ -192,19 +218,25 @@ std::string with_columns(std::string row, const std::string& columns) {
     return row.insert(stopped != std::string::npos ? stopped : row.rfind('\n'), columns);
 }
 
-/// Output of the command, frame by frame: a table, CSV or JSON, and the pairs.
+/// Output of the command, frame by frame: a table, CSV or JSON, and the pairs of triangles. If the
+/// scene has several pairs of bodies, each row or query names its bodies.
 class CollideReport {
   public:
-    /// Refers to its arguments. `recorded`: the recording of the queries, or null.
-    CollideReport(const CollideCommandOptions& options, const SceneQuery& query,
+    /// Refers to its arguments. `recorded`: the recording of the queries of one pair of bodies, or
+    /// null.
+    CollideReport(const CollideCommandOptions& options, SceneQuery& query,
                   scenes::RecordedTrace* recorded)
         : options_(options),
           query_(query),
           recorded_(recorded),
           stages_(counted_stages(query.kind, query.options.overlap)),
-          pairs_(query.options.stop_level >= 0 ? "frame,node_a,node_b\n"
-                                               : "frame,triangle_a,triangle_b\n"),
-          inside_(query) {
+          met_(query.pairs.size()) {
+        pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
+                 (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
+        for (const BodyPair& pair : query.pairs) {
+            query.choose(pair);
+            inside_.emplace_back(query);
+        }
         const bool is_table = !options.json && !options.csv;
         // The sixteen of boxes make no table.
         if (is_table && stages_.size() > 8) stages_.clear();
@@ -214,12 +246,46 @@ class CollideReport {
             text_ = title_of(options, query) + count_table_header(stages_);
         if (recorded && !options.json)
             text_ = with_columns(text_, options.csv ? ",recorded,missed,false" : recorded_header);
+        if (is_of_many(query) && !options.json)
+            text_ = with_columns(text_, options.csv ? ",body_a,body_b" : "  bodies");
     }
 
-    void add(int frame, const Collision& found) {
+    /// Makes the queries of a frame.
+    void add(int frame) {
+        if (is_of_many(query_)) json_frames_.push_back({{"frame", frame}});
+        for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
+            query_.choose(query_.pairs[i]);
+            add(i, frame, query_.collide(frame));
+        }
+        ++sums_.frames;
+    }
+
+    const Sums& sums() const { return sums_; }
+    const std::string& pairs() const { return pairs_; }
+
+    /// The whole text, of the frames so far; to be called once.
+    std::string text() {
+        if (options_.json) {
+            Json json = json_of(options_, query_, sums_, std::move(json_frames_));
+            json["inside"] = std::move(json_inside_);
+            std::set<std::string> not_closed;
+            for (const InsideReport& inside : inside_)
+                for (std::string& name : inside.not_closed()) not_closed.insert(std::move(name));
+            if (!not_closed.empty()) json["not_closed"] = not_closed;
+            return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        }
+        if (options_.csv) return text_;
+        return text_ + (sums_.frames > 1 ? mean_row(sums_, stages_) : "") + recorded_words() +
+               (is_of_many(query_) ? many_words() : apart_words());
+    }
+
+  private:
+    /// `i`: the pair of bodies.
+    void add(std::size_t i, int frame, const Collision& found) {
         sums_.add(found);
+        met_[i] = met_[i] || !found.pairs.empty();
         if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self())
-            for (Json& found_inside : inside_.add(frame))
+            for (Json& found_inside : inside_[i].add(frame))
                 json_inside_.push_back(std::move(found_inside));
         std::optional<RecordedCounts> there;
         if (recorded_ != nullptr) {
@@ -233,28 +299,23 @@ class CollideReport {
             text_ += row(frame, found, there);
         if (!options_.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)
-                pairs_ += format("%d,%u,%u\n", frame, pair.a, pair.b);
+                pairs_ += format("%d,", frame) +
+                          (is_of_many(query_) ? csv_field(name_of(query_, query_.a)) + "," +
+                                                    csv_field(name_of(query_, query_.b)) + ","
+                                              : "") +
+                          format("%u,%u\n", pair.a, pair.b);
     }
 
-    const Sums& sums() const { return sums_; }
-    const std::string& pairs() const { return pairs_; }
-
-    /// The whole text, of the frames so far; to be called once.
-    std::string text() {
-        if (options_.json) {
-            Json json = json_of(options_, query_, sums_, std::move(json_frames_));
-            json["inside"] = std::move(json_inside_);
-            if (const auto names = inside_.not_closed(); !names.empty()) json["not_closed"] = names;
-            return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-        }
-        if (options_.csv) return text_;
-        return text_ + (sums_.frames > 1 ? mean_row(sums_, stages_) : "") + recorded_words() +
-               apart_words();
-    }
-
-  private:
     void add_json(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
-        json_frames_.push_back(count_json(frame, query_.b_to_a(frame), found, stages_));
+        Json counts = count_json(frame, query_.b_to_a(frame), found, stages_);
+        if (is_of_many(query_)) {
+            Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
+            counts.erase("frame");
+            query.update(counts);
+            json_frames_.back()["queries"].push_back(std::move(query));
+            return;
+        }
+        json_frames_.push_back(std::move(counts));
         if (there)
             json_frames_.back()["recorded"] = {
                 {"pairs", there->pairs},
@@ -267,6 +328,10 @@ class CollideReport {
                     const std::optional<RecordedCounts>& there) const {
         const std::string row =
             options_.csv ? csv_row(frame, found, stages_) : count_table_row(frame, found, stages_);
+        if (is_of_many(query_))
+            return with_columns(row, options_.csv ? "," + csv_field(name_of(query_, query_.a)) +
+                                                        "," + csv_field(name_of(query_, query_.b))
+                                                  : "  " + pair_words(query_));
         if (!there) return row;
         return with_columns(row, options_.csv
                                      ? format(",%llu,%s,%llu", wide(there->pairs),
@@ -288,20 +353,45 @@ class CollideReport {
     /// Says of frames without contact whether a body lies inside the other.
     std::string apart_words() const {
         if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
-        if (sums_.pairs == 0) return nothing_text(query_, inside_);
-        const std::string claims = inside_.claims(sums_.frames);
+        if (sums_.pairs == 0) return nothing_text(query_, inside_.front());
+        const std::string claims = inside_.front().claims(sums_.frames);
         return claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n";
     }
 
+    /// Of several pairs of bodies: the pairs that never met, and bodies that lie inside others.
+    std::string many_words() {
+        if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
+        std::string apart, inside;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
+            query_.choose(query_.pairs[i]);
+            if (const std::string claims = inside_[i].claims(sums_.frames); !claims.empty())
+                inside += (inside.empty() ? "" : "; ") + claims;
+            if (met_[i]) continue;
+            if (++count <= most_named_pairs) apart += (count == 1 ? "" : "; ") + pair_words(query_);
+        }
+        if (count > most_named_pairs) apart += format("; and %zu more", count - most_named_pairs);
+        std::string text;
+        if (count > 0)
+            text += format("\n%zu of %zu pairs of bodies have no contact: ", count,
+                           query_.pairs.size()) +
+                    apart + ".\n";
+        if (!inside.empty()) text += "\nWhere no triangles intersect: " + inside + ".\n";
+        return text;
+    }
+
+    static constexpr std::size_t most_named_pairs = 8;
+
     const CollideCommandOptions& options_;
-    const SceneQuery& query_;
+    SceneQuery& query_;
     scenes::RecordedTrace* recorded_;
     std::vector<Stage> stages_;
     Sums sums_;
     std::string text_, pairs_;
     Json json_frames_ = Json::array(), json_inside_ = Json::array();
-    std::uint64_t grazing_ = 0;  ///< recorded pairs within the tolerance
-    InsideReport inside_;
+    std::uint64_t grazing_ = 0;        ///< recorded pairs within the tolerance
+    std::deque<InsideReport> inside_;  ///< per pair of bodies
+    std::vector<bool> met_;            ///< per pair of bodies
 };
 
 /// Throws InputError if the exact pairs are no measure of the recorded queries.
@@ -330,7 +420,8 @@ int run(CollideCommandOptions& options, const Console& console) {
         options.query.bodies =
             recorded->header().bodies[0].name + "," + recorded->header().bodies[1].name;
     }
-    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits,
+                                  QueriedBodies::all_pairs);
     if (recorded) query.frames = recorded->frames();
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
@@ -342,7 +433,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
         if (watch.signal() != 0) break;
-        report.add(frame, query.collide(frame));
+        report.add(frame);
         progress.step("frames");
     }
     const Sums& sums = report.sums();
@@ -367,6 +458,10 @@ void add_collide(const Command& program, const Console& console, Action& action)
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
+    command.get_option("--bodies")
+        .description(
+            "Names of two bodies; one name twice: the body with itself. Default: all pairs of "
+            "bodies");
     add_query_limits(command, options->limits);
     command.add_flag("--first", options->first, "End a query at the first pair");
     command
@@ -385,9 +480,10 @@ void add_collide(const Command& program, const Console& console, Action& action)
         "B's, at the deepest test.\n"
         "The other columns count the volume tests by stage: slab-ball means that A's slab and B's "
         "ball were apart. Stages of\n"
-        "boxes are in --csv and --json only. Counts are the same on every machine. Ctrl-C keeps "
-        "the frames that were finished\n"
-        "and exits with 130.\n\n"
+        "boxes are in --csv and --json only. Of a scene with more than two bodies, each row names "
+        "its two bodies. Counts are\n"
+        "the same on every machine. Ctrl-C keeps the frames that were finished and exits with "
+        "130.\n\n"
         "Example:\n  scb collide spheres-l1 --frames 0:499:50");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

@@ -45,6 +45,16 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
 
 int stage_column_width(Stage stage) { return column_width(std::string(stage_name(stage))); }
 
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string field = "\"";
+    for (const char c : text) {
+        if (c == '"') field += c;
+        field += c;
+    }
+    return field + "\"";
+}
+
 std::string count_table_header(const std::vector<Stage>& stages) {
     std::vector<std::string> names;
     for (const Stage stage : stages) names.emplace_back(stage_name(stage));

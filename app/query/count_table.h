@@ -16,6 +16,9 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
 /// As wide as the name of the stage, and at least as a count is.
 int stage_column_width(Stage stage);
 
+/// The text as a field of CSV (RFC 4180): in quotes if it has a comma, a quote or a line end.
+std::string csv_field(const std::string& text);
+
 /// A table of queries: its header, and one query. Lines with their ends.
 std::string count_table_header(const std::vector<Stage>& stages);
 std::string count_table_row(int frame, const Collision& found, const std::vector<Stage>& stages);

@@ -49,21 +49,31 @@ Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
     return found;
 }
 
-std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
-                                               const std::string& names) {
+void SceneQuery::choose(const BodyPair& pair) {
+    std::tie(a, b) = std::pair(pair[0], pair[1]);
+    if (is_self()) joined = joined_vertices(mesh(a));
+}
+
+std::vector<BodyPair> body_pairs(const scenes::Scene& scene, const std::string& names,
+                                 QueriedBodies bodies) {
     const std::string known = name_list(scene.bodies, &scenes::Body::name);
     const std::string title =
         (scene.file.empty() ? "" : scene.file.string() + ": ") + "the scene '" + scene.name + "'";
     if (names.empty()) {
-        if (scene.bodies.size() == 2) return {0, 1};
+        if (scene.bodies.size() == 2) return {{0, 1}};
         if (scene.bodies.size() < 2)
             throw InputError(title +
                              " has one body, and a collision needs two; give a scene with two, or "
                              "two mesh files, or --bodies " +
                              scene.bodies[0].name + "," + scene.bodies[0].name +
                              " for the body against itself.");
-        throw InputError(title + " has the bodies " + known +
-                         "; name two of them with --bodies A,B.");
+        if (bodies == QueriedBodies::two)
+            throw InputError(title + " has the bodies " + known +
+                             "; name two of them with --bodies A,B.");
+        std::vector<BodyPair> pairs;
+        for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+            for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) pairs.push_back({a, b});
+        return pairs;
     }
     std::vector<std::size_t> chosen;
     for (const std::string& name : scenes::split_list(names)) {
@@ -81,24 +91,24 @@ std::pair<std::size_t, std::size_t> two_bodies(const scenes::Scene& scene,
         throw InputError("--bodies " + names + ": give two bodies, such as " +
                          scene.bodies[0].name + "," + scene.bodies.back().name +
                          "; one twice is the body against itself.");
-    return {chosen[0], chosen[1]};
+    return {{chosen[0], chosen[1]}};
 }
 
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,
-                      const QueryOptions& query, const QueryLimits& limits) {
+                      const QueryOptions& query, const QueryLimits& limits, QueriedBodies bodies) {
     const VolumeKind kind = hierarchy.kind();
     SceneQuery result;
     result.options = query.collide();
     result.mutation = hierarchy.mutation;
     result.build = hierarchy.build();
     result.scene = scene.load(query.frames);
-    std::tie(result.a, result.b) = two_bodies(result.scene, query.bodies);
+    result.pairs = body_pairs(result.scene, query.bodies, bodies);
     for (const scenes::Body& body : result.scene.bodies)
         if (result.scene.meshes[body.mesh].mesh.triangles.empty())
             throw InputError(scene.names[0] + ": of the objects of '" + body.name +
                              "' there are no triangles, and this program's hierarchies are of "
                              "triangles; ask for what was recorded.");
-    if (result.is_self()) result.joined = joined_vertices(result.mesh(result.a));
+    result.choose(result.pairs.front());
     result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
     limits.apply(result.options, scenes::deepest(result.topologies));

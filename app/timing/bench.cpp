@@ -50,7 +50,9 @@ Entry entry_of(const SceneOptions& scene, const QueryOptions& query) {
     Entry entry;
     entry.scene = scene.load(query.frames);
     entry.stem = scene.file_stem(entry.scene.name);
-    std::tie(entry.a, entry.b) = two_bodies(entry.scene, query.bodies);
+    const BodyPair bodies = body_pairs(entry.scene, query.bodies).front();
+    entry.a = bodies[0];
+    entry.b = bodies[1];
     if (entry.a == entry.b)
         throw InputError("--bodies " + query.bodies +
                          ": `scb bench` times queries of two bodies; give two.");

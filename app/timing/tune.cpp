@@ -167,7 +167,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
              {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),
               picture_file(options, scene)})
             scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
-    const auto [a, b] = two_bodies(scene, options.query.bodies);
+    const auto [a, b] = body_pairs(scene, options.query.bodies).front();
     if (a == b)
         throw InputError("--bodies " + options.query.bodies +
                          ": `scb tune` times queries of two bodies, on packed layouts too; give "

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -106,6 +107,92 @@ std::string sphere_scene(const TemporaryFolder& folder, const std::string& bodie
                "OFF\n8 8 0\n0 0 .1\n.1 0 0\n0 .1 0\n0 0 0\n9 9 9\n8 9 9\n9 8 9\n9 9 8\n"
                "3 0 1 2\n3 0 2 3\n3 0 3 1\n3 3 2 1\n3 4 5 6\n3 4 6 7\n3 4 7 5\n3 7 6 5\n");
     return scene;
+}
+
+/// Three bodies that meet in one pair, with a comma in a name; a small body inside the first; and a
+/// body far away.
+std::string scene_of_five(const TemporaryFolder& folder) {
+    return sphere_scene(folder, R"(
+        {"name": "base", "model": "large"},
+        {"name": "arm", "model": "large", "position": [1.5, 0, 0]},
+        {"name": "nut, M3", "model": "small", "position": [0.2, 0.1, 0]},
+        {"name": "tool", "model": "small", "position": [2.5, 0, 0]},
+        {"name": "far", "model": "small", "position": [0, 0, 40]})");
+}
+
+TEST(CollideCommand, QueriesAllPairsOfBodiesInTheirOrder) {
+    const TemporaryFolder folder;
+    const std::string scene = scene_of_five(folder);
+    const json result = json::parse(run_scb("collide " + scene + " --json").out);
+    std::vector<std::string> bodies;
+    for (const json& body : result["bodies"]) bodies.push_back(body["name"]);
+    EXPECT_EQ(bodies, (std::vector<std::string>{"base", "arm", "nut, M3", "tool", "far"}));
+    ASSERT_EQ(result["frames"].size(), 1u);
+    EXPECT_EQ(result["frames"][0]["frame"], 0);
+    const json& queries = result["frames"][0]["queries"];
+    ASSERT_EQ(queries.size(), 10u);
+    std::size_t next = 0, sum = 0;
+    for (std::size_t a = 0; a < bodies.size(); ++a)
+        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+            json query = queries[next++];
+            EXPECT_EQ(query["bodies"], json({bodies[a], bodies[b]}));
+            query.erase("bodies");
+            sum += query["pairs"].get<std::size_t>();
+            if (bodies[a].find(',') != std::string::npos ||
+                bodies[b].find(',') != std::string::npos)
+                continue;  // --bodies splits names at commas
+            json alone = json::parse(
+                run_scb("collide " + scene + " --json --bodies " + bodies[a] + "," + bodies[b])
+                    .out)["frames"][0];
+            alone.erase("frame");
+            EXPECT_EQ(query, alone);
+        }
+    EXPECT_EQ(result["mean"]["pairs"], sum);
+    EXPECT_GT(sum, 0u);
+    EXPECT_EQ(
+        result["inside"],
+        json::parse(R"([{"frame": 0, "body": "nut, M3", "in": "base", "parts": 1, "of": 1}])"));
+}
+
+TEST(CollideCommand, NamesTheBodiesOfEachQueryInTableCsvAndPairs) {
+    const TemporaryFolder folder;
+    const std::string command = "collide " + scene_of_five(folder);
+    const json queries = json::parse(run_scb(command + " --json").out)["frames"][0]["queries"];
+    const std::string pairs_file = folder / "pairs.csv";
+    const std::string text = run_scb(command + " --pairs-out " + pairs_file).out;
+    const std::vector<std::string> table = lines(text),
+                                   csv = lines(run_scb(command + " --csv").out),
+                                   pairs = lines(file_text(pairs_file));
+    EXPECT_NE(table[0].find("tool (80 triangles) and far (80 triangles), 10 pairs of bodies, scb"),
+              std::string::npos)
+        << table[0];
+    EXPECT_TRUE(table[2].ends_with("  bodies")) << table[2];
+    EXPECT_TRUE(csv[0].ends_with(",body_a,body_b")) << csv[0];
+    EXPECT_EQ(pairs[0], "frame,body_a,body_b,triangle_a,triangle_b");
+    ASSERT_GE(table.size(), 13u);
+    ASSERT_EQ(csv.size(), 11u);
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const std::string a = queries[i]["bodies"][0], b = queries[i]["bodies"][1];
+        EXPECT_TRUE(table[3 + i].ends_with("  " + a + " and " + b)) << table[3 + i];
+        const auto quoted = [](const std::string& name) {
+            return name == "nut, M3" ? "\"nut, M3\"" : name;
+        };
+        EXPECT_TRUE(csv[1 + i].ends_with("," + quoted(a) + "," + quoted(b))) << csv[1 + i];
+        const std::string start = "0," + quoted(a) + "," + quoted(b) + ",";
+        const auto of_query = std::count_if(
+            pairs.begin(), pairs.end(), [&](const auto& line) { return line.starts_with(start); });
+        EXPECT_EQ(queries[i]["pairs"], static_cast<std::size_t>(of_query));
+        sum += static_cast<std::size_t>(of_query);
+    }
+    EXPECT_EQ(pairs.size(), 1 + sum);
+    EXPECT_NE(
+        text.find("\n8 of 10 pairs of bodies have no contact: base and nut, M3; base and tool;"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\nWhere no triangles intersect: nut, M3 lies inside base.\n"),
+              std::string::npos)
+        << text;
 }
 
 TEST(CollideCommand, SaysWhichBodyLiesInsideTheOther) {
