@@ -129,14 +129,14 @@ struct ProgramOptions {
 void add_program_options(CLI::App& program, const Command& root, ProgramOptions& options,
                          Watch& watch) {
     program.add_flag("--tell-inputs", options.inputs.wanted)->group("");
-    program.add_flag("--quiet", options.console.quiet, "No notes and no progress");
+    program.add_flag("--quiet", options.console.quiet, "Print no notes and no progress");
     add_choice(root, "--color", options.color, words_as_choices({"auto", "always", "never"}),
                "Color in messages")
         .type_name("WHEN");
     program.add_flag("--watch", watch.wanted,
                      "Run again whenever a file that was read changes, until Ctrl-C");
     program.add_flag("--no-config", options.without_files,
-                     "Leave configuration files alone (see config)");
+                     "Ignore configuration files (see config)");
     program.add_flag("--json", options.json)->group("");
     program.add_flag_callback(
         "--version",
@@ -144,7 +144,7 @@ void add_program_options(CLI::App& program, const Command& root, ProgramOptions&
             print_result(json ? version_json() : version_text());
             throw CLI::Success();
         },
-        "Versions of scb and of what it draws with; as JSON with --json");
+        "Print the versions of scb and of its graphics libraries; with --json as JSON");
     program.fallthrough();
 }
 

@@ -147,7 +147,7 @@ std::vector<DoctorFinding> doctor_findings() {
 
 void add_doctor(const Command& program, Action& action) {
     const Command command = program.add_subcommand(
-        "doctor", "Try what scb needs of this machine, and say what is missing");
+        "doctor", "Check whether this machine has everything that scb needs");
     const auto json = std::make_shared<bool>(false);
     command.add_flag("--json", *json, "Print JSON instead of text");
     command.footer(

@@ -72,7 +72,8 @@ std::string json_of(const std::vector<ConfigFile>& files, const std::vector<Held
 
 void add_config(const Command& program, const bool& without_files, Action& action) {
     const Command command = program.add_subcommand(
-        "config", "Show what configuration files and the environment set, and where");
+        "config",
+        "Show the settings of configuration files and the environment, and where each is set");
     const auto json = std::make_shared<bool>(false);
     command.add_flag("--json", *json, "Print JSON instead of text");
     command.footer(

@@ -94,8 +94,7 @@ int run(const ExplainOptions& options, const Console& console) {
 
 void add_explain(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "explain",
-        "Explain one overlap test of two volumes, step by step, and say whether it is right");
+        "explain", "Explain one overlap test of two volumes step by step, and judge it");
     const auto options = std::make_shared<ExplainOptions>();
     add_explain_options(command, *options);
     command.footer(

@@ -287,21 +287,18 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     command
-        .add_option(
-            "--top", options->top,
-            "List the K worst pairs for each reason, each at its worst frame; of another engine's "
-            "recording the first K cases of whatever went wrong, and not just one")
+        .add_option("--top", options->top,
+                    "List the K worst pairs for each reason, each at its worst frame; for a "
+                    "recording the first K cases per problem (default 1)")
         .check(decimal_number)
         .type_name("K")
         .show_default()
         .shareable();
     command
         .add_flag("--time", options->time,
-                  "Also time the settings that would have helped, which is not the same each time")
+                  "Also time the best settings; times differ from run to run")
         .shareable();
-    command
-        .add_flag("--no-view", options->no_view,
-                  "Leave out the page of `scb view` that -o writes too")
+    command.add_flag("--no-view", options->no_view, "Do not write the page of `scb view`")
         .shareable();
     add_picture_options(command, options->picture);
     options->picture.samples = PictureOptions{}.samples;
@@ -317,16 +314,14 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "(test: too weak).\n"
         "For fit and test, all tests that follow from the pair are wasted. Each verdict on two "
         "volumes is exact, and has a\n"
-        "certificate. Then the queries are made with other volumes, splits, tests and descent "
-        "rules, and the best is named (`scb tune`\n"
-        "has more of them, and times). Exit status 1 if the test rejected volumes that meet, as "
+        "certificate. Then the command repeats the queries with other volumes, splits, tests and "
+        "descent rules, and names the best\nsetting (`scb tune` tries more settings, and times "
+        "them). Exit status 1 if the test rejected volumes that meet, as "
         "--test printed does.\n\n"
-        "Of another engine's recording: whether its trees are trees that contain their triangles, "
-        "whether each test is right\n"
-        "by its own volumes, which pairs were missed or are false, and why. Exit status 1 if "
-        "something is wrong; 4 if\n"
-        "nothing is, and not all could be judged. -o draws the first of each kind of what is "
-        "wrong.\n\n"
+        "For another engine's recording the command checks: each tree is a tree and contains its "
+        "triangles; each test is right\nfor the recorded volumes; no pair is missed or false. It "
+        "explains each problem. Exit status 1: something is wrong; 4:\nno error was found, but "
+        "parts could not be judged. -o draws the first case of each problem.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"

@@ -79,16 +79,15 @@ void add_merge(const Command& program, const Console& console, const RunAgain& r
         .file({".json"});
     command
         .add_option("-o,--output", options->output,
-                    "Folder for what is made; it can be that of the shards, where they share one")
+                    "Folder for the results; it may be the folder of the shards")
         .folder()
         .only_typed();
     add_video_options(command, options->video);
     command.footer(
-        "Several machines share a run: each makes some of its frames, by --shard of `scb render "
-        "...`, `inspect` or `bench`.\n"
-        "The result has the bytes of the run of one machine, but for times of `scb bench`. The "
-        "scene is read again, and the\n"
-        "shards must be of the same versions of scb and of what it draws with.\n\n"
+        "Several machines share a run: each makes some frames, by --shard of `scb render ...`, "
+        "`inspect` or `bench`. The result\nhas the same bytes as a run on one machine, except for "
+        "times of `scb bench`. The command reads the scene again. All\nshards must come from the "
+        "same versions of scb and of its graphics libraries.\n\n"
         "Example:\n"
         "  scb render pairs spheres-l1 --frames all --sheet --shard 1/2 -o out/\n"
         "  scb render pairs spheres-l1 --frames all --sheet --shard 2/2 -o out/\n"

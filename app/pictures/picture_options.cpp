@@ -83,7 +83,7 @@ std::filesystem::path PictureOptions::output_folder() const {
 
 void add_gl_option(const Command& command, std::string& gl) {
     add_choice(command, "--gl", gl, words_as_choices({"osmesa", "egl"}),
-               "Where OpenGL comes from: osmesa or egl")
+               "OpenGL context: osmesa or egl")
         .type_name("NAME")
         .shareable();
 }
@@ -97,8 +97,8 @@ void add_output_size(const Command& command, PictureOptions& options, const char
     if (!options.output.empty()) output.show_default();
     command
         .add_flag("--open", options.open,
-                  "Open what was made, with the desktop's own program: the page, the video, the "
-                  "sheet, the picture, or the folder of several")
+                  "Open the result with the desktop's program: the page, video, sheet or picture, "
+                  "or the folder of several pictures")
         .only_typed();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")
@@ -124,8 +124,7 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
         .shareable();
     command
         .add_option("--clip", camera.clip,
-                    "Only what is on this side of a plane is drawn: points p of the world with "
-                    "(X,Y,Z).p <= D")
+                    "Draw only one side of a plane: points p of the world with (X,Y,Z).p <= D")
         .type_name("X,Y,Z,D")
         .shareable();
     add_choice(command, "--samples", options.samples, {{"1", 1}, {"4", 4}},
@@ -158,12 +157,12 @@ void add_jobs(const Command& command, PictureOptions& options) {
 void add_copies(const Command& command, PictureOptions& options) {
     command
         .add_flag("--svg", options.svg,
-                  "Also write each picture as SVG: text and plots as such, views of the scene "
+                  "Also write each picture as SVG: text and plots as vectors, views of the scene "
                   "as images")
         .shareable();
     command.add_flag("--terminal", options.show,
-                     "Also show the pictures in the terminal, where it can: kitty, iTerm2 and "
-                     "others like them, and sixel");
+                     "Also show the pictures in the terminal, if it supports the protocol of kitty "
+                     "or iTerm2, or sixel");
 }
 
 void add_json(const Command& command, PictureOptions& options) {

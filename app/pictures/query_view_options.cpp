@@ -83,20 +83,21 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
                 "or a JSON file; else the scene's own")
             .offer({"fit", "contact", "orbit:"});
         command
-            .add_option("--pick", options.pick,
-                        "Print what is under this pixel, from the left and the top")
+            .add_option(
+                "--pick", options.pick,
+                "Print the node or triangle under a pixel, counted from the left and the top")
             .type_name("X,Y")
             .shareable();
         command
             .add_option("--compare", options.compare,
-                        "Two overlap tests, such as corrected,printed, or two volumes, such as "
-                        "scb,ball: both side by side, and what differs outlined")
+                        "Two overlap tests (corrected,printed) or two volumes (scb,ball): draw "
+                        "both side by side, and outline the differences")
             .offer_list(compared_words())
             .type_name("A,B")
             .shareable();
         command
             .add_flag("--sheet", options.sheet,
-                      "Also all pictures in one, small, with their counts")
+                      "Also draw a sheet of all pictures, small, with their counts")
             .shareable();
     } else {
         add_picture_options(command, options.picture);

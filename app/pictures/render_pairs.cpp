@@ -141,7 +141,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
     add_query_view_options(command, *options, Shown::meshes);
     command
         .add_flag("--leaves,!--no-leaves", options->leaves,
-                  "Also the volumes of leaves that overlap while their triangles do not")
+                  "Also draw the volumes of leaves that overlap although their triangles do not")
         .shareable();
     add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "

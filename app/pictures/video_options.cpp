@@ -34,7 +34,7 @@ void add_video_options(const Command& command, VideoOptions& options) {
         .only_typed();
     command
         .add_option("--fps", options.frames_per_second,
-                    "Pictures a second of the video, 1 to 120; 25 unless told")
+                    "Pictures a second of the video, 1 to 120; default 25")
         .check(decimal_number)
         .type_name("N");
 }

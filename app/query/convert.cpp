@@ -77,11 +77,9 @@ void add_convert(const Command& program, const Console& console, Action& action)
         .file({".scbrec", ".jsonl"})
         .only_typed();
     command.footer(
-        "No bit of a record is lost. Several recordings are of the threads of one program: what "
-        "they say "
-        "alike is written once, and their\n"
-        "queries stand frame by frame, in the order of the files. Of a damaged file, what can be "
-        "read is converted.\n\n"
+        "Records keep every bit. Several recordings must come from the threads of one program: "
+        "records that they share are written\nonce, and their queries follow frame by frame, in "
+        "the order of the files. A damaged file is converted up to its last whole block.\n\n"
         "Examples:\n"
         "  scb convert engine.scbrec -o engine.jsonl\n"
         "  scb convert thread-0.scbrec thread-1.scbrec -o engine.scbrec");

@@ -90,18 +90,18 @@ int run(const DiffOptions& options, const Console& console) {
 }  // namespace
 
 void add_diff(const Command& program, const Console& console, Action& action) {
-    const Command command = program.add_subcommand(
-        "diff", "Compare two traces: equal, or the first test at which they part");
+    const Command command =
+        program.add_subcommand("diff", "Compare two traces: equal, or the first test that differs");
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->a, "A trace, see `scb trace`, or another engine's recording")
         .required()
         .file({".scbtrace", ".scbrec", ".jsonl"})
         .type_name("");
-    command.add_option("B", options->b, "Another one")
+    command.add_option("B", options->b, "Another trace or recording")
         .required()
         .file({".scbtrace", ".scbrec", ".jsonl"})
         .type_name("");
-    command.add_option("--bodies", options->bodies, "Of recordings, which two bodies: A,B");
+    command.add_option("--bodies", options->bodies, "Two bodies of a recording: A,B");
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(
         "Compares what was asked, then the frames that are in both, in the order of the tests. "

@@ -117,7 +117,7 @@ std::vector<std::string> compared_words() {
 void add_bodies_option(const Command& command, QueryOptions& options) {
     command
         .add_option("--bodies", options.bodies,
-                    "Names of the two bodies, where the scene has more than two")
+                    "Names of two bodies, if the scene has more than two")
         .type_name("A,B")
         .shareable();
 }
@@ -127,7 +127,8 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
     const std::vector<Choice<DescentRule>> rules =
         choices_of(all_descent_rules(), descent_rule_name);
     add_choice(command, "--descent", options.descent, rules,
-               "Which of two nodes is divided, the larger by this measure, or A and B in turn: " +
+               "Which of two nodes is divided: the larger by radius, area or volume, or A's and "
+               "B's in turn: " +
                    offered(rules))
         .type_name("RULE")
         .shareable();

@@ -231,8 +231,7 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         .type_name("RULE")
         .shareable();
     const std::string divided =
-        "How nodes are divided: paper (Section 3), or cost, which takes longer to build and less "
-        "to query";
+        "How nodes are divided: paper (Section 3), or cost (slower to build, quicker to query)";
     if (splits != nullptr)
         command.add_option("--split", *splits, divided)
             .type_name("LIST")

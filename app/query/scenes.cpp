@@ -45,7 +45,7 @@ int show(const std::string& name) {
 
 void add_scenes(const Command& program, Action& action) {
     const Command command =
-        program.add_subcommand("scenes", "List what can be named as SCENE, or print a scene file");
+        program.add_subcommand("scenes", "List the built-in scenes, or print the file of one");
     const auto name = std::make_shared<std::string>();
     command.add_option("NAME", *name, "Print this built-in scene's file").offer(builtin_names());
     command.footer("Example:\n  scb scenes spheres-l1 > my-scene.json");

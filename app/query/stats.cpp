@@ -218,7 +218,8 @@ void add_stats(const Command& program, const Console& console, Action& action) {
                      "Also SAH cost, EPO, LCV, overlap of siblings, and tightness against convex "
                      "hulls; takes longer");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
-    command.add_flag("--csv", options->csv, "Print CSV, a line per level and one of all");
+    command.add_flag("--csv", options->csv,
+                     "Print CSV: a line per level, and a line for all levels");
     command.footer(
         "box: of the mesh, in its own frame and units. closed: each edge has two triangles; "
         "corners "

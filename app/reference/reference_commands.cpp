@@ -24,8 +24,8 @@ int write_man_pages(const ReferenceCommand& program, const std::string& folder) 
 }  // namespace
 
 void add_completion(const Command& program, Action& action) {
-    const Command command =
-        program.add_subcommand("completion", "Print what completes scb's command line in a shell");
+    const Command command = program.add_subcommand(
+        "completion", "Print the script that completes scb's command line in a shell");
     const auto script = std::make_shared<Script>(nullptr);
     add_choice(command, "SHELL", *script,
                {{"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}},

@@ -30,8 +30,7 @@ void add_shard_options(const Command& command, ShardOptions& options, const std:
     options.command = command;
     command
         .add_option("--shard", options.shard,
-                    "Only the K-th of N shares of the " + parts +
-                        ", for `scb merge` to join with those that are made elsewhere")
+                    "Make the K-th of N shares of the " + parts + "; `scb merge` joins the shares")
         .type_name("K/N")
         .only_typed();
     command.add_option("--merged", options.merged, "").only_typed().hide();

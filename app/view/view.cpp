@@ -30,7 +30,7 @@ int run(const ViewOptions& options, const Console& console) {
 
 void add_view(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "view", "Make one HTML file that any browser opens: turn, ask, go from level to level");
+        "view", "Write one HTML page that shows hierarchies and queries in any browser");
     const auto options = std::make_shared<ViewOptions>();
     LevelOptions& level = options->level;
     level.picture.output = "view.html";
@@ -48,21 +48,20 @@ void add_view(const Command& program, const Console& console, Action& action) {
         .show_default();
     command
         .add_option("--queries", options->queries,
-                    "Frames whose query is in the page, test by test: a list, all, none; auto: "
-                    "the frame that is shown first, of a trace all of its frames")
+                    "Frames whose queries the page holds, test by test: a list, all or none; auto: "
+                    "the frame shown first, or all frames of a trace")
         .offer({"all", "none", "auto"})
         .type_name("FRAMES")
         .show_default();
     command
         .add_option("--compare", options->compare,
-                    "Two overlap tests, such as corrected,printed, or a recording and a volume, "
-                    "recorded,scb2: their queries side by side, and what differs outlined")
+                    "Two overlap tests (corrected,printed), or a recording and a volume "
+                    "(recorded,scb2): show both queries side by side, and outline the differences")
         .offer_list(compared_words())
         .type_name("A,B");
     command
         .add_option("--steps", options->steps,
-                    "So many tests have the steps of their overlap test in the page, those that "
-                    "cost the most; spread over the frames")
+                    "Embed step tables for the N costliest tests, spread over the frames")
         .type_name("N")
         .check(decimal_number)
         .show_default();
@@ -71,10 +70,9 @@ void add_view(const Command& program, const Console& console, Action& action) {
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
     command.footer(
-        "The page has the hierarchies, the meshes and the poses of all frames in it, and fetches "
-        "nothing. Its volumes are drawn\n"
-        "by the shaders of the pictures, in the same colors; what is shown is in its address, so "
-        "that a link opens the same view.\n\n"
+        "The page holds the hierarchies, the meshes and the poses of all frames, and loads nothing "
+        "else. It draws volumes with the\nshaders and colors of the pictures. Its address "
+        "describes the view, so that a link opens the same view.\n\n"
         "Examples:\n"
         "  scb view spheres-l1 -o spheres.html\n"
         "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html\n"
