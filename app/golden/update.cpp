@@ -31,7 +31,7 @@ void UpdateOptions::check() const {
     const char* ci = std::getenv("CI");
     if (ci != nullptr && *ci != '\0')
         throw InputError(
-            "CI is set, and a run in CI must not change what it is compared with; update where a "
+            "CI is set: a run in CI must not change its own baselines; update on a machine where a "
             "person looks at the pictures.");
     if (failing + missing + all + !names.empty() != 1)
         throw InputError("which baselines? Give names of cases, or --failing, --missing or --all.");
@@ -123,7 +123,7 @@ int run(const UpdateOptions& options, const Console& console) {
                             ": belongs to no case; remove it by hand if it is not needed.\n";
     print(updated, results.size());
     if (watch.signal() != 0) {
-        console.note("scb: interrupted; what is listed was updated, the rest is as it was.");
+        console.note("scb: interrupted; the listed cases were updated, the others not.");
         return exit_interrupted(watch.signal());
     }
     return updated.failed > 0 ? exit_different : exit_done;

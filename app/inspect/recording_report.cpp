@@ -136,8 +136,8 @@ std::string poses_text(const RecordingJudgement& judged, std::size_t top) {
         text += std::string("Pose: the tests ") + (pose.only_volumes ? "of volumes " : "") + "at " +
                 scenes::query_words(pose.query) + " fit " + pose.pose + ": " +
                 count_text(pose.told.all_wrong()) +
-                " are wrong with the one that was told, none with this" +
-                (pose.only_volumes ? ". Those of triangles fit the one that was told.\n" : ".\n");
+                " are wrong with the recorded pose, none with this pose" +
+                (pose.only_volumes ? ". Triangle tests fit the recorded pose.\n" : ".\n");
     }
     for (const auto& [pose, count] : counts)
         if (const std::size_t more = count - std::min(count, std::min<std::size_t>(top, 3)))
@@ -237,7 +237,8 @@ std::string tolerance_text(const RecordingJudgement& judged) {
     text += most->tolerance.single ? ", of 32-bit numbers" : ", of 64-bit numbers";
     if (most->tolerance.away > 0)
         text += format(", up to %.3g from the origin", most->tolerance.away);
-    return text + ". What is closer than that to touching is not judged.\n\n";
+    return text +
+           ". Volumes and triangles that are closer than that to touching are not judged.\n\n";
 }
 
 std::string frames_text(const RecordingJudgement& judged, std::size_t top) {

@@ -398,7 +398,7 @@ class CollideReport {
 void check_recorded(const scenes::RecordedTrace& recorded, const std::string& file) {
     if (recorded.header().engine->objects)
         throw InputError(file +
-                         ": its items are objects without triangles, of which there are no exact "
+                         ": its items are objects without triangles, so that there are no exact "
                          "pairs; see `scb trace` for what it recorded.");
     if (recorded.sides()[0] == recorded.sides()[1])
         throw InputError(file +

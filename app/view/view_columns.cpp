@@ -35,7 +35,7 @@ class Columns {
         const bool recorded = std::any_of(asked_.scene.names.begin(), asked_.scene.names.end(),
                                           scenes::names_recording);
         if (asked_.queries == "none")
-            throw InputError("--queries none: what is compared are queries; leave it out.");
+            throw InputError("--queries none: a comparison needs queries; leave it out.");
         query.frames = asked_.queries != "auto" ? asked_.queries
                        : recorded               ? first_frame(scenes::auto_frames)
                        : traced                 ? "all"

@@ -161,7 +161,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         result.message = error.what();
     } catch (const Json::exception& error) {
         result.message = (has_picture(golden.run) ? "Its index.json is not as it should be: "
-                                                  : "What it prints is not as it should be: ") +
+                                                  : "Unexpected output: ") +
                          std::string(error.what());
     }
     std::error_code ignored;

@@ -52,8 +52,9 @@ void check_readable(const fs::path& baselines) {
     const fs::file_status status = fs::status(baselines, error);
     if (status.type() == fs::file_type::not_found) return;
     if (!error && !fs::is_directory(status))
-        throw InputError(baselines.string() +
-                         ": this is not a folder; name that of the baselines with --baselines.");
+        throw InputError(
+            baselines.string() +
+            ": this is not a folder; name the folder of the baselines with --baselines.");
     if (error || ::access(baselines.c_str(), R_OK | X_OK) != 0)
         throw InputError(baselines.string() +
                          ": the baselines in this folder cannot be read; check its permissions.");

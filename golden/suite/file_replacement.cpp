@@ -106,7 +106,7 @@ class Replacement {
             if (!error) continue;
             staging_.keep();
             lost += (lost.empty() ? "" : " ") + target.string() +
-                    " could not be put back; what it was is " + backup(target).string() + ".";
+                    " could not be restored; its old content is " + backup(target).string() + ".";
         }
         return lost;
     }

@@ -173,7 +173,7 @@ Image read_png(const std::filesystem::path& path) {
                             std::memcmp(&start[12], "IHDR", 4) == 0;
     if (const int depth = start[24]; has_header && depth != 8)
         throw InputError("\"" + path.string() + "\" has " + std::to_string(depth) +
-                         " bits a channel, of which 8 would be compared; save it with 8.");
+                         " bits a channel, and only 8 bits can be compared; save it with 8.");
     std::rewind(file.get());
     most_for_stb = most_of(start, std::filesystem::file_size(path));
     Image image;

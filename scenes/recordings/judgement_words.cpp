@@ -14,7 +14,7 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "rejected at a node whose volume is none",
     "rejected although the volumes overlap",
     "rejected by a test that is not proven wrong",
-    "what is below two overlapping nodes was never tested",
+    "the children of two overlapping nodes were never tested",
     "below a node that does not contain the triangle",
     "below a node whose volume is none",
     "no tests of volumes were recorded, so that the cause is not known",

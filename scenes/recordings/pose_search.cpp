@@ -67,8 +67,8 @@ void PoseSearch::take(const EngineQuery& query, const QueryName& name, const Bod
     EngineQuery swapped = query;
     for (EngineEvent& event : swapped.events) std::swap(event.a, event.b);
     if (fits(swapped, query.b_to_a, name,
-             "the pose that was told if each names a node of " + name.b + " first, and of " +
-                 name.a + " second, the other way round than the query",
+             "the recorded pose if each names a node of " + name.b + " first, and of " + name.a +
+                 " second, the other way round than the query",
              false, told))
         return;
     for (const auto& [what, other] : others)

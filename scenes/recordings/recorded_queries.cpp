@@ -196,7 +196,7 @@ void RecordedQueries::take(const RecordedQuery& query) {
         const std::uint32_t mesh = trees_.at(of).mesh;
         if (mesh != record_none && !meshes_.contains(mesh) && without_mesh_.insert(of).second)
             note(unusable_, "tree " + std::to_string(of) + " is of mesh " + std::to_string(mesh) +
-                                ", which was not told, so that results are not judged");
+                                ", which was not recorded, so that results are not judged");
     }
     query_.events.clear();
     next_parent_ = no_index;
@@ -381,7 +381,7 @@ State& RecordedQueries::known(std::map<std::uint32_t, State>& states, std::uint3
                               const char* what) {
     const auto found = states.find(number);
     if (found == states.end())
-        fail(std::string(what) + " " + std::to_string(number) + " is used before it is told");
+        fail(std::string(what) + " " + std::to_string(number) + " is used before it is recorded");
     return found->second;
 }
 

@@ -59,7 +59,7 @@ Slab slab_at(std::span<const double> values, std::size_t at, double radius) {
     const Slab slab{vector_at(values, at), values[at + 3], values[at + 4]};
     require_unit(slab.n, "its normal is no unit vector");
     require(slab.f <= slab.e, "its planes leave nothing");
-    require(slab.e >= -radius && slab.f <= radius, "its planes leave nothing of its ball");
+    require(slab.e >= -radius && slab.f <= radius, "its planes exclude its whole ball");
     return {slab.n, std::min(slab.e, radius), std::max(slab.f, -radius)};
 }
 

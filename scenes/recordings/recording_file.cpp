@@ -299,7 +299,7 @@ bool RecordingReader::next_block() {
             ByteReader packed{checked.subspan(4)};
             const std::uint32_t size = packed.fixed32();
             auto plain = unpack(packed.bytes, size);
-            if (!packed.ok || !plain) contradict("there is nothing that can be unpacked");
+            if (!packed.ok || !plain) contradict("no data can be unpacked");
             unpacked_ = std::move(*plain);
             block_ = {unpacked_};
         } else if (kind == plain_block) {
@@ -337,7 +337,8 @@ std::string RecordingReader::damage() const {
         return name_ + " is damaged or cut off at byte " + std::to_string(*damaged_at_) + " of " +
                std::to_string(bytes_.size()) + "; what stands before was read.";
     if (left_.empty() && block_.bytes.empty() && !ended_)
-        return name_ + " ends without the end that scb_record_close writes; what it has was read.";
+        return name_ +
+               " ends without the record that scb_record_close writes; all whole blocks were read.";
     return {};
 }
 

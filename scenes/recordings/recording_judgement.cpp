@@ -177,8 +177,8 @@ class RecordingJudge {
         if (moved && !std::exchange(moves_noted_, true))
             result_.notes.push_back("in frame " + std::to_string(query.frame) + ", " + name.a +
                                     " and " + name.b +
-                                    " were queried at several poses, of which other commands show "
-                                    "the first; begin a frame for each, with scb_record_frame");
+                                    " were queried at several poses, and other commands show the "
+                                    "first only; begin a frame for each, with scb_record_frame");
     }
 
     void not_judged(std::uint64_t count, std::uint64_t of, const std::string& what,
@@ -251,8 +251,8 @@ class RecordingJudge {
         result_.poses = poses_.likely();
         if (poses_.lacks_poses() && result_.poses.empty())
             result_.notes.push_back(
-                "no pose was told of the bodies of a query whose tests are wrong; tell those that "
-                "the engine has, with scb_record_pose");
+                "the bodies of a query with wrong tests have no recorded pose; record the engine's "
+                "poses with scb_record_pose");
         for (const RecordedSetting& setting : recording_.settings())
             if (setting.key == "engine" && result_.engine.empty()) result_.engine = setting.value;
         result_.trees = trees_.judged();

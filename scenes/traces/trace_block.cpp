@@ -270,7 +270,7 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     if (found.complete && (!builder.pending.empty() || is_cut))
         return "the tests end before the query did";
     if (found.n_u != transform_count(header.volume, found.stages, header.options.overlap))
-        return "its counts are not those of its tests";
+        return "its counts differ from its tests";
     std::sort(found.pairs.begin(), found.pairs.end());
     return {};
 }

@@ -164,7 +164,7 @@ class Inputs(unittest.TestCase):
         self.refuses("--frames x", scb.open_queries, BRACKET, frames="x")
         queries = scb.open_queries(BRACKET, frames="3,7")
         for frame in (-1, 4, 2**40):
-            self.refuses("there is no query of it; there are those of 3, 7", queries.frame, frame)
+            self.refuses("there is no query of it; there are queries of 3, 7", queries.frame, frame)
             self.refuses("there is no query of it", queries.waste, frame)
 
     def test_pictures(self):

@@ -57,7 +57,7 @@ class Queries {
         const std::vector<int>& frames = source_->frames();
         if (!std::binary_search(frames.begin(), frames.end(), number))
             refuse("frame " + std::to_string(number),
-                   "there is no query of it; there are those of " +
+                   "there is no query of it; there are queries of " +
                        name_list(frames, [](int f) { return std::to_string(f); }) + ".");
         if (number <= last_) open();
         const TraceFrame& frame = source_->frame(static_cast<int>(number));

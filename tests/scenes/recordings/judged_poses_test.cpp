@@ -126,7 +126,7 @@ TEST(JudgedPoses, SaysThatNoPoseWasTold) {
     const RecordingJudgement judged = judge(records);
     EXPECT_TRUE(judged.wrong());
     ASSERT_EQ(judged.notes.size(), 1u);
-    EXPECT_NE(judged.notes[0].find("no pose was told"), std::string::npos);
+    EXPECT_NE(judged.notes[0].find("have no recorded pose"), std::string::npos);
 }
 
 TEST(JudgedPoses, AQueryWithoutAPoseIsNotJudged) {

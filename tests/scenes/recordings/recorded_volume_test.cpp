@@ -130,7 +130,7 @@ TEST(RecordedVolume, ThatIsNoneSaysWhy) {
               "its planes leave nothing");
     for (const double middle : {3.0, -3.0})
         EXPECT_EQ(fault_of(RecordedKind::scb, {0, 0, 0, 2, 0, 0, 1, middle + 0.5, middle - 0.5}),
-                  "its planes leave nothing of its ball");
+                  "its planes exclude its whole ball");
     EXPECT_EQ(fault_of(RecordedKind::scb2, {0, 0, 0, 2, 0, 0, 1, 1, -1, 0, 0, 1, 1, -1}),
               "its normals are not at right angles");
     for (const Numbers& numbers : {Numbers{}, Numbers{1, 2, 3, 4}})

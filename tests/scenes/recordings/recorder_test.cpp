@@ -86,7 +86,8 @@ TEST(Recorder, LeavesWhatItFlushedWhereAProgramCrashes) {
     EXPECT_EQ(std::get<RecordedMesh>(records[1]).coordinates.back(), 89'999);
     EXPECT_EQ(std::get<RecordedQuery>(records[3]), (RecordedQuery{0, 0}));
     EXPECT_EQ(damage,
-              "x.scbrec ends without the end that scb_record_close writes; what it has was read.");
+              "x.scbrec ends without the record that scb_record_close writes; all whole blocks "
+              "were read.");
 }
 
 TEST(Recorder, SaysAtTheEndWhatWentWrong) {

@@ -42,7 +42,7 @@ TEST(RecordingJudgement, ATreeOfAMeshThatWasNotRecordedIsNotJudged) {
     const RecordingJudgement judged = judge(records);
     EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
     ASSERT_EQ(judged.unusable.count, 1u);
-    EXPECT_NE(judged.unusable.first[0].find("tree 1 is of mesh 1, which was not told"),
+    EXPECT_NE(judged.unusable.first[0].find("tree 1 is of mesh 1, which was not recorded"),
               std::string::npos);
 }
 
@@ -185,9 +185,9 @@ TEST(RecordingJudgement, WhatOneCannotGoOnWithoutIsASentence) {
         return std::string("no error");
     };
     EXPECT_EQ(error_of({RecordedBody{0, 3, ""}}),
-              "test.scbrec: tree 3 is used before it is told (frame 0).");
+              "test.scbrec: tree 3 is used before it is recorded (frame 0).");
     EXPECT_EQ(error_of({RecordedQuery{0, 1}}),
-              "test.scbrec: body 0 is used before it is told (frame 0).");
+              "test.scbrec: body 0 is used before it is recorded (frame 0).");
     EXPECT_EQ(error_of({RecordedFrame{4}, RecordedFrame{4}}),
               "test.scbrec: frame 4 follows frame 4: frames ascend (frame 4).");
     EXPECT_EQ(error_of({RecordedQueryEnd{}}),

@@ -226,7 +226,7 @@ TEST(DamagedTrace, ContradictionsAreNamed) {
         {root, made_up({2}, {}), ""},
         {root, made_up({0, 2, 2}, {1}), "below the level to stop at"},
         {header, made_up({0, 8, 3}, {1}), "a stage is none of its overlap test"},
-        {header, made_up({0, 3, 3}, {1}, 1), "its counts are not those of its tests"},
+        {header, made_up({0, 3, 3}, {1}, 1), "its counts differ from its tests"},
         {margin, made_up({3}, {}), "its header cannot be read"},
         {threshold, made_up({3}, {}), "its header cannot be read"},
         {level, made_up({0, 2, 1}, {1}), "triangles where no leaves are"},
