@@ -1,7 +1,5 @@
 #include "scenes/recordings/recording_file.h"
 
-#include <zlib.h>
-
 #include <bit>
 #include <cmath>
 
@@ -15,14 +13,6 @@ constexpr std::string_view magic = "\x89scbrc\r\n";
 constexpr std::string_view plain_block = "data", packed_block = "pack";
 /// Of a block; what is longer is one record.
 constexpr std::size_t block_size = 1 << 20;
-
-std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-    return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
-}
-
-std::span<const std::uint8_t> as_bytes(std::string_view text) {
-    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
 
 std::string read_text(ByteReader& in) {
     const auto taken = in.take(in.fixed32());

@@ -10,6 +10,10 @@
 
 namespace scb::scenes {
 
+inline std::span<const std::uint8_t> as_bytes(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 /// Numbers as bytes, the same on every machine: variable length integers of 7 bits a byte, lowest
 /// first, with the top bit set on all but the last; doubles and fixed integers lowest byte first.
 struct ByteWriter {

@@ -317,4 +317,8 @@ std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> pa
     return plain;
 }
 
+std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
+    return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
+}
+
 }  // namespace scb::scenes

@@ -29,5 +29,7 @@ std::vector<std::uint8_t> pack(std::span<const std::uint8_t> plain);
 /// Nothing where the bytes do not unpack to this size.
 std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> packed,
                                                 std::size_t size);
+/// zlib's CRC-32.
+std::uint32_t checksum(std::span<const std::uint8_t> bytes);
 
 }  // namespace scb::scenes

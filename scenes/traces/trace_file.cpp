@@ -1,7 +1,5 @@
 #include "scenes/traces/trace_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -16,10 +14,6 @@ namespace {
 
 // A byte that no text has, and a line end that a transfer as text would change.
 constexpr std::array<std::uint8_t, 8> magic = {0x89, 's', 'c', 'b', 't', 'r', '\r', '\n'};
-
-std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-    return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size()));
-}
 
 [[noreturn]] void refuse_truncated(const std::string& name) {
     throw InputError(name + " is truncated; record or copy the trace again.");

@@ -7,16 +7,9 @@
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/number_list.h"
+#include "scenes/traces/byte_stream.h"
 
 namespace scb::scenes {
-namespace {
-
-std::span<const std::uint8_t> as_bytes(const std::string& text) {
-    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-}  // namespace
-
 namespace {
 
 // A file that is not a trace is refused by its first bytes, however long it is.
