@@ -6,7 +6,7 @@ namespace scb {
 
 namespace {
 
-// What `make` returns for the codec of the layout and of V.
+// The result of `make` for the codec of the layout and of V.
 template <class V, class Make>
 AnyPacked of_codec(const PackedLayout& layout, const Make& make) {
     const bool floats = layout.numbers == PackedLayout::Numbers::floats;

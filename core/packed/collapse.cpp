@@ -15,9 +15,9 @@ constexpr int widest = 8;
 // The least cost of representing a binary subtree by at most i + 1 wide subtrees.
 using Costs = std::array<float, widest>;
 
-// How: by one leaf, as with one place fewer, or else by dividing the places among the children of
-// the binary node, the left one gets so many and one more. By one subtree that is no leaf: by a
-// node whose children are divided so.
+// The choices of least cost: one leaf, or the same as with one place fewer, or the places are
+// divided among the children of the binary node. In the last case the value plus 1 is the number of
+// places of the left child. For one place, this means a node whose children are divided so.
 constexpr std::uint8_t by_leaf = 200, by_fewer = 201;
 using Choices = std::array<std::uint8_t, widest>;
 
@@ -48,7 +48,8 @@ class Collapse {
     }
 
   private:
-    // Chooses for a node and all below it. No deeper than the topology, whose depth is logarithmic.
+    // Chooses for a node and all below it. The recursion is as deep as the topology, whose depth is
+    // logarithmic.
     Costs weigh(std::uint32_t i, int threads) {
         constexpr std::uint32_t divided_from = 8192;
         const TopologyNode& node = nodes_[i];
@@ -74,7 +75,7 @@ class Collapse {
         Costs costs{};
         Choices& choices = choices_[i];
         const auto last = static_cast<std::size_t>(width_ - 1);
-        // More places than triangles gain nothing.
+        // There is no gain in more places than triangles.
         const std::size_t left_places = nodes_[node.left].count;
         for (std::size_t places = 1; places <= last; ++places) {
             costs[places] = left[0] + right[places - 1];
@@ -101,7 +102,7 @@ class Collapse {
         return costs;
     }
 
-    // Appends what stands for the children of binary node `i` in so many places and one more.
+    // Appends the wide subtrees that represent binary node `i` in places + 1 places.
     void append_divided(std::uint32_t i, int places, int to_left, WideTopology& wide) {
         append(nodes_[i].left, to_left, wide);
         append(nodes_[i].left + 1, places - 1 - to_left, wide);

@@ -15,9 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Decides on the pairs that floats left undecided, by the same determinants in doubles: on nearly
-/// all of them. Those that intersect are moved to the pairs that are found; those that only an
-/// exact test can decide on are left, in their order.
+/// Decides nearly all of the pairs that floats left undecided, by the same determinants in doubles.
+/// Pairs that intersect move to `found.pairs`; pairs that only an exact test can decide stay
+/// undecided, in their order.
 inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
                               PackedFindings& found) {
     std::vector<IndexPair>& undecided = found.undecided;
@@ -41,7 +41,7 @@ inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
         };
         TrianglePairs<double_lanes, double> pairs = {point(0), point(1), point(2),
                                                      point(3), point(4), Doubles::all(0)};
-        // A difference is off by 2^-53 D at most, and what the determinants ask for is more.
+        // A difference is off by 2^-53 D at most; the determinants need a larger error.
         pairs.error = magnitude(pairs) * Doubles::all(0x1p-48);
         const Certainty<double_lanes, double> certain = intersection(pairs);
         const std::uint32_t yes = certain.intersect.bits(), open = certain.open.bits() & ~yes;

@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Where B is seen from A, for differences of points that are close together in floats.
+/// The placement of B in A's frame, for differences of close points in floats.
 struct FloatPlacement {
-    double columns[4][4] = {};  ///< of the rotation, and the translation
-    float row[3][3];            ///< of the rotation
-    float double_error;         ///< what doubles may be off by, see BasicPlacement
+    double columns[4][4] = {};  ///< columns of the rotation, and the translation
+    float row[3][3];            ///< rows of the rotation
+    float double_error;         ///< the error of doubles, see BasicPlacement
 
     explicit FloatPlacement(const Placement& placed) : double_error(float_above(placed.margin)) {
         for (int i = 0; i < 3; ++i) {
@@ -39,8 +39,9 @@ HWY_INLINE Lanes3<n> rotate(const FloatPlacement& placed, Lanes3<n> p) {
     return {along(placed.row[0]), along(placed.row[1]), along(placed.row[2])};
 }
 
-/// An origin of B from one of A, in A's frame, and a length that no coordinate exceeds that is
-/// computed from there: of `reach` are things around both origins. Four floats are read of `a`.
+/// The offset from an origin of A to an origin of B, in A's frame, and an upper bound of
+/// coordinates computed from there, for points within `reach_a` and `reach_b` of their origins.
+/// Four floats of `a` are read.
 struct Offset {
     float t[4];
     float length;
@@ -66,7 +67,7 @@ HWY_INLINE Offset offset(const FloatPlacement& placed, const float* a, float rea
     return o;
 }
 
-/// Half a unit in the last place of floats, relatively.
+/// Half a unit in the last place of floats, relative.
 inline constexpr float float_unit = 0x1p-24f;
 
 }  // namespace HWY_NAMESPACE

@@ -8,15 +8,16 @@
 namespace scb {
 namespace {
 
-// A front costs about as much as a query, and the thicker its skin, the more it has that is apart:
-// where queries move by d, one of skin s is good for a number of queries that is as s / d, and each
-// of them has more to test by a share that is as s / leaf_radius. Their sum is least at a skin as
-// the root of d leaf_radius. The factor was measured, and so was the motion from which on no front
-// pays: on surfaces that cross (horses, hands) and on ones that nearly coincide (spheres).
+// A front costs about as much as a query. The thicker its skin, the more pairs it has that are
+// apart. If queries move by d, a front with skin s is valid for a number of queries proportional to
+// s / d. Each of them has more tests, by a share proportional to s / leaf_radius. The total cost is
+// least for a skin proportional to the root of d leaf_radius. The factor was measured, and so was
+// the largest motion for which a front pays: on surfaces that cross (horses, hands) and on surfaces
+// that nearly coincide (spheres).
 constexpr double skin_factor = 0.1, most_motion = 0.025;
-/// Of leaf_radius: a skin so thin adds nothing that could be measured.
+/// The least skin, in units of leaf_radius: it adds no measurable cost.
 constexpr double least_skin = 1e-3;
-/// Fewer queries than this do not pay for a front.
+/// A front pays if it serves at least this many queries.
 constexpr int paid = 2;
 constexpr int longest_pause = 63;
 constexpr int most_ahead = 32;
@@ -38,8 +39,8 @@ Pose step(const Pose& from, const Pose& to) { return product(to, inverse(from));
 
 double motion_bound(const FrontBodies& bodies, const Pose& from, const Pose& to) {
     const double of_b = displacement_bound(from, to, bodies.b);
-    // Distances are the same in B's frame but for what is not rigid and for rounding, which the
-    // bound, 7 defects and 32 units of these lengths and more, has to hold once again.
+    // Distances are the same in B's frame, except for rounding and defects of the poses. The bound
+    // has to include these once again: 7 defects and 32 units of these lengths, and more.
     const double of_a = displacement_bound(inverse(from), inverse(to), bodies.a);
     const double lengths = std::sqrt(squared_norm(from.translation)) +
                            std::sqrt(squared_norm(to.translation)) +
@@ -80,7 +81,7 @@ std::optional<FrontPlan> FrontSchedule::plan(const FrontBodies& bodies, const Po
     if (!last_) return std::nullopt;
     const double motion = motion_bound(bodies, *last_, b_to_a);
     if (!(motion <= most_motion * bodies.leaf_radius)) return std::nullopt;
-    // Motion that no front can follow is not tried over and over.
+    // If no front can follow the motion, pauses between attempts grow.
     const bool has_paid = !front_ || uses_ >= paid;
     if (has_paid) pause_ = next_pause_ = 0;
     if (pause_ > 0) {
@@ -91,9 +92,9 @@ std::optional<FrontPlan> FrontSchedule::plan(const FrontBodies& bodies, const Po
     const double skin = std::max(std::sqrt(skin_factor * motion * bodies.leaf_radius),
                                  least_skin * bodies.leaf_radius) +
                         2 * rounding;
-    // All points are one: a front needs a skin.
+    // All points coincide: a front needs a skin.
     if (!(skin > 0)) return std::nullopt;
-    // Where the motion goes on as before, a front that lies ahead is good on both sides of it.
+    // If the motion goes on as before, a front at a pose ahead is valid before and after this pose.
     if (!before_last_) return FrontPlan{b_to_a, skin};
     const Pose on = step(*last_, b_to_a);
     if (motion_bound(bodies, product(step(*before_last_, *last_), *last_), b_to_a) > motion / 4)

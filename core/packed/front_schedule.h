@@ -8,30 +8,33 @@
 
 namespace scb {
 
-/// What of two bodies decides on their front.
+/// The measures of two bodies on which their front depends.
 struct FrontBodies {
-    Ball a, b;               ///< that all of A and of B is in, each in its own frame
-    double leaf_radius = 0;  ///< of a typical leaf of A and one of B, the sum
+    Ball a, b;               ///< contain all of A and of B, each in its own frame
+    double leaf_radius = 0;  ///< the sum for a typical leaf of A and one of B
 };
 
-/// No two points of A and B have come nearer by more than this, or gone farther, from the one pose
-/// of B in A's frame to the other: the lesser bound of how B has moved, seen from A, and A from B.
+/// An upper bound of the change of distance between any two points of A and B, from one pose of B
+/// in A's frame to the other: the smaller bound of the motion of B seen from A, and of A seen from
+/// B.
 double motion_bound(const FrontBodies& bodies, const Pose& from, const Pose& to);
 
-/// A front that is to be made.
+/// A front to be made.
 struct FrontPlan {
     Pose b_to_a;
     double skin = 0;  ///< a length
 };
 
-/// Decides when a PackedFront is made, by the poses of the queries, which must be told one by one.
+/// Decides when a PackedFront is made, from the poses of the queries, which it must receive one by
+/// one.
 class FrontSchedule {
   public:
-    /// The front to make for a query, which is good for it; nothing where the last one is, or where
-    /// none would pay. `rounding` is a length that points may be off by at the pose, see Placement.
+    /// The front to make for a query, which is valid for it. Nothing if the last front is valid, or
+    /// if no front would pay. `rounding` is an upper bound of the error of points at the pose, see
+    /// Placement.
     std::optional<FrontPlan> next(const FrontBodies& bodies, const Pose& b_to_a, double rounding);
 
-    /// Whether a front has been planned that is good for the query of the last call.
+    /// Whether the planned front is valid for the query of the last call.
     bool is_good() const { return good_; }
 
     std::uint64_t made = 0, used = 0;

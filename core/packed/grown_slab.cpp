@@ -6,8 +6,8 @@
 namespace scb {
 namespace {
 
-// More than all roundings of the doubles that are computed here, so that decoded volumes hold
-// points also where the reference volume holds them but for rounding.
+// More than all roundings of doubles in this file, so that decoded volumes also contain points that
+// the reference volume contains up to rounding.
 constexpr double slack = 0x1p-40;
 
 }  // namespace
@@ -21,7 +21,7 @@ float float_above(double value) {
 }
 
 double blur_of(const Vec3& c, const Vec3& origin) {
-    // Of the smallest numbers there is no last place.
+    // The smallest numbers have no last place.
     return 0x1p-51 * (origin.cwiseAbs().maxCoeff() + c.cwiseAbs().maxCoeff()) +
            std::numeric_limits<double>::min();
 }

@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Where lanes come from that have the first of four numbers four times, then the second and so on:
-/// which lane of their own four, in vectors of n lanes.
+/// The sources of lanes that have the first of four numbers four times, then the second and so on,
+/// in vectors of n lanes.
 template <int n>
 struct SpreadFrom {
     static constexpr int four = most_leaf_triangles;
@@ -50,20 +50,21 @@ class LeafPairs {
             run(list, [this](std::uint32_t i, std::uint32_t j) HWY_ATTR { leaf_leaf(i, j); });
     }
 
-    /// Decides on all pairs that are open.
+    /// Decides all open pairs.
     void finish() { decide(); }
 
-    /// Calls `each` with the pairs of triangles of two leaves, as many at a time as there are
-    /// lanes: which lanes have one, the leaves, and the first lane.
+    /// Calls `each` with the pairs of triangles of two leaves, a vector at a time: the pairs, the
+    /// bits of lanes that have one, the leaves, and the first lane.
     template <class Each>
     HWY_INLINE void for_each_part(std::uint32_t i, std::uint32_t j, Each each) {
         const PackedLeaf a = leaf(a_, i, gathered_a_), b = leaf(b_, j, gathered_b_);
-        if (j != turned_leaf_) turn(b);  // often it is that of the pair before
+        if (j != turned_leaf_) turn(b);  // often it is the leaf of the pair before
         turned_leaf_ = j;
         const Offset o = offset(placed_, a.center(), a.radius(), b.center(), b.radius());
         const std::uint32_t count_a = a.count(), count_b = b.count();
         found_.n_p += count_a * count_b;
         const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
+                                                                  // triangles
         const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
         const Lanes3<n> t = Lanes3<n>::all(o.t);
         const int lanes = static_cast<int>(count_b) * side;
@@ -90,7 +91,7 @@ class LeafPairs {
         list.clear();
     }
 
-    static constexpr std::size_t ahead = 4;  // so many pairs
+    static constexpr std::size_t ahead = 4;  // in pairs
     // A leaf of A has its triangles in lanes 0 to 3, 4 to 7 and so on, a leaf of B its
     // first triangle in the first four, its second in the next.
     static constexpr int side = most_leaf_triangles, n = part_lanes(side * side);
@@ -100,10 +101,11 @@ class LeafPairs {
         prefetch_leaf(b_.words + PackedRef{j}.index());
     }
 
-    /// A leaf with its corners, which are gathered where it has none; often it is that of before.
+    /// A leaf with its corners, which are gathered if not stored; often it is the leaf of the call
+    /// before.
     struct Gathered {
-        std::uint32_t ref = 0;  // no leaf: bits of one are not 0
-        // Whole vectors are loaded from the last numbers on.
+        std::uint32_t ref = 0;  // 0: no leaf
+        // Whole vectors are loaded at the last numbers, so some more must be allocated.
         float words[PackedLeaf::size(side, LeafCorners::stored) + side] = {};
     };
     HWY_INLINE PackedLeaf leaf(const PackedLeaves& leaves, std::uint32_t ref, Gathered& gathered) {
@@ -136,7 +138,7 @@ class LeafPairs {
         }
     }
 
-    /// Turns the corners of a leaf of B into A's frame, but for the translation.
+    /// Rotates the corners of a leaf of B into A's frame, without the translation.
     HWY_INLINE void turn(const PackedLeaf& b) {
         constexpr int m = part_lanes(side);
         const std::uint32_t count = b.count();
@@ -171,7 +173,7 @@ class LeafPairs {
                       });
     }
 
-    /// Keeps a pair of leaves for the front where triangles may be no farther apart than the skin.
+    /// Keeps a pair of leaves for the front if triangles may be no farther apart than the skin.
     HWY_INLINE void keep_near(std::uint32_t i, std::uint32_t j) {
         std::uint32_t near = 0;
         for_each_part(i, j,
@@ -182,7 +184,7 @@ class LeafPairs {
         if (near != 0) found_.kept.leaf_leaf.add(i, j);
     }
 
-    /// Puts pairs of a batch aside, until there are enough to decide on.
+    /// Collects pairs of a batch until there are enough to decide.
     HWY_INLINE void put(const TrianglePairs<n>& pairs, std::uint32_t bits, const PackedLeaf& a,
                         const PackedLeaf& b, int first) {
         const std::size_t at = open_.count;
@@ -202,7 +204,7 @@ class LeafPairs {
         if (open_.count >= OpenPairs::enough) decide();
     }
 
-    /// Decides on the last pairs that are open, n at most.
+    /// Decides the last open pairs, n at most.
     HWY_INLINE void decide_some() {
         const std::size_t count = open_.count < std::size_t{n} ? open_.count : std::size_t{n};
         open_.count -= count;
@@ -236,7 +238,7 @@ class LeafPairs {
     const float skin_;
     OpenPairs& open_;
     PackedFindings& found_;
-    std::uint32_t turned_leaf_ = 0;  // no leaf: bits of one are not 0
+    std::uint32_t turned_leaf_ = 0;  // 0: no leaf
     float turned_[9][side] = {};
 };
 

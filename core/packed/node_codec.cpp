@@ -18,11 +18,11 @@ double unit_above(double value) {
     return std::ldexp(1.0, std::max(exponent, -126));
 }
 
-// Kernels take normals for unit vectors. Rounding changes the length of a quantized one by up to
-// sqrt(3) 2^-16; it is shortened by that much first, since along a longer one any ball would reach
-// farther than its radius. About one that is too short, a cylinder reaches farther than its radius
-// by the share that is missing, and its ends are off by twice the share of their distance. Those
-// of a quaternion are unit vectors.
+// Kernels treat normals as unit vectors. Rounding changes the length of a quantized normal by up to
+// sqrt(3) 2^-16. It is shortened by that much first, since along a normal that is too long, any
+// ball would reach farther than its radius. About a normal that is too short, a cylinder reaches
+// farther than its radius by the missing share, and its ends are off by twice this share of their
+// distance. The normals of a quaternion are unit vectors.
 constexpr double normal_shortening = 1 - 0x1p-15, normal_slack = 0x1p-13;
 
 std::int16_t to_int16(double value) {
@@ -30,7 +30,7 @@ std::int16_t to_int16(double value) {
 }
 std::uint16_t to_uint16_above(double value) { return static_cast<std::uint16_t>(std::ceil(value)); }
 
-/// The unit of centers and radii: these grow by up to one unit for the center's rounding and one
+/// The unit of centers and radii: radii grow by up to one unit for the center's rounding and one
 /// for their own.
 template <class V>
 double length_unit_for(std::span<const V> volumes, const Vec3& origin) {

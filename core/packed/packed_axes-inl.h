@@ -20,8 +20,8 @@ struct PackedAxes {
     T axis[3][3];
 };
 
-/// They are the columns of the matrix of its quaternion. T is a float or lanes of floats, the same
-/// operations for both.
+/// The columns of the matrix of its quaternion. T is a float or lanes of floats, with the same
+/// operations.
 template <class T>
 HWY_INLINE PackedAxes<T> packed_axes(T x, T y, T z, T one) {
     using std::sqrt;

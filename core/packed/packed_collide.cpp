@@ -16,13 +16,13 @@ namespace scb {
 
 namespace {
 
-/// What one thread needs.
+/// The memory of one thread.
 struct Work {
     PackedLists lists;
     OpenPairs open;
     PackedFindings found;
 
-    /// Also of what a query left that ran out of memory.
+    /// Also clears the remains of a query that ran out of memory.
     void clear() {
         lists.clear();
         open.count = 0;
@@ -30,7 +30,7 @@ struct Work {
     }
 };
 
-/// A query, but for the types of its hierarchies.
+/// A query, independent of the types of its hierarchies.
 struct AnyQuery {
     AnyPackedQuery nodes;
     LeafQuery leaves;
@@ -39,7 +39,7 @@ struct AnyQuery {
     SimdLevel level;
 };
 
-/// How many pairs all threads have found, and how many they may.
+/// The number of pairs that all threads have found, and its limit.
 struct PairLimit {
     std::size_t most;
     std::atomic<std::size_t> found{0};
@@ -57,10 +57,11 @@ void decide_undecided(const AnyQuery& query, PackedFindings& found) {
     found.undecided.clear();
 }
 
-/// Traverses what the lists have, and decides on every pair of triangles; or ends before, where
-/// there are too many.
+/// Traverses the pairs of the lists, and decides every pair of triangles. Ends early if there are
+/// too many pairs.
 void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
-    // Pairs are counted, and undecided ones held, so many at a time: all might be too many.
+    // Pairs are counted, and undecided pairs are stored, only this many at a time: all might be too
+    // many.
     constexpr std::size_t many = 4096;
     auto& [lists, open, found] = work;
     std::size_t counted = 0;
@@ -85,12 +86,12 @@ void append_share(RefPairs& to, const RefPairs& list, std::size_t i, std::size_t
     to.append(list, first, end - first);
 }
 
-/// Divides the lists of `work` among threads, where there is enough to divide, and gathers what
-/// they find: the same in any order.
+/// Divides the lists of `work` among threads if they are long enough, and gathers the results,
+/// which do not depend on the order.
 void finish_in_threads(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threads,
                        PairLimit& limit) {
-    // As many pairs of nodes as keep a thread busy for some ten microseconds, and the chunks so
-    // many that they end at about the same time.
+    // A chunk has enough pairs of nodes for some ten microseconds. There are enough chunks that
+    // threads end at about the same time.
     constexpr std::size_t pairs_of_chunk = 32, chunks_of_thread = 8;
     const std::size_t most = chunks_of_thread * static_cast<std::size_t>(threads);
     while (work.lists.inner_size() != 0 && work.lists.size() < pairs_of_chunk * most)
@@ -126,19 +127,19 @@ PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
     return {side.hierarchy.leaves.data(), stored ? nullptr : &side.mesh};
 }
 
-// As in query_placement, for the margin is that of the reference's volumes.
+// As in query_placement, since the margin is the margin of the reference's volumes.
 template <class Codec>
 Placement placement_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                        const Pose& b_to_a) {
     return placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
 }
 
-/// A query that makes a front where the skin is more than 0.
+/// A query, which makes a front if the skin is more than 0.
 template <class Codec>
 AnyQuery query_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                   const Placement& placed, SimdLevel level, float skin) {
-    // Where nodes are small against the skin, more of them are apart but kept than it takes to test
-    // them again.
+    // Pairs of nodes that are small relative to the skin are kept undivided. If divided further, so
+    // many pairs that are apart would be kept that testing them again is cheaper.
     constexpr float skins_of_kept = 8;
     return {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed, skin, skins_of_kept * skin},
             {leaves_of(a), leaves_of(b), &placed, skin},
@@ -153,7 +154,7 @@ Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
     const PackedRef root = hierarchy.root;
     const auto own = root.is_leaf() ? hierarchy.leaf(root).template own<typename Codec::Decoded>()
                                     : hierarchy.nodes[root.index()].own;
-    // Volumes hold their points but for the rounding of doubles.
+    // Volumes contain their points up to the rounding of doubles.
     return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
 }
 
@@ -161,7 +162,7 @@ Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
 
 struct PackedWorkspace::Parts {
     Work work;
-    std::vector<Work> chunks;  // of threads
+    std::vector<Work> chunks;  // one per thread
     std::vector<IndexPair> room;
 };
 
@@ -196,7 +197,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                 run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
                     options.threads, limit);
             } catch (...) {
-                front->clear();  // it would have the pairs of another pose
+                front->clear();  // it would have pairs of another pose
                 throw;
             }
             std::swap(pairs, found.kept);

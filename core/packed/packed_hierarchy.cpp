@@ -21,7 +21,7 @@ namespace scb {
 namespace {
 
 constexpr double largest = 1e8, smallest = 1e-8;
-// Kernels load four lanes of a leaf that may have one, and fetch some lines ahead.
+// Kernels load four lanes of a leaf that may have one triangle, and prefetch some lines.
 constexpr std::size_t words_behind = PackedLeaf::fetched_words;
 
 double up(float value) { return static_cast<double>(value); }
@@ -61,7 +61,7 @@ class Packing {
     }
 
   private:
-    // Where the first leaf of each node begins; a node's leaves follow each other.
+    // Finds the begin of each node's first leaf; the leaves of a node follow each other.
     void place_leaves(const WideTopology& wide) {
         std::size_t words = wide.nodes.empty() ? leaf_size(0) : 0;
         double radii = wide.nodes.empty() ? volumes_[0].r : 0;

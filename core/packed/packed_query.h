@@ -14,21 +14,21 @@
 
 namespace scb {
 
-// What a traversal of packed hierarchies is given, and what it leaves: shared by all SIMD targets.
+// Input and output of a traversal of packed hierarchies, shared by all SIMD targets.
 
 /// A query on two packed hierarchies of one layout.
 template <class Codec>
 struct PackedQuery {
     const PackedHierarchy<Codec>*a, *b;
     const Placement* placed;
-    /// More than 0 where the query makes a front, see PackedFront: volumes that are no farther
-    /// apart than this length are taken for overlapping, and pairs of nodes whose radii add up to
-    /// `kept_size` at most are kept, not divided.
+    /// More than 0 if the query makes a front, see PackedFront. Volumes no farther apart than this
+    /// length count as overlapping. Pairs of nodes whose radii add up to at most `kept_size` are
+    /// kept and not divided.
     float skin = 0, kept_size = 0;
 };
 using AnyPackedQuery = AnyCodec<PackedQuery>;
 
-/// Pairs of nodes that are to be divided: a list of A's and one of B's, in step.
+/// Pairs of nodes to divide: a list of A's nodes and one of B's, of equal length.
 class RefPairs {
   public:
     std::size_t size() const { return size_; }
@@ -37,8 +37,8 @@ class RefPairs {
     const std::uint32_t* a_begin() const { return a_.data(); }
     const std::uint32_t* b_begin() const { return b_.data(); }
 
-    /// Makes room for so many more pairs, which are then written at the two ends; grow() says how
-    /// many they are.
+    /// Makes room for `more` pairs. They are then written at the two ends, and grow() adds their
+    /// number.
     void reserve(std::size_t more) {
         if (size_ + more <= a_.size()) return;
         const std::size_t room = std::max(2 * a_.size(), size_ + more);
@@ -56,7 +56,7 @@ class RefPairs {
         ++size_;
     }
 
-    /// Appends some of another list.
+    /// Appends pairs of another list.
     void append(const RefPairs& from, std::size_t first, std::size_t count) {
         reserve(count);
         std::copy_n(from.a_begin() + first, count, a_end());
@@ -78,7 +78,7 @@ class RefPairs {
     std::size_t size_ = 0;
 };
 
-/// The pairs that wait, by whether A's and B's are inner nodes or leaves.
+/// The waiting pairs, by whether A's and B's are inner nodes or leaves.
 struct PackedLists {
     RefPairs inner_inner, inner_leaf, leaf_inner, leaf_leaf;
 
@@ -90,7 +90,7 @@ struct PackedLists {
     }
     bool empty() const { return size() == 0; }
     std::size_t size() const { return inner_size() + leaf_leaf.size(); }
-    /// Of pairs that can be divided.
+    /// The number of pairs that can be divided.
     std::size_t inner_size() const {
         return inner_inner.size() + inner_leaf.size() + leaf_inner.size();
     }
@@ -113,12 +113,12 @@ struct PackedLists {
     }
 };
 
-/// What a traversal finds, in no order.
+/// The results of a traversal, in no order.
 struct PackedFindings {
     std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
-    std::vector<IndexPair> undecided;  ///< triangles that floats cannot decide on
-    std::uint64_t n_exact = 0;         ///< of these, how many have been decided on
-    PackedLists kept;                  ///< of a query that makes a front: it has no pairs then
+    std::vector<IndexPair> undecided;  ///< triangles that floats cannot decide
+    std::uint64_t n_exact = 0;         ///< how many of these have been decided
+    PackedLists kept;                  ///< the front, if the query makes one; `pairs` is empty then
     std::uint64_t n_v = 0, n_p = 0;
 
     void clear() {
@@ -137,8 +137,8 @@ struct PackedFindings {
     }
 };
 
-/// The leaves of a packed hierarchy: words, see PackedLeaf; and the mesh that has their corners
-/// where they do not.
+/// The leaves of a packed hierarchy: their words, see PackedLeaf, and the mesh, if it has their
+/// corners.
 struct PackedLeaves {
     const float* words;
     const Mesh* mesh;
@@ -146,11 +146,11 @@ struct PackedLeaves {
 struct LeafQuery {
     PackedLeaves a, b;
     const Placement* placed;
-    float skin = 0;  ///< more than 0: pairs of leaves that are this near are kept, see PackedQuery
+    float skin = 0;  ///< more than 0: pairs of leaves this near are kept, see PackedQuery
 };
 
 /// Pairs of triangles whose planes meet, until there are enough for all lanes of the next test:
-/// their indices, and row by row what TrianglePairs has.
+/// their indices, and the members of TrianglePairs as rows.
 struct OpenPairs {
     static constexpr std::size_t enough = 64;
     std::size_t count = 0;
@@ -162,21 +162,21 @@ struct OpenPairs {
     }
 };
 
-/// Divides every pair that is not of leaves once.
+/// Divides every pair once, except pairs of leaves.
 void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
                  PackedFindings& found);
 
-/// Divides pairs until none are left but of leaves, or a good many of leaves wait.
+/// Divides pairs until only pairs of leaves are left, or many pairs of leaves wait.
 void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
                   PackedFindings& found);
 
-/// Tests pairs of leaves for triangles that intersect; the list is empty then. Fewer than
-/// OpenPairs::enough may stay open, until decide_open.
+/// Tests pairs of leaves for triangles that intersect; the list is empty then. Up to
+/// OpenPairs::enough - 1 pairs may stay open until decide_open.
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found);
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
 
-/// Decides on those undecided pairs on which doubles are certain.
+/// Decides the undecided pairs for which doubles are certain.
 void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
                        PackedFindings& found);
 

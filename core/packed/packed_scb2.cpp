@@ -6,7 +6,7 @@
 #include "core/packed/packed_axes-inl.h"
 #include "core/packed/turned_slabs.h"
 
-// What is inlined there needs the same target.
+// Functions inlined from it need the same target.
 HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {

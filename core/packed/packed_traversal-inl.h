@@ -18,8 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// The traversal of two packed hierarchies, compiled for one layout. Pairs of nodes wait in lists
-/// by what they are; a batch of one list at a time is divided, and its lines are fetched ahead.
+/// The traversal of two packed hierarchies, compiled for one layout. Pairs wait in one list for
+/// each combination of inner nodes and leaves. A batch of one list at a time is divided, with its
+/// cache lines prefetched.
 template <class Codec>
 class PackedTraversal {
   public:
@@ -32,7 +33,7 @@ class PackedTraversal {
           lists_(lists),
           found_(found) {}
 
-    /// Until nothing is left to divide, or a good many pairs of leaves wait.
+    /// Runs until no pair is left to divide, or many pairs of leaves wait.
     void run() {
         while (lists_.leaf_leaf.size() < enough) {
             if (!lists_.inner_leaf.empty())
@@ -49,9 +50,9 @@ class PackedTraversal {
         }
     }
 
-    /// Divides every pair that is there, once.
+    /// Divides every pair of the lists once.
     void run_once() {
-        // What is added to the lists meanwhile is behind what was there.
+        // Pairs that are added meanwhile are appended to the lists.
         const PackedLists before = lists_;
         lists_.inner_inner.clear();
         lists_.inner_leaf.clear();
@@ -82,9 +83,9 @@ class PackedTraversal {
     static constexpr int W = child_lanes<Codec::width>;
     using Part = ChildLanes<Codec>;
     static constexpr int n = Part::n;
-    static constexpr std::size_t enough = 256;  // leaves are tested in long runs of the same code
+    static constexpr std::size_t enough = 256;  // tests of leaves are long runs of the same code
     static constexpr std::size_t batch = 32, ahead = 4;
-    /// What the skin adds to the lengths is rounded as often as they are.
+    /// The skin adds to the lengths, and is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
         const float rounded = Part::distance_bound * float_unit * (o.length + skin_);
         return rounded + placed_.double_error + skin_;
@@ -96,7 +97,8 @@ class PackedTraversal {
     static HWY_INLINE float radius(const PackedHierarchy<Codec>& side, PackedRef ref) {
         return ref.is_leaf() ? side.leaf(ref).radius() : side.nodes[ref.index()].own.r;
     }
-    /// Moves those of a batch that are small enough to the front; returns how many are left.
+    /// Moves the pairs of a batch that are small enough to `kept`; returns the number of the
+    /// others.
     std::size_t keep_small(std::uint32_t* a, std::uint32_t* b, std::size_t count, RefPairs& kept) {
         std::size_t left = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -133,7 +135,7 @@ class PackedTraversal {
             prefetch(reinterpret_cast<const char*>(&side.nodes[ref.index()]), sizeof(Node));
     }
 
-    /// Puts aside child lanes of A with one of B.
+    /// Adds chosen children of A, each with one node of B, to the lists.
     HWY_INLINE void put_a(const Node& a, std::uint32_t bits, PackedRef b) {
         RefPairs& inner = b.is_leaf() ? lists_.inner_leaf : lists_.inner_inner;
         RefPairs& leaf = b.is_leaf() ? lists_.leaf_leaf : lists_.leaf_inner;

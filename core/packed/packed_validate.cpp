@@ -42,7 +42,7 @@ class PackedCheck {
         std::vector<std::uint32_t> all;
         for (std::size_t k = 0; k < node.count && failure_.empty(); ++k) {
             const PackedRef child{node.child[k]};
-            // Not by comparing two bools, which GCC 12 does wrongly here.
+            // Not a comparison of two bools, which GCC 12 compiles wrongly here.
             const std::uint32_t is_leaf = child.is_leaf() ? 1 : 0;
             if (is_leaf != (std::uint32_t{node.leaf_bits} >> k & 1))
                 fail(sentence(name, " is wrong on whether child ", k, " is a leaf."));

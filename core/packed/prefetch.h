@@ -9,10 +9,10 @@
 
 namespace scb {
 
-// Always inline: GCC takes a function that does nothing but prefetch for one without any effect,
-// and leaves out calls of it.
+// Always inline: GCC treats a function that only prefetches as a function without effect, and
+// removes calls of it.
 
-/// Fetches bytes from there on into the cache, ahead of their use.
+/// Fetches `bytes` bytes from `at` on into the cache, before their use.
 HWY_INLINE void prefetch(const char* at, std::size_t bytes) {
     constexpr std::size_t line = 64;
     for (std::size_t k = 0; k < bytes; k += line) hwy::Prefetch(at + k);

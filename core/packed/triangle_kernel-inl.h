@@ -12,15 +12,15 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-// Pairs of triangles P and Q in floats or doubles, decided where the signs of all determinants that
+// Pairs of triangles P and Q in floats or doubles, decided if the signs of all determinants that
 // matter are certain. Coordinates are differences from P's first corner, each off by at most
-// `error` from those that the exact test would see; D is the largest magnitude of them. With 2^24
-// error > 24 D, or 2^53 for doubles, roundings of products are small against what `error` does, and
-// 1/8 more than that covers them. Below `underflow`, products may have lost digits to the least
-// exponent. Products do not overflow: leaves that are tested are near each other, so that D is a
-// few times the size of a mesh that check_packable lets pass.
+// `error` from the coordinates of the exact test; D is their largest magnitude. With 2^24 error >
+// 24 D, or 2^53 for doubles, roundings of products are small compared with the effect of `error`,
+// and 1/8 more covers them. Below `underflow`, products may have lost digits to the least exponent.
+// Products do not overflow: tested leaves are near each other, so D is a few times the size of a
+// mesh that passes check_packable.
 
-/// n pairs: the corners of both relative to P's first.
+/// n pairs: the corners of both, relative to P's first corner.
 template <int n, class T = float>
 struct TrianglePairs {
     Lanes3<n, T> p1, p2, q0, q1, q2;
@@ -57,8 +57,9 @@ struct Heights {
     Lanes<n, T> h[3];
 };
 
-/// Of the corners of Q above the plane of P: the normal's components are off by at most 4 D error,
-/// a third of the sum by 2 D^2 error + D 4 D error, all by 18 D^2 error: with 1/8 more, below 21.
+/// Heights of the corners of Q above the plane of P. The normal's components are off by at most 4 D
+/// error, a third of the sum by 2 D^2 error + D 4 D error, the sum by 18 D^2 error: with 1/8 more,
+/// below 21.
 template <int n, class T>
 HWY_INLINE Heights<n, T> heights_of_q(const TrianglePairs<n, T>& t) {
     const Lanes3<n, T> normal = cross(t.p1, t.p2);
@@ -66,9 +67,9 @@ HWY_INLINE Heights<n, T> heights_of_q(const TrianglePairs<n, T>& t) {
 }
 inline constexpr float q_height_bound = 21;
 
-/// Of the corners of P above the plane of Q, whose edges are up to 2 D and off by 2 error: the
-/// normal's components are up to 8 D^2, off by 8 D error; corners relative to q0 up to 2 D, off by
-/// 2 error: 3 (8 D^2 2 error + 2 D 8 D error) = 96 D^2 error, with 1/8 more 108.
+/// Heights of the corners of P above the plane of Q, whose edges are up to 2 D and off by 2 error.
+/// The normal's components are up to 8 D^2, off by 8 D error; corners relative to q0 up to 2 D, off
+/// by 2 error: 3 (8 D^2 2 error + 2 D 8 D error) = 96 D^2 error, with 1/8 more 108.
 template <int n, class T>
 HWY_INLINE Heights<n, T> heights_of_p(const TrianglePairs<n, T>& t) {
     const Lanes3<n, T> normal = cross(t.q1 - t.q0, t.q2 - t.q0);
@@ -76,11 +77,11 @@ HWY_INLINE Heights<n, T> heights_of_p(const TrianglePairs<n, T>& t) {
 }
 inline constexpr float p_height_bound = 108;
 
-/// Lanes in which no plane of one triangle certainly has the other on one side, by these bounds.
+/// Lanes in which neither triangle is certainly on one side of the other's plane, by these bounds.
 template <int n>
 HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t, Lanes<n> q_bound, Lanes<n> p_bound) {
     const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
-    // Not a number anywhere, after an overflow: not certain of anything.
+    // NaN after an overflow makes comparisons false: not certain.
     return !(on_one_side(q.h[0], q.h[1], q.h[2], q_bound) |
              on_one_side(p.h[0], p.h[1], p.h[2], p_bound));
 }
@@ -90,11 +91,13 @@ HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
     return planes_meet(t, q_bound, q_bound * Lanes<n>::all(p_height_bound / q_height_bound + 1));
 }
 
-/// The lengths of normals are off by at most 7 D error for P's and 14 D error for Q's, see above.
+/// The length of P's normal is off by at most 7 D error, the length of Q's by 14 D error, see
+/// above.
 inline constexpr float normal_bound = 16;
 
-/// Lanes in which no plane of one triangle certainly has the other on one side and farther away
-/// than `skin`: heights are times the normal's length. Squares of it may underflow.
+/// Lanes in which neither triangle is certainly on one side of the other's plane and farther away
+/// than `skin`. Heights are times the normal's length, so `skin` is multiplied by it. Squares of it
+/// may underflow.
 template <int n>
 HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
     const Lanes<n> off =
@@ -108,23 +111,22 @@ HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
                            skin * length(cross(t.q1 - t.q0, t.q2 - t.q0)));
 }
 
-/// Lanes in which the triangles certainly have a point in common, and those in which it is not
-/// certain either way.
+/// Lanes in which the triangles certainly have a point in common, and lanes that are not certain.
 template <int n, class T = float>
 struct Certainty {
     LaneMask<n, T> intersect, open;
 };
 
-/// On which side of each other lines of edges pass, times lengths: of P's edge i, from corner i to
-/// the next, and Q's edge j.
+/// The sides on which the lines of P's edge i, from corner i to the next, and Q's edge j pass each
+/// other, times lengths.
 template <int n, class T = float>
 struct EdgeSides {
     Lanes<n, T> of[3][3];
 };
 
-/// The Plucker products of edges: an edge (up to 2 D, off by 2 error) times the moment of one (up
-/// to 4 D^2, off by 8 D error), twice: 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2 error, with
-/// 1/8 more 162.
+/// The Plucker products of edges: an edge (up to 2 D, off by 2 error) times the moment of another
+/// (up to 4 D^2, off by 8 D error), twice: 2 * 3 (2 D 8 D error + 4 D^2 2 error) = 144 D^2 error,
+/// with 1/8 more 162.
 template <int n, class T>
 HWY_INLINE EdgeSides<n, T> edge_sides(const TrianglePairs<n, T>& t) {
     const Lanes3<n, T> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
@@ -143,7 +145,7 @@ HWY_INLINE EdgeSides<n, T> edge_sides(const TrianglePairs<n, T>& t) {
 }
 inline constexpr float edge_bound = 162;
 
-/// Two triangles in planes that cross intersect where an edge of one passes through the other: its
+/// Two triangles in planes that cross intersect if an edge of one passes through the other: its
 /// ends are on two sides of the plane, and the other's three edges pass it on the same side.
 template <int n, class T>
 HWY_INLINE Certainty<n, T> intersection(const TrianglePairs<n, T>& t) {

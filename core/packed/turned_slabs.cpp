@@ -13,8 +13,8 @@ Slab turned_around(const Slab& slab) { return {-slab.n, -slab.f, -slab.e}; }
 TurnedSlabs::TurnedSlabs(const Scb2& scb) : slabs(scb.slabs) {
     auto& [first, second] = slabs;
     if (second.e - second.f < first.e - first.f) std::swap(first, second);
-    // Of the four turns by 0 or half a circle about an axis, the first with the largest trace; the
-    // four scalar parts are those of the components of one quaternion.
+    // The first of the four turns, by 0 or by half a circle about an axis, with the largest trace.
+    // The four scalar parts are the components of one quaternion.
     const Vec3 line = cross(first.n, second.n);
     const double a = first.n[0], b = second.n[1], c = line[2];
     const std::array<double, 4> traces = {a + b + c, a - b - c, b - a - c, c - a - b};

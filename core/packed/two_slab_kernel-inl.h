@@ -16,11 +16,11 @@ namespace HWY_NAMESPACE {
 template <int n_>
 struct LaneVolumes<PackedScb2, n_> {
     static constexpr int n = n_, rows = 17;
-    /// Decoded axes are off from right angles by some 21 units, B's in A's frame by 33, cosines by
-    /// 57; all of these added up, what a plane's normal has besides the axes that are measured is
-    /// off by up to 260 units, and distances along it by 60; the product of the long axes by 240 in
-    /// all. Squares of lengths may underflow: they are then far below the square of what doubles
-    /// may be off by in a mesh of some size, which is in every margin.
+    /// Decoded axes are off from right angles by some 21 units, B's in A's frame by 33, cosines
+    /// by 57. In sum, the part of a plane's normal besides the measured axes is off by up to 260
+    /// units, distances along it by 60, and the product of the long axes by 240 in all. Squares of
+    /// lengths may underflow: they are then far below the square of the error of doubles in a mesh
+    /// of some size, and this error is in every margin.
     static constexpr float distance_bound = 384;
     Lanes3<n> c, axis[3];  ///< first normal, second normal, long axis
     Lanes<n> r, m[2], h[2];
@@ -82,7 +82,7 @@ HWY_INLINE ChildLanes<QuantizedCodec<width, Scb2>> load_children(
     const QuantizedCodec<width, Scb2>& from, int first) {
     using Children = ChildLanes<QuantizedCodec<width, Scb2>>;
     using L = Lanes<Children::n>;
-    // All of them powers of two: products are exact.
+    // All are powers of two: products are exact.
     const L length = L::all(from.length_unit), unit = L::all(direction_unit),
             first_slab = L::all(from.slab_unit[0]), second_slab = L::all(from.slab_unit[1]);
     return Children::of({L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
@@ -105,12 +105,12 @@ HWY_INLINE LaneScb2s<n> placed(const LaneScb2s<n>& b, const FloatPlacement& plac
     return moved;
 }
 
-/// Which of n volumes reach a slab of half the thickness `h`, where their centers are at the
-/// distance d from its middle, and `normal` is its normal along the axes of each volume. How far a
-/// volume reaches along the normal is at most its radius; the reach of the box that the slabs and
-/// the radius make; and that of its first slab with a cylinder about it. The last tells of flat
-/// volumes face to face: along first normals it spares a tenth of the tests, along second ones,
-/// where it is not asked for, a hundredth.
+/// The lanes of n volumes that reach a slab with half the thickness `h`. Their centers are at the
+/// distance d from its middle, and `normal` is its normal along the axes of each volume. The extent
+/// of a volume along the normal has three upper bounds: its radius; the box of the slabs and the
+/// radius; and the cylinder about its first slab. The last helps for flat volumes face to face: it
+/// saves a tenth of the tests along first normals, and would save a hundredth along second normals,
+/// where it is not used.
 template <bool with_cylinder, int n>
 HWY_INLINE LaneMask<n> reach_slab(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& volume,
                                   const Lanes3<n>& normal) {
@@ -126,16 +126,17 @@ HWY_INLINE LaneMask<n> reach_slab(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& vo
     return reached;
 }
 
-/// Which of n pairs of volumes overlap or are within `margin`: the balls, each slab against the
-/// other volume, and the product of the long axes, along which slabs alone tell how far a volume
-/// reaches; all stages of overlap_scb2 at once but the line of centers, with bounds in place of
-/// exact extents.
+/// The lanes of n pairs of volumes that overlap or are within `margin`. Tests the balls, each slab
+/// against the other volume, and the product of the long axes, along which the slabs alone bound a
+/// volume's extent: all stages of overlap_scb2 at once except the line of centers, with bounds in
+/// place of exact extents.
 template <int n>
 HWY_INLINE LaneMask<n> overlap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> margin) {
     const Lanes3<n> c = b.c - a.c;
     const Lanes<n> sum = a.r + b.r + margin;
 
-    // Row i is A's axis in B's frame, column j is B's in A's. The long axes alone do not meet.
+    // Row i is A's axis i in B's frame, column j is B's axis j in A's frame. The product of the two
+    // long axes is not needed.
     const auto row = [&](int i) HWY_ATTR {
         return Lanes3<n>{dot(a.axis[i], b.axis[0]), dot(a.axis[i], b.axis[1]),
                          dot(a.axis[i], b.axis[2])};

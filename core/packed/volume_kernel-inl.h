@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-/// Three rows of a table, of which a point of each column has one each.
+/// Three rows of a table, the coordinates of one point per column.
 template <int n, int W>
 HWY_INLINE void put_point(const Lanes3<n>& point, float (*to)[W], int first) {
     point.x.store(to[0] + first);
@@ -27,9 +27,9 @@ HWY_INLINE Lanes3<n> point_of(const float (*from)[W], int k) {
     return {Lanes<n>::all(from[0][k]), Lanes<n>::all(from[1][k]), Lanes<n>::all(from[2][k])};
 }
 
-/// n volumes in one frame, see PackedScb and PackedScb2. Their numbers can be put into the rows of
-/// a table, and those of one of its columns be taken for all. What overlap computes of their
-/// distances may be off by `distance_bound` units of the length of an Offset.
+/// n volumes in one frame, see PackedScb and PackedScb2. Their numbers can be stored as rows of a
+/// table, and one column can be loaded into all lanes. Distances that overlap computes are off by
+/// up to `distance_bound` units of the length of an Offset.
 template <class Packed, int n_>
 struct LaneVolumes;
 
@@ -63,15 +63,15 @@ struct LaneVolumes<PackedScb, n_> {
 template <int n>
 using LaneScbs = LaneVolumes<PackedScb, n>;
 
-/// Children of a node that are loaded at a time, and for a node of so many children in all: no
-/// fewer than any target loads.
+/// The number of lanes for the children of a node of this width: at least as many as any target
+/// loads at a time.
 template <int width>
 inline constexpr int child_lanes = width < 4 ? 4 : width;
 template <class Codec>
 using ChildLanes = LaneVolumes<typename Codec::Decoded, part_lanes(child_lanes<Codec::width>)>;
 
-/// Children of a node, from the one of that index on, in its own frame. Lanes behind the last child
-/// are without meaning.
+/// Children of a node, from index `first` on, in its own frame. Lanes behind the last child have no
+/// meaning.
 template <int width>
 HWY_INLINE ChildLanes<FloatCodec<width>> load_children(const FloatCodec<width>& from, int first) {
     using L = Lanes<ChildLanes<FloatCodec<width>>::n>;
@@ -85,7 +85,7 @@ template <int width>
 HWY_INLINE ChildLanes<QuantizedCodec<width>> load_children(const QuantizedCodec<width>& from,
                                                            int first) {
     using L = Lanes<ChildLanes<QuantizedCodec<width>>::n>;
-    // All of them powers of two: products are exact.
+    // All are powers of two: products are exact.
     const L length = L::all(from.length_unit), slab = L::all(from.slab_unit),
             unit = L::all(direction_unit);
     return {{L::load(from.c[0] + first) * length, L::load(from.c[1] + first) * length,
@@ -104,9 +104,9 @@ HWY_INLINE LaneScbs<n> placed(const LaneScbs<n>& b, const FloatPlacement& placem
     return {rotate(placement, b.c) + translation, rotate(placement, b.normal), b.r, b.m, b.h};
 }
 
-/// Which of n pairs of volumes overlap or are within `margin`: the symmetric form of Figure 8, all
-/// stages at once, see overlap_symmetric. |sin| is taken from the cross product of the normals: 1 -
-/// cos^2 cancels where slabs are nearly parallel.
+/// The lanes of n pairs of volumes that overlap or are within `margin`: the symmetric form of
+/// Figure 8, all stages at once, see overlap_symmetric. |sin| is from the cross product of the
+/// normals: 1 - cos^2 cancels if slabs are nearly parallel.
 template <int n>
 HWY_INLINE LaneMask<n> overlap(const LaneScbs<n>& a, const LaneScbs<n>& b, Lanes<n> margin) {
     const Lanes3<n> c = b.c - a.c;
