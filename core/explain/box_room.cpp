@@ -18,8 +18,7 @@ BoxRoom room_about(const Obb& box, const Vec3& from_center) {
 BoxRoom room_about(const Scb2& scb, const Vec3& from_center) {
     BoxRoom room;
     const double to_sphere = scb.r - std::sqrt(squared_norm(from_center));
-    // Towards the center into the ball, then to the planes: neither step leaves what the others
-    // reached.
+    // Moves towards the center into the ball, then to the planes. No step undoes the others.
     room.outside = std::max(0.0, -to_sphere);
     for (int i = 0; i < 2; ++i) {
         const Slab& slab = scb.slabs[static_cast<std::size_t>(i)];
@@ -30,7 +29,7 @@ BoxRoom room_about(const Scb2& scb, const Vec3& from_center) {
         room.box.half[i] = std::max(0.0, left);
     }
     room.box.axes.col(2) = long_axis(scb);
-    // Moved to hold the point, the volume may hold less of the ball.
+    // After the move to contain the point, less of the ball may be free.
     const double ball = std::max(0.0, to_sphere - room.outside);
     room.ball = std::min({ball, room.box.half[0], room.box.half[1]});
     room.box.half[2] = ball;

@@ -7,9 +7,9 @@
 
 namespace scb {
 
-/// Calls visit(d) with the unit directions across the faces of either box and across an edge of
-/// each, of which one separates two disjoint boxes (Gottschalk, Lin and Manocha, "OBBTree", Section
-/// 5); not where two edges are parallel, which adds none.
+/// Calls visit(d) with the unit normals of the faces of either box, and the unit directions across
+/// an edge of each. One of them separates two disjoint boxes (Gottschalk, Lin and Manocha,
+/// "OBBTree", Section 5). Parallel edges add no direction.
 template <class Visit>
 void visit_box_directions(const Obb& a, const Obb& b, const Visit& visit) {
     for (int i = 0; i < 3; ++i) {
@@ -23,21 +23,21 @@ void visit_box_directions(const Obb& a, const Obb& b, const Visit& visit) {
     }
 }
 
-/// What a volume holds about a point: a box and a ball.
+/// The free room that a volume contains about a point: a box and a ball.
 struct BoxRoom {
     Obb box;
     double ball = 0;
-    double outside = 0;  ///< how far the volume must move to hold the point
+    double outside = 0;  ///< how far the volume must move to contain the point
 };
 
-/// The box about the point that the volume holds, with the volume's axes: that of a box is the
-/// largest; that of a cut ball one that fits into the ball about the point. `from_center` is the
-/// point from the volume's center.
+/// The box about the point inside the volume, with the volume's axes. In a box it is the largest
+/// one; in a cut ball, a box that fits into the ball about the point. `from_center` is the point
+/// from the volume's center.
 BoxRoom room_about(const Obb& box, const Vec3& from_center);
 BoxRoom room_about(const Scb2& scb, const Vec3& from_center);
 
-/// How far two volumes that hold this about a common point must move apart, at least, until they no
-/// longer overlap: two boxes, or two balls.
+/// A lower bound of how far two volumes with this room about a common point must move apart until
+/// they no longer overlap: from the two boxes, or from the two balls.
 double depth_of(const BoxRoom& a, const BoxRoom& b);
 
 }  // namespace scb

@@ -6,7 +6,7 @@
 
 namespace scb {
 
-/// A and B, slab cut balls of one type, as seen from A's center.
+/// A and B, slab cut balls of one type, relative to A's center.
 template <class V>
 struct CenteredPair {
     V a, b;

@@ -10,7 +10,7 @@ namespace {
 // A farthest point in a unit direction, from the center.
 Vec3 farthest(const Scb& s, const Vec3& d) {
     const double top = s.r * dot(s.n, d);
-    // Not of a disc: one that is a pole has no other point, though rounding gives others its
+    // Not for a disc: a disc at a pole is a single point, but rounding gives other points its
     // height.
     if (s.f < s.e && s.f <= top && top <= s.e) return s.r * d;
     const double height = std::clamp(top, s.f, s.e),
@@ -21,8 +21,8 @@ Vec3 farthest(const Scb& s, const Vec3& d) {
     return length > 0 ? Vec3(height * s.n + rim / length * level) : Vec3(height * s.n);
 }
 
-// The farthest of the sphere's point, the points of the planes' rims, and the corners that are in
-// the volume.
+// The farthest point in the volume among the sphere's point, the points of the planes' rims, and
+// the corners.
 Vec3 farthest(const Scb2& s, const Vec3& d) {
     const double slop = 1e-14 * s.r;
     Vec3 best = Vec3::Zero();

@@ -4,12 +4,12 @@
 
 namespace scb {
 
-/// Whether the farthest points of the two volumes bear the certificate out, by at least its margin:
-/// in the direction of a gap, nothing of A is as far as all of B. Of a depth, the point reaches no
-/// farther than either volume, and B no less than the margin into A, in some thirty directions;
-/// that can refute a depth, and proves none. What touches claims nothing and is not borne out.
+/// Whether the farthest points of the two volumes support the certificate, by at least its margin.
+/// For a gap, all of A must be before all of B in the direction. For a depth, in some thirty
+/// directions, the point must be within both volumes, and B must reach into A by at least the
+/// margin; this can refute a depth, but not prove it. False for `touching`, which claims nothing.
 ///
-/// It shares nothing with proven_gap, proven_depth and verify, by which a sharpened certificate is
+/// It shares no code with proven_gap, proven_depth and verify, by which a sharpened certificate is
 /// made.
 bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate);
 bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);

@@ -8,7 +8,7 @@ namespace scb {
 namespace {
 
 // The greatest d.(x - c). By symmetry it is attained in the half plane of n and d, at the height h
-// of the SCB that is nearest to the height of the ball's farthest point.
+// in the SCB that is nearest to the height of the ball's farthest point.
 double reach(double r, double f, double e, double cosine, double sine) {
     const double h = std::clamp(r * cosine, f, e);
     return h * cosine + std::sqrt(std::max(0.0, (r - h) * (r + h))) * sine;
@@ -18,7 +18,7 @@ double reach(const Scb& s, const Vec3& d) {
     return reach(s.r, s.f, s.e, dot(s.n, d), cross(s.n, d).norm());
 }
 
-// What a point of an SCB sees around it.
+// The distances from a point of an SCB to its sphere and its nearer plane.
 struct Surroundings {
     double to_sphere, to_plane, outside;
 };
@@ -35,9 +35,9 @@ double reach(const Surroundings& s, double cosine, double sine) {
 }
 
 // An upper bound of the greatest d.(x - c), for a unit d, and the greatest itself up to rounding:
-// by duality (Boyd and Vandenberghe, "Convex Optimization", Section 5.2), d may be replaced by what
-// is left of it once multiples of the outward normals are taken away, which count by their planes.
-// With no plane, with either, and with both.
+// by duality (Boyd and Vandenberghe, "Convex Optimization", Section 5.2), multiples of the outward
+// normals may be subtracted from d, if the multiples of their planes are added. Tries no plane,
+// either plane, and both.
 double bounded_reach(const Scb2& s, const Vec3& d) {
     const Vec3 along(std::abs(dot(s.slabs[0].n, d)), std::abs(dot(s.slabs[1].n, d)),
                      std::abs(dot(long_axis(s), d)));
@@ -48,7 +48,7 @@ double bounded_reach(const Scb2& s, const Vec3& d) {
         const double at = k[static_cast<std::size_t>(i)],
                      rim = std::sqrt(std::max(0.0, (s.r - at) * (s.r + at))),
                      rest = std::hypot(along[1 - i], along[2]);
-        // The multiple with which the point of the rim is the farthest in what is left.
+        // With this multiple, the point of the rim is the farthest in the rest of d.
         if (along[i] * rim >= rest * at) least = std::min(least, along[i] * at + rim * rest);
     }
     const double squared = s.r * s.r - k[0] * k[0] - k[1] * k[1],
@@ -59,8 +59,8 @@ double bounded_reach(const Scb2& s, const Vec3& d) {
     return std::min(least, of_planes + along[2] * s.r);
 }
 
-// The least sum of what two boxes about one point reach, which is along the normal of a face of
-// either or across an edge of each: how far one must go to leave the other.
+// How far one of two boxes about one point must move to leave the other: the least sum of their
+// extents, which is along the normal of a face of either or across an edge of each.
 double least_reach(const Mat3& axes_a, const Vec3& half_a, const Mat3& axes_b, const Vec3& half_b) {
     const auto reach = [&](const Vec3& d) {
         return (axes_a.transpose() * d).cwiseAbs().dot(half_a) +
@@ -77,7 +77,7 @@ double least_reach(const Mat3& axes_a, const Vec3& half_a, const Mat3& axes_b, c
     return least;
 }
 
-// A box about a point that the volume holds, and a ball.
+// A box about a point inside a volume, and a ball.
 struct FreeBox {
     Mat3 axes;
     Vec3 half;
@@ -88,7 +88,7 @@ FreeBox free_box(const Scb2& s, const Vec3& from_center) {
     const double to_sphere = s.r - from_center.norm();
     std::array<double, 2> left{};
     FreeBox box;
-    // Towards the center and to the planes, each of which leaves the others as they are.
+    // Moves towards the center and to the planes. No step undoes the others.
     box.outside = std::max(0.0, -to_sphere);
     for (int i = 0; i < 2; ++i) {
         const Slab& slab = s.slabs[static_cast<std::size_t>(i)];
@@ -98,8 +98,8 @@ FreeBox free_box(const Scb2& s, const Vec3& from_center) {
         box.axes.col(i) = slab.n;
     }
     box.axes.col(2) = long_axis(s);
-    // Moved by `outside`, all of this is about the point. As wide as fits into the ball, the sides
-    // alike where the planes are far.
+    // After the move by `outside`, all of this is about the point. The box is as wide as fits into
+    // the ball; its sides are equal if the planes are far.
     const double ball = std::max(0.0, to_sphere - box.outside);
     const std::size_t near = left[0] <= left[1] ? 0 : 1, far = 1 - near;
     const double narrow = std::clamp(left[near], 0.0, ball / std::sqrt(3.0)),
@@ -111,10 +111,10 @@ FreeBox free_box(const Scb2& s, const Vec3& from_center) {
     return box;
 }
 
-/// `size`: the largest of the lengths that meet.
+/// `size`: the largest length of the pair.
 template <class V>
 bool verify_within(const V& a, const V& b, const ContactCertificate& certificate, double size) {
-    // Squares of shorter lengths lose digits, or vanish, and those of longer ones overflow.
+    // Squares of shorter lengths lose digits, or vanish; squares of longer lengths overflow.
     if (!(size > 1e-140 && size < 1e140)) return false;
     const double rounding = 1e-14 * size;
     if (!(certificate.margin > rounding)) return false;

@@ -16,10 +16,10 @@ struct Corner {
 
 struct Triangle {
     double bound;
-    std::size_t number;  // of equal bounds, the older triangle first
+    std::size_t number;  // if bounds are equal, the older triangle is first
     std::array<Corner, 3> corners;
 
-    bool operator<(const Triangle& other) const {  // for a heap, whose top is its greatest
+    bool operator<(const Triangle& other) const {  // for a heap with the greatest on top
         return bound != other.bound ? bound > other.bound : number > other.number;
     }
 };
@@ -70,8 +70,8 @@ class Search {
                 least = std::min(least, dot(along.direction, of.point));
             most = std::max(most, least);
         }
-        // A unit direction is a sum of the corners with weights of 1 or more together, and no more
-        // than one over the distance of the plane through the corners.
+        // A unit direction in the triangle is a weighted sum of the corners. The sum of the weights
+        // is at least 1, and at most 1 / the distance of the plane through the corners.
         if (most < 0) most /= plane_distance(corners);
         open_.push({std::max(bound_before, most + rounding_), next_++, corners});
     }

@@ -8,8 +8,8 @@
 namespace scb {
 namespace {
 
-/// How much of each of up to four points makes the point of their hull that is closest to the
-/// origin; they are no more than it takes, see Simplex.
+/// The weights with which up to four points make the point of their hull closest to the origin;
+/// each point is needed, see Simplex.
 std::array<double, 4> weights_of(std::span<const Vec3> p) {
     std::array<double, 4> w = {1, 0, 0, 0};
     if (p.size() < 2) return w;
@@ -38,8 +38,8 @@ std::array<double, 4> weights_of(std::span<const Vec3> p) {
     return w;
 }
 
-/// The points of two cores that are closest to each other, from the center of A, and the direction
-/// along which most is proven to be between the cores.
+/// The closest points of two cores, from the center of A, and the direction with the largest proven
+/// gap between the cores.
 struct ClosestPoints {
     Vec3 of_a, of_b;
     Vec3 direction = Vec3::Zero();
@@ -80,7 +80,7 @@ ClosestPoints closest_points(const ConvexShape& a, const ConvexShape& b) {
     return result;
 }
 
-/// How far the point, from the center, is outside of the shape.
+/// How far the point, relative to the center, is outside of the shape.
 double outside(const ConvexShape& shape, const Vec3& point) {
     const ConvexShape single{shape.center + point, 0, Mat3::Identity(),
                              [](const Vec3&) { return Vec3(0, 0, 0); }};
@@ -112,8 +112,8 @@ ContactCertificate exact_overlap(const ConvexShape& a, const ConvexShape& b, dou
         certificate.margin = proven_gap(a, b, closest.direction);
         return certificate;
     }
-    // Balls about the closest points show most rounded volumes to overlap, a little less deep than
-    // they do so that least_depth bears it out; else the search, which need not be long.
+    // Balls about the closest points prove that most rounded volumes overlap, with a slightly
+    // smaller depth so that least_depth confirms it. Else the search, which need not be long.
     const double between = std::sqrt(squared_norm(Vec3(closest.of_b - closest.of_a)));
     const double of_balls = 0.9 * (rounding - between);
     const double depth = of_balls > least ? of_balls : least_depth(a, b, {least, 0.01, 1500});

@@ -7,14 +7,15 @@
 namespace scb {
 namespace {
 
-/// Adds up the ends of the parts that a box leaves of the edges of another: corners of what the two
-/// have in common.
+/// Adds up the ends of the parts of a box's edges inside another box: corners of their
+/// intersection.
 struct CornerSum {
     Vec3 sum = Vec3::Zero();
     int count = 0;
 
-    /// The edges of `of`, cut by `by`. `center` is that of `of`, from the center of `by`; the
-    /// corners are added with `shift`. Grown by `slop`, so that rounding loses none.
+    /// Adds the edges of `of`, cut by `by`. `center` is the center of `of`, from the center of
+    /// `by`; the corners are added with `shift`. `by` is grown by `slop`, so that rounding loses
+    /// none.
     void add_edges(const Obb& of, const Obb& by, const Vec3& center, const Vec3& shift,
                    double slop) {
         for (int axis = 0; axis < 3; ++axis)

@@ -9,14 +9,14 @@
 namespace scb {
 namespace {
 
-// The vector without its part along the unit vector n, of length 1; any such vector where nothing
-// is left.
+// The vector without its part along the unit vector n, of length 1; any unit vector across n if
+// nothing is left.
 Vec3 unit_across(const Vec3& n, const Vec3& v) {
     Vec3 across = v - dot(n, v) * n;
     if (!(squared_norm(across) > 1e-30 * squared_norm(v)))
         across = cross(n, std::abs(n[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY());
     across /= std::sqrt(squared_norm(across));
-    // Once more: the first difference cancels where v is nearly along n.
+    // Once more: the first difference cancels if v is nearly along n.
     across -= dot(n, across) * n;
     return across / std::sqrt(squared_norm(across));
 }
@@ -30,12 +30,12 @@ Vec3 closest_on_circle(double r, const Vec3& n, double k, const Vec3& target) {
 // The frame of two planes: `along` their common line, `across` it within the first one.
 struct Crossing {
     Vec3 along, across;
-    double sine;  // of the angle between the planes, as n1.across
+    double sine;  // sine of the angle between the planes, as n1.across
 
     Crossing(const Vec3& n0, const Vec3& n1) {
         const Vec3 product = cross(n0, n1);
-        // Within the first plane exactly: for nearly parallel planes the product has few digits,
-        // but any direction of the first plane near the right one is near the second plane.
+        // Exactly in the first plane: for nearly parallel planes the product has few digits, but
+        // any direction of the first plane near the right one is near the second plane.
         along = unit_across(n0, product);
         across = cross(along, n0);
         across /= std::sqrt(squared_norm(across));
@@ -61,7 +61,7 @@ bool visit_corners(const Pair& p, const Crossing& crossing, bool with_sphere, co
                     return true;
                 continue;
             }
-            // A line that misses the sphere by rounding is taken to touch it.
+            // A line that misses the sphere by rounding counts as touching it.
             const double rho = half_chord(p.a.r, ka), on_disc = std::clamp(across, -rho, rho),
                          along = half_chord(rho, on_disc);
             if (std::abs(across - on_disc) > 1e-6 * p.a.r) continue;
@@ -72,8 +72,8 @@ bool visit_corners(const Pair& p, const Crossing& crossing, bool with_sphere, co
     return false;
 }
 
-// The point of A within B's slab that is closest to the center of B, among others: true, and the
-// point, where one of them is in both up to `slop`.
+// Tries the point of A within B's slab that is closest to the center of B, and others. True, with
+// the point, if one of them is in both up to `slop`.
 bool find_common_point(const Pair& p, const Crossing& crossing, double slop, Vec3& found) {
     if (p.a.r < 0 || p.b.r < 0) return false;
     const Scb &a = p.a, &b = p.b;
@@ -104,7 +104,8 @@ bool find_common_point(const Pair& p, const Crossing& crossing, double slop, Vec
     return visit_corners(p, crossing, true, is_common);
 }
 
-// The farthest point of the ball, or that of the rim that the slab leaves.
+// The extent of the ball's farthest point, or of the farthest point of the rim if the slab cuts
+// that off.
 double exact_reach(const Scb& s, const Vec3& d) {
     const double cosine = dot(s.n, d), top = s.r * cosine;
     if (top >= s.f && top <= s.e) return s.r;
@@ -114,7 +115,7 @@ double exact_reach(const Scb& s, const Vec3& d) {
 
 using ScbSeparation = Separation<Scb, exact_reach>;
 
-// Faces, and all that involves a sphere.
+// Tries the normals of faces, and all directions that involve a sphere.
 void try_closed_forms(const Pair& pair, ScbSeparation& separation) {
     const Scb &a = pair.a, &b = pair.b;
     const Vec3 to_b = pair.to_b(), to_a = -to_b;
@@ -132,8 +133,8 @@ void try_closed_forms(const Pair& pair, ScbSeparation& separation) {
         if (std::abs(k) <= b.r) separation.try_direction(-closest_on_circle(b.r, a.n, k, to_a));
 }
 
-// Rim against rim: a plane that holds the tangent of A's rim in a corner x and the tangent there of
-// the circle of B's plane about B's axis.
+// Rim against rim: the plane of the tangent of A's rim in a corner x and the tangent there of the
+// circle of B's plane about B's axis.
 void try_corners(const Pair& p, const Crossing& crossing, ScbSeparation& separation) {
     visit_corners(p, crossing, true, [&](const Vec3& x) {
         const Vec3 a_tangent = cross(p.a.n, x), b_tangent = cross(p.b.n, Vec3(p.to_b() - x));
@@ -142,9 +143,8 @@ void try_corners(const Pair& p, const Crossing& crossing, ScbSeparation& separat
     });
 }
 
-// The directions of the pair with a wider slab of B. Where A only touches B's slab, or misses it by
-// as little as `missed`, its one point in there has no direction, but the cap that it has in the
-// wider one does.
+// The directions of the pair with a wider slab of B. If A only touches B's slab, or misses it by
+// `missed` at most, its single point there gives no direction, but its cap in the wider slab does.
 void try_wider_slabs(const Pair& p, double missed, ScbSeparation& separation) {
     for (const double share : {1e-3, 1e-6, 1e-9, 1e-12}) {
         const double by = missed + share * std::max(p.a.r, p.b.r);
@@ -156,10 +156,10 @@ void try_wider_slabs(const Pair& p, double missed, ScbSeparation& separation) {
     }
 }
 
-// What is left of A and B such that a point common to both cores proves the depth. That does a
-// point this deep in one SCB and anywhere in the other (well within its ball, so that only its
-// planes take part in the rounding). In two SCBs that are too thin for it, it takes more room along
-// their planes, the more the less steeply these cross.
+// The cores of A and B: a point in both cores proves the depth. A point this deep in one SCB and
+// anywhere in the other proves it (well within the other's ball, so that only its planes take part
+// in the rounding). If both SCBs are too thin, the point needs more room along their planes, and
+// more if these cross less steeply.
 Pair cores(Pair p, const Crossing& crossing, double depth) {
     const auto is_thick = [&](const Scb& s) { return thickness(s) >= 2 * depth; };
     const bool thin = !is_thick(p.a) && !is_thick(p.b);
@@ -168,7 +168,7 @@ Pair cores(Pair p, const Crossing& crossing, double depth) {
             s->e -= depth;
             s->f += depth;
         }
-        // No core (negative) where the planes are parallel.
+        // No core (negative radius) if the planes are parallel.
         s->r -= !thin               ? std::min(depth, s->r / 2)
                 : crossing.sine > 0 ? depth / crossing.sine
                                     : 2 * s->r;

@@ -13,7 +13,7 @@ namespace {
 using Scb2Pair = CenteredPair<Scb2>;
 using Scb2Separation = Separation<Scb2, support>;
 
-/// A plane that A or B is on the inner side of: normal.x <= at, from A's center.
+/// A half space that contains A or B: normal.x <= at, from A's center.
 struct Bound {
     Vec3 normal;
     double at;
@@ -23,19 +23,19 @@ struct Bound {
 using Vectors = std::array<Vec3, 3>;
 const Vectors no_vectors = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 
-/// A point of some of the bounds' planes, and of A's sphere or not, that may be the point of A
-/// within B's slabs that is closest to B's center.
+/// A candidate for the point of A within B's slabs that is closest to B's center: a point on some
+/// of the bounds' planes, and perhaps on A's sphere.
 struct Candidate {
     Vec3 point = Vec3::Zero();
-    Vectors normals = no_vectors;  ///< of the planes
-    Vec3 at = Vec3::Zero();        ///< of the planes
+    Vectors normals = no_vectors;  ///< see Bound
+    Vec3 at = Vec3::Zero();        ///< see Bound
     std::array<bool, 3> of_a{};
     std::size_t count = 0;
     bool on_sphere = false;
 };
 
 /// The dual basis of the first `count` vectors, in their span: dual[i].v[j] is 1 where i = j, else
-/// 0. False where they are dependent.
+/// 0. False if they are dependent.
 bool find_dual(const Vectors& v, std::size_t count, Vectors& dual) {
     dual = no_vectors;
     if (count == 1) {
@@ -69,7 +69,8 @@ class Candidates {
         return extend(Candidate(), 0, visit);
     }
 
-    /// The part of the direction from the candidate to B's center that supports A there.
+    /// The part of the direction from the candidate to B's center in which the candidate is a
+    /// farthest point of A.
     bool direction(const Candidate& c, Vec3& d) const {
         Vectors normals = c.normals, dual;
         std::array<bool, 3> of_a = c.of_a;
@@ -96,7 +97,7 @@ class Candidates {
     }
 
   private:
-    /// Candidates on the planes of `chosen`, and on one each of further slabs.
+    /// Visits candidates on the planes of `chosen`, and on one plane each of further slabs.
     template <class Visit>
     bool extend(const Candidate& chosen, std::size_t next, const Visit& visit) const {
         if (try_planes(chosen, visit) || try_sphere(chosen, visit)) return true;
@@ -134,7 +135,7 @@ class Candidates {
         c.on_sphere = true;
         Vec3 middle;
         if (c.count == 3 || !foot(c, Vec3::Zero(), middle)) return false;
-        // Planes that miss the sphere by rounding are taken to touch it.
+        // Planes that miss the sphere by rounding count as touching it.
         const double r = pair_.a.r, off = std::sqrt(squared_norm(middle));
         if (!(off <= r * (1 + 1e-6))) return false;
         const double radius = half_chord(r, std::min(off, r));
@@ -151,7 +152,7 @@ class Candidates {
         if (c.count == 1) towards -= dot(c.normals[0], towards) * c.normals[0];
         double length = std::sqrt(squared_norm(towards));
         if (!(length > 1e-12 * r)) {
-            // All points of the circle are as close; any will do.
+            // All points of the circle are equally close; any will do.
             const Vec3 axis = c.count == 1 ? c.normals[0] : Vec3::UnitZ();
             towards = cross(axis, std::abs(axis[0]) < 0.5 ? Vec3::UnitX() : Vec3::UnitY());
             length = std::sqrt(squared_norm(towards));
@@ -164,7 +165,8 @@ class Candidates {
     std::array<std::array<Bound, 2>, 4> bounds_;
 };
 
-/// The directions that follow from candidates; `only_feasible`: of those that are what they may be.
+/// Tries the directions that follow from candidates; with `only_feasible`, from candidates that are
+/// in A and within B's slabs.
 void try_candidates(const Scb2Pair& p, double slop, bool only_feasible, double enough,
                     Scb2Separation& separation) {
     const Candidates candidates(p);
@@ -189,8 +191,8 @@ void add_common_points(const Scb2Pair& p, double slop, const Vec3& shift, Vec3& 
     });
 }
 
-/// The directions of the pair with wider slabs of B: where A only touches B's slabs, its one point
-/// in there has no direction of its own.
+/// The directions of the pair with wider slabs of B: if A only touches B's slabs, its single point
+/// there gives no direction.
 void try_wider_slabs(const Scb2Pair& p, double missed, double enough, Scb2Separation& separation) {
     for (const double share : {1e-3, 1e-6, 1e-9, 1e-12}) {
         const double by = missed + share * std::max(p.a.r, p.b.r);

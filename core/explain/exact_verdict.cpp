@@ -11,7 +11,7 @@ namespace {
 
 template <class V>
 ContactCertificate verdict(const V& a, const V& b, const Placement& placed) {
-    // That of which exact_overlap takes its tolerance as a share.
+    // The length that the tolerance of exact_overlap is a share of.
     const double size = std::max(diameter(a), diameter(b)) / 2;
     const double tolerance =
         size > 0 ? std::max(contact_tolerance, placed.margin / size) : contact_tolerance;

@@ -6,9 +6,9 @@
 namespace scb {
 
 /// The exact verdict on A, in its own frame, and B, in the frame that `placed` places: the
-/// certificate of exact_overlap, in A's frame. Where gap or depth is within the placement's margin,
-/// the overlap tests themselves cannot tell, and the verdict is that the two touch. An overlap test
-/// is judged by this verdict.
+/// certificate of exact_overlap, in A's frame. If gap or depth is within the placement's margin,
+/// the overlap tests cannot decide, and the verdict is that the two touch. Overlap tests are judged
+/// by this verdict.
 ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed);
 ContactCertificate exact_verdict(const Scb2& a, const Scb2& b, const Placement& placed);
 ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed);
@@ -16,8 +16,8 @@ ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& pl
 ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b,
                                  const Placement& placed);
 
-/// B in A's frame, as the exact verdict takes it: a normal is made a unit vector again, where a
-/// pose that is rigid to ten digits has left it short.
+/// B in A's frame, for the exact verdict: normals are normalized again, since a pose that is rigid
+/// to ten digits may change their lengths.
 Scb seen_from_a(const Scb& b, const Placement& placed);
 Scb2 seen_from_a(const Scb2& b, const Placement& placed);
 Ball seen_from_a(const Ball& b, const Placement& placed);

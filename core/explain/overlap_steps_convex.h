@@ -10,8 +10,8 @@
 
 namespace scb {
 
-/// The directions of overlap_convex, each of them a step; u is that from A's center to B's, w that
-/// of a step of the search.
+/// The directions of overlap_convex, each of them a step; u is the direction from A's center to
+/// B's, w the direction of a step of the search.
 template <ConvexVolume V>
 OverlapSteps overlap_steps(const V& a, const V& b, const Placement& placed,
                            const OverlapOptions& = {}) {

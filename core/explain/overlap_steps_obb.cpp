@@ -7,8 +7,8 @@
 namespace scb {
 namespace {
 
-/// An axis of the test, as the test compares it: not normalized, and `limit` is both reaches and
-/// the margin in the order in which it adds them.
+/// An axis as the test compares it: not normalized. `limit` is the sum of both extents and the
+/// margin, in the order of the test.
 struct Axis {
     std::string name;
     Vec3 direction;
@@ -29,7 +29,7 @@ OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     const double slack = (distance - reach - margin) / scale;
     step.slack = (step.separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
     if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
-    // The test compares what is left of both sides, which is next to nothing.
+    // The test compares both sides, which are next to nothing.
     if (vanishes) step.skipped = "the edges are parallel, which is not an axis";
     set_terms(step, {{StepTerm::Of::distance, "|c1′·" + axis.name + "|", step.left},
                      {StepTerm::Of::a, "−ρ0", -axis.reach_a / scale},
@@ -91,7 +91,7 @@ OverlapSteps overlap_steps(const Obb& a, const Obb& b, const Placement& placed,
     return result;
 }
 
-// An axis with zeros and a one picks its component to the last bit.
+// Products with a unit axis of the frame are its component, to the last bit.
 OverlapSteps overlap_steps(const Aabb& a, const Aabb& b, const Placement& placed,
                            const OverlapOptions& options) {
     OverlapSteps result = overlap_steps(shape_of(a), shape_of(b), placed, options);

@@ -8,7 +8,7 @@
 namespace scb {
 namespace {
 
-/// What the tests of two slab cut balls have in common.
+/// Numbers that all tests of two slab cut balls use.
 struct Numbers {
     const Scb &a, &b;
     const Placement& placed;
@@ -21,11 +21,11 @@ struct Numbers {
     double sine = std::sqrt(std::max(0.0, squared_sine));
 };
 
-/// One of the two volumes, whose slab the other one is measured against.
+/// The volume whose slab the other volume is measured against.
 struct Owner {
     bool is_a;
     const Scb &own, &other;
-    double d;           ///< of the other's center, along the owner's normal
+    double d;           ///< signed distance of the other's center, along the owner's normal
     const char *i, *j;  ///< the indices of the owner and of the other
 
     Owner(const Numbers& x, bool a)
@@ -51,8 +51,8 @@ std::string beyond(const Owner& o, bool above, const std::string& from, char pla
     return std::string("d") + o.i + from + " − " + plane + o.i + (above ? " > " : " < −");
 }
 
-/// Adds what a picture shows: the other is `above` the slab, or below it, and how far it reaches
-/// towards the slab, from its center.
+/// Adds the numbers of pictures. The other volume is `above` the slab, or below it; its extent is
+/// from its center towards the slab.
 OverlapStep along_normal(OverlapStep step, const Numbers& x, const Owner& o, bool above,
                          const Plane& plane, const std::string& reach_name, double reach) {
     const Vec3 outward = (above ? 1 : -1) * (o.is_a ? x.a.n : x.n);
@@ -63,7 +63,7 @@ OverlapStep along_normal(OverlapStep step, const Numbers& x, const Owner& o, boo
     return step;
 }
 
-/// The same of a cylinder: the axis up to its `top`, and the effective radius about it.
+/// The same for a cylinder: the axis up to its `top`, and the effective radius about it.
 OverlapStep along_cylinder(OverlapStep step, const Numbers& x, const Owner& o, bool above,
                            const Plane& plane, const Plane& top, double effective) {
     step = along_normal(std::move(step), x, o, above, plane, std::string("r") + o.j + "·sα",
@@ -77,7 +77,7 @@ OverlapStep along_cylinder(OverlapStep step, const Numbers& x, const Owner& o, b
     return step;
 }
 
-/// Lines 4 and 8, see overlap_slabs: the slab of `o` against the other's ball, of this radius.
+/// Lines 4 and 8, see overlap_slabs: the slab of `o` against the other's ball, with this radius.
 OverlapStep slab_step(const Numbers& x, const Owner& o, bool above, double radius,
                       const char* radius_index) {
     const Plane plane = plane_of(o.own, above);
@@ -103,8 +103,8 @@ void add_slab_steps(OverlapSteps& result, const Numbers& x, bool line_8_as_print
     result.steps.push_back(std::move(last));
 }
 
-/// A call of CylInFrontOfSlab (`above`) or CylBehindSlab of Figure 8: the slab's plane, and that of
-/// the other's planes which is the top of its cylinder.
+/// A call of CylInFrontOfSlab (`above`) or CylBehindSlab of Figure 8: the slab's plane, and the
+/// plane of the other volume that is the top of its cylinder.
 OverlapStep cylinder_step(const Numbers& x, const Owner& o, int line, bool above, Plane plane,
                           Plane top) {
     const double r = o.other.r, effective = r * x.sine;
@@ -122,7 +122,7 @@ OverlapStep cylinder_step(const Numbers& x, const Owner& o, int line, bool above
 void add_cylinder_steps(OverlapSteps& result, const Numbers& x, double threshold,
                         bool lines_20_23_as_printed) {
     const bool skipped = !(x.cosine < -threshold) && !(x.cosine > threshold);
-    // Where they are skipped, the case is the one that a lower threshold would choose.
+    // If they are skipped, the case is the one that a lower threshold would choose.
     const bool opposed = skipped ? x.cosine < 0 : x.cosine < -threshold;
     const bool above = x.d0 > 0, upper = above == opposed;
     const int line = (opposed ? 12 : 19) + (above ? 0 : 3);
@@ -156,7 +156,7 @@ OverlapStep symmetric_step(const Numbers& x, const Owner& o) {
         "|d" + i + " + m" + j + "·cα − m" + i + "| − h" + i + " − h" + j + "·|cα| > r" + j + "·sα",
         left, effective, gap - effective, gap > 0 && gap * gap > r * r * x.squared_sine);
     const bool above = off >= 0;
-    // Of middle and half thickness together, what a picture shows is a plane of the slab.
+    // The test uses middle and half thickness; pictures show a plane of the slab.
     return along_cylinder(std::move(step), x, o, above, plane_of(o.own, above),
                           plane_of(o.other, above == (x.cosine < 0)), effective);
 }

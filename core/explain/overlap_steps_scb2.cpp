@@ -6,15 +6,15 @@
 namespace scb {
 namespace {
 
-/// One volume's slab, which the other one is measured against. All in the frame of A.
+/// The slab of one volume, which the other volume is measured against. All in the frame of A.
 struct MeasuredSlab {
     Stage stage;
     bool of_a;
     const Slab& slab;
     const Scb2& other;
-    double d;     ///< of the other's center, along the normal
-    Vec3 normal;  ///< in the frame of the other
-    Vec3 n;       ///< in A's
+    double d;     ///< signed distance of the other's center, along the normal
+    Vec3 normal;  ///< the normal in the frame of the other
+    Vec3 n;       ///< the normal in A's frame
     std::string own, other_index, mark;
 };
 
@@ -36,7 +36,7 @@ OverlapStep slab_step(const MeasuredSlab& s, const Placement& placed) {
     return step;
 }
 
-/// A direction that belongs to both, of any length, by its name.
+/// A step along a direction of both volumes, of any length, by its name.
 OverlapStep shared_step(Stage stage, const std::string& left, const std::string& u,
                         const Vec3& direction, double length, double distance, double reach_a,
                         double reach_b, double margin, bool separates) {
@@ -108,13 +108,14 @@ OverlapSteps overlap_steps(const Scb2& a, const Scb2& b, const Placement& placed
     const bool separates = product.distance > reach_a + reach_b + margin;
     const bool vanishes = !(product.length > (separates ? 0 : 1e-9));
     const Vec3 w = product.in_a[0] * at.a[0] + product.in_a[1] * at.a[1];
-    // The test leaves the margin along the product as it is, which is more along a unit vector.
+    // The test adds the margin along the product, which is not a unit vector; along a unit vector
+    // this margin is larger.
     result.steps.push_back(shared_step(
         Stage::long_axes, "|c1′·w|", "w", w, vanishes ? 1 : product.length, product.distance,
         reach_a, reach_b, vanishes ? margin : margin / product.length, separates));
     if (vanishes) {
         result.steps.back().direction = Vec3::UnitZ();
-        // What is left of both sides is next to nothing.
+        // Both sides are next to nothing.
         result.steps.back().skipped = "the long axes are parallel";
     }
     return result;

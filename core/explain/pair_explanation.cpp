@@ -10,7 +10,7 @@
 namespace scb {
 namespace {
 
-/// What the tests for slab cut balls answer, each; nothing of other volumes.
+/// The result of each test for slab cut balls; empty for other volumes.
 template <Volume V>
 std::vector<TestAnswer> answers_of(const V& a, const V& b, const Placement& placed,
                                    const OverlapOptions& options, Contact contact) {

@@ -10,9 +10,9 @@
 
 namespace scb {
 
-/// What an overlap test's answer about two volumes is worth.
+/// The verdict on an overlap test's answer about two volumes.
 enum class Answer {
-    correct,         ///< also of volumes that touch, whichever it is
+    correct,         ///< also any answer about volumes that touch
     false_positive,  ///< the test let volumes pass that are disjoint: it is conservative
     false_negative,  ///< the test rejected volumes that overlap: it misses collisions
 };
@@ -35,19 +35,19 @@ struct TestAnswer {
 
 /// One overlap test, and whether it is right.
 struct PairExplanation {
-    OverlapSteps steps;             ///< of the test that was asked for
-    Answer answer{};                ///< that test's
+    OverlapSteps steps;             ///< of the test of the options
+    Answer answer{};                ///< the verdict on this test
     std::vector<TestAnswer> tests;  ///< all tests for slab cut balls; empty for other volumes
-    /// That of exact_verdict, sharpened; in A's frame.
+    /// The certificate of exact_verdict, sharpened; in A's frame.
     ContactCertificate certificate;
-    /// What `verify` says of the verdict before it was sharpened, and check_certificate of the
+    /// Whether `verify` confirms the verdict before it was sharpened, and check_certificate the
     /// certificate.
     bool verified = false;
 };
 
-/// Explains the test that the options name, for A in its own frame and B in the one that `placed`
-/// says where it is. The volumes must be well-formed. The exact verdict takes microseconds, its
-/// sharpening up to a millisecond.
+/// Explains the test that the options name, for A in its own frame and B in the frame that `placed`
+/// places. The volumes must be well-formed. The exact verdict takes microseconds, its sharpening up
+/// to a millisecond.
 template <Volume V>
 PairExplanation explain(const V& a, const V& b, const Placement& placed,
                         const OverlapOptions& options = {});

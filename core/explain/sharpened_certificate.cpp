@@ -7,8 +7,8 @@
 namespace scb {
 namespace {
 
-/// Climbs from a direction or a point to where no step of a shrinking size is better. `scale` is
-/// that of the first steps, `value(x)` what is to grow, `step(x, s)` where a step leads.
+/// Climbs from a direction or a point until no step of a shrinking size is better. `scale` is the
+/// size of the first steps, `value(x)` is maximized, `step(x, s)` is the result of a step.
 template <class Value, class Step>
 void climb(Vec3& x, double& best, double scale, const Value& value, const Step& step) {
     // The edges and corners of a cube: enough directions for a value with creases.
@@ -31,13 +31,13 @@ void climb(Vec3& x, double& best, double scale, const Value& value, const Step& 
     }
 }
 
-/// How far the point is from the slab, along its normal. From the center.
+/// The distance from the point to the slab, along its normal. `point` is from the center.
 double miss(const Scb& s, const Vec3& point) {
     const double height = dot(s.n, point);
     return std::clamp(height, s.f, s.e) - height;
 }
 
-/// A point near this one that is in both slabs, where there is a way; from the center of A.
+/// A point near this one that is in both slabs, if possible; from the center of A.
 Vec3 pulled_in(const Scb& a, const Scb& b, const Vec3& point, double slop) {
     const Vec3 to_b = b.c - a.c;
     const double from_a = miss(a, point), from_b = miss(b, point - to_b);
@@ -51,7 +51,7 @@ Vec3 pulled_in(const Scb& a, const Scb& b, const Vec3& point, double slop) {
            (from_b - cosine * from_a) / squared_sine * b.n;
 }
 
-/// To the slabs of each in turn, and into its ball.
+/// Moves to the slabs of each volume in turn, and into its ball.
 Vec3 pulled_in(const Scb2& a, const Scb2& b, Vec3 point, double) {
     const Vec3 to_b = b.c - a.c;
     const auto nearest = [](const Scb2& s, Vec3 from_center) {
@@ -82,8 +82,8 @@ Vec3 pulled_in(const Obb& a, const Obb& b, Vec3 point, double) {
     return point;
 }
 
-/// How far a point is from the farther one of the two; of SCBs, from their slabs, since
-/// proven_depth is no depth outside of a ball.
+/// The distance of a point from the farther one of the two volumes; for SCBs from their slabs,
+/// since proven_depth proves no depth outside of a ball.
 double outside(const Scb& a, const Scb& b, const Vec3& point) {
     return std::max(std::abs(miss(a, point)), std::abs(miss(b, point - (b.c - a.c))));
 }
@@ -124,7 +124,7 @@ ContactCertificate sharpened_certificate(const V& a, const V& b, ContactCertific
                 return length > 0.1 ? Vec3(moved / length) : d;
             });
     if (certificate.contact == Contact::overlapping) {
-        // The point stays one of both, though proven_depth would bear with another.
+        // The point must stay in both volumes, although proven_depth accepts other points.
         const double slop = 1e-13 * std::max(diameter(a), diameter(b));
         climb(
             certificate.point, certificate.margin, std::min(diameter(a), diameter(b)) / 4,
