@@ -2,8 +2,8 @@
 
 namespace scb {
 
-// Logarithms of positive finite numbers by operations that IEEE 754 fixes: those of the C library
-// round differently from CPU to CPU.
+// Logarithms of positive finite numbers by operations that IEEE 754 fixes: the C library rounds
+// them differently from CPU to CPU.
 
 /// To base 2, within a few units in the last place; exact for powers of two.
 double binary_logarithm(double x);
