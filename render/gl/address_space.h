@@ -4,8 +4,8 @@
 
 namespace scb::render {
 
-/// Throws DrawError where the address space of this process is limited (ulimit -v) and has no such
-/// room left: where memory runs out, OpenGL libraries crash. To be asked before they take it.
+/// Throws DrawError if the address space of this process is limited (ulimit -v) and has less room
+/// left. OpenGL libraries crash if memory runs out, so call this before they allocate.
 void require_address_space(std::uint64_t bytes);
 
 }  // namespace scb::render

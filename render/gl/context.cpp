@@ -47,13 +47,13 @@ GlInfo describe(const Gl& gl, GlBackend backend) {
     info.version = number_after(version, "");
     info.mesa = number_after(version, "Mesa ");
     info.llvm = number_after(renderer, "LLVM ");
-    // "llvmpipe (LLVM 15.0.6, 256 bits)": the vector width is the machine's business.
+    // "llvmpipe (LLVM 15.0.6, 256 bits)": the vector width depends on the machine.
     info.renderer = renderer.substr(0, renderer.find(" ("));
     return info;
 }
 
-/// What no context uses now. It is there until the process ends: the OpenGL library may end before
-/// static objects do.
+/// Platforms that no context uses now. This object is never destroyed: the OpenGL library may end
+/// before static objects do.
 struct KeptPlatforms {
     std::mutex mutex;
     std::vector<std::unique_ptr<ContextPlatform>> idle;
@@ -64,7 +64,7 @@ KeptPlatforms& kept_platforms() {
     return *kept;
 }
 
-/// Null where none is kept.
+/// Null if none is kept.
 std::unique_ptr<ContextPlatform> take_platform(GlBackend backend) {
     KeptPlatforms& kept = kept_platforms();
     const std::lock_guard lock(kept.mutex);
@@ -78,7 +78,7 @@ std::unique_ptr<ContextPlatform> take_platform(GlBackend backend) {
 
 std::unique_ptr<ContextPlatform> make_platform(GlBackend backend) {
     pin_environment(backend);
-    // What Mesa takes for itself, its compiler and its threads (measured with 22.3.6).
+    // Memory that Mesa, its compiler and its threads need (measured with 22.3.6).
     constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
     require_address_space(400 * mebi +
                           72 * mebi * std::max(1u, std::thread::hardware_concurrency()));

@@ -12,7 +12,7 @@ namespace scb::render {
 
 struct ContextPlatform;
 
-/// Where the OpenGL context comes from: Mesa's OSMesa library (removed from Mesa 25.1 on), or EGL
+/// The source of the OpenGL context: Mesa's OSMesa library (removed from Mesa 25.1 on), or EGL
 /// without a surface (EGL_MESA_platform_surfaceless). Neither needs a display or a GPU.
 enum class GlBackend { osmesa, egl };
 
@@ -25,52 +25,52 @@ std::optional<GlBackend> gl_backend_from_string(std::string_view name);
 /// Whether this program was built with the back end.
 bool is_compiled_in(GlBackend backend);
 
-/// The environment has no usable OpenGL: `what()` is one sentence that says what is missing. A
-/// program that meets it exits with status 77.
+/// The environment has no usable OpenGL: `what()` is one sentence that says what is missing. The
+/// program then exits with status 77.
 struct GlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The OpenGL library was there, but could not draw: out of memory, a shader it refuses, an error
-/// of its own. `what()` is one sentence. A program that meets it exits with status 3.
+/// The OpenGL library exists, but could not draw: out of memory, a refused shader, an internal
+/// error. `what()` is one sentence. The program then exits with status 3.
 struct DrawError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What draws the pictures. Nothing here depends on the CPU.
+/// The software that draws the pictures. No member depends on the CPU.
 struct GlInfo {
     std::string backend;   ///< "osmesa" or "egl"
     std::string version;   ///< of OpenGL, such as "4.5"
-    std::string mesa;      ///< such as "22.3.6"; empty where it is not Mesa
-    std::string llvm;      ///< such as "15.0.6"; empty where the renderer has none
+    std::string mesa;      ///< such as "22.3.6"; empty if it is not Mesa
+    std::string llvm;      ///< such as "15.0.6"; empty if the renderer has none
     std::string renderer;  ///< such as "llvmpipe"
 };
 
 /// An OpenGL 3.3 core context (or later) that can draw into framebuffer objects only. It is current
 /// in the thread that made it; several may exist, each used by one thread at a time. The process
-/// keeps what is behind it for the next one, with the shaders of its renderer: to make these takes
-/// longer than to draw a picture.
+/// keeps its platform for the next context, with the shaders of its renderer, since making these
+/// takes longer than drawing a picture.
 ///
-/// Before the first one, the environment gets
-/// - `GALLIUM_DRIVER=llvmpipe`, whatever it was: the other software renderers draw other pixels,
-///   and OSMesa crashes on a name it does not know;
-/// - `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (where unset), so that pixels do not depend on
-///   whether the CPU has fused multiply-add;
-/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each where unset): the exception
-///   says what goes wrong, not warnings on the standard error stream.
+/// Before the first context, the environment gets
+/// - `GALLIUM_DRIVER=llvmpipe`, regardless of its value: the other software renderers draw other
+///   pixels, and OSMesa crashes on an unknown name;
+/// - `GALLIUM_OVERRIDE_CPU_CAPS=sse4.1` on x86 (if unset), so that pixels do not depend on whether
+///   the CPU has fused multiply-add;
+/// - for EGL `LIBGL_ALWAYS_SOFTWARE=1` and `EGL_LOG_LEVEL=fatal` (each if unset): exceptions report
+///   errors, not warnings on the standard error stream.
 class Context {
   public:
-    /// Throws GlError where the back end is not compiled in, or gives no such context.
+    /// Throws GlError if the back end is not compiled in, or gives no such context.
     explicit Context(GlBackend backend);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    /// Makes this the context of the calling thread; needed only where a program has several.
+    /// Makes this the context of the calling thread; needed only if a program has several.
     void make_current() const;
 
     const Gl& gl() const { return gl_; }
-    /// What is behind it, and stays where it is.
+    /// Its platform, at a constant address.
     ContextPlatform& platform() const { return *platform_; }
     const GlInfo& info() const { return info_; }
 

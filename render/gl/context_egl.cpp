@@ -46,7 +46,7 @@ struct EglPlatform final : ContextPlatform {
         if (!eglBindAPI(EGL_OPENGL_API)) throw GlError("EGL does not offer desktop OpenGL.");
     }
     void make_current() override {
-        bind_desktop_gl();  // a setting of the thread
+        bind_desktop_gl();  // this setting is per thread
         if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
             throw GlError("EGL cannot make its OpenGL context current without a surface.");
     }

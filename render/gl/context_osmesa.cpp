@@ -14,7 +14,7 @@ namespace {
 
 struct OsmesaPlatform final : ContextPlatform {
     OSMesaContext context = nullptr;
-    // OSMesa wants a default framebuffer to be current with; nothing is ever drawn into it.
+    // OSMesa needs a default framebuffer to become current; nothing is ever drawn into it.
     std::array<std::uint32_t, 16 * 16> unused_buffer{};
 
     OsmesaPlatform() {

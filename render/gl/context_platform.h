@@ -7,14 +7,14 @@
 
 namespace scb::render {
 
-/// What a back end has to provide. Internal to the context.
+/// The interface of a back end. Internal to the context.
 struct ContextPlatform {
     using Function = void (*)();
 
     GlBackend backend{};
     Gl gl;
     GlInfo info;
-    /// Shaders and buffers of a renderer, for the next one; owned by who has put them here.
+    /// Shaders and buffers of a renderer, for the next one; owned by the code that stored them.
     void* kept_for_renderer = nullptr;
     /// OpenGL has failed here, so nothing is kept.
     bool failed = false;
@@ -26,7 +26,7 @@ struct ContextPlatform {
     virtual Function address(const char* name) = 0;
 };
 
-/// Both throw GlError, and so does whichever is not compiled in.
+/// Both throw GlError, also if the back end is not compiled in.
 std::unique_ptr<ContextPlatform> make_osmesa_platform();
 std::unique_ptr<ContextPlatform> make_egl_platform();
 

@@ -4,7 +4,7 @@
 
 namespace scb::render {
 
-/// The functions of OpenGL 3.3 core that this library calls. A list of its own, because the usual
+/// The functions of OpenGL 3.3 core that this library calls. A list of its own, since the usual
 /// loaders ask GLX or a display for addresses, and there is neither here.
 #define SCB_GL_FUNCTIONS(X)                               \
     X(ACTIVETEXTURE, ActiveTexture)                       \

@@ -6,8 +6,8 @@
 
 namespace scb::render {
 
-/// Owns one OpenGL object and deletes it; the context must be current then. `Traits` says how one
-/// is made.
+/// Owns one OpenGL object and deletes it; the context must be current then. `Traits` makes and
+/// deletes objects.
 template <typename Traits>
 class GlObject {
   public:
@@ -47,7 +47,7 @@ SCB_GL_OBJECT(Framebuffer, Framebuffers)
 SCB_GL_OBJECT(VertexArray, VertexArrays)
 #undef SCB_GL_OBJECT
 
-/// Where in a buffer an attribute begins, as OpenGL takes it.
+/// The offset of an attribute in a buffer, as OpenGL expects it.
 inline const void* buffer_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace scb::render

@@ -17,8 +17,8 @@ struct ProgramTraits {
 class GlProgram {
   public:
     GlProgram() = default;
-    /// The sources of a stage are concatenated behind `#version 330 core`. Throws DrawError where
-    /// the compiler refuses them.
+    /// The sources of a stage are concatenated behind `#version 330 core`. Throws DrawError if the
+    /// compiler refuses them.
     GlProgram(const Gl& gl, std::initializer_list<std::string_view> vertex_sources,
               std::initializer_list<std::string_view> fragment_sources);
 

@@ -24,7 +24,7 @@ void attach(const Gl& gl, GLuint texture, GLenum attachment, GLint internal, GLe
 
 RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
     : width_(width), height_(height), colors_(gl), ids_(gl), depth_(gl), framebuffer_(gl) {
-    // Twelve for what is drawn into, as many for what is read back and encoded.
+    // Twelve for drawing, and twelve for reading back and encoding.
     constexpr std::uint64_t bytes_per_pixel = 24;
     require_address_space(bytes_per_pixel * static_cast<std::uint64_t>(width) *
                           static_cast<std::uint64_t>(height));

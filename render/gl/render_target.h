@@ -4,11 +4,11 @@
 
 namespace scb::render {
 
-/// A framebuffer of its own: colors (RGBA8), ids (R32UI), and depth (32 bits, float) where it is
-/// drawn into.
+/// A framebuffer of its own: colors (RGBA8), ids (R32UI), and, if it is drawn into, depth (32 bits,
+/// float).
 class RenderTarget {
   public:
-    /// Throws DrawError where the OpenGL library cannot draw into such a framebuffer.
+    /// Throws DrawError if the OpenGL library cannot draw into such a framebuffer.
     RenderTarget(const Gl& gl, int width, int height, bool with_depth);
 
     int width() const { return width_; }
