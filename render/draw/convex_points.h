@@ -11,24 +11,24 @@
 
 namespace scb::render {
 
-/// The surfaces of convex volumes. Of rounded ones as shaders/convex.vert reads them: a grid of
-/// directions that all share, and for each volume its farthest point along each of them, in eye
-/// space. Of others the planes of a polytope, as shaders/polytope.frag reads them.
+/// The surfaces of convex volumes. For rounded volumes, as shaders/convex.vert reads them: a grid
+/// of directions that all share, and for each volume its farthest point along each direction, in
+/// eye space. For others the planes of a polytope, as shaders/polytope.frag reads them.
 class ConvexPoints {
   public:
     explicit ConvexPoints(const Gl& gl);
 
-    /// Forgets the points. The grid is the finer, the fewer volumes there will be.
+    /// Forgets the points. The grid is finer for fewer volumes.
     void start(std::size_t volumes);
     void add(const ConvexShape& shape, const EyeView& view);
-    /// Returns how many planes.
+    /// Returns the number of planes.
     std::size_t add_planes(const ConvexShape& shape, const EyeView& view);
     std::size_t planes() const { return planes_.size() / 4; }
 
     std::size_t vertices_per_volume() const { return 3 * grid_->triangles.size(); }
     static std::size_t most_points_per_volume();
 
-    /// Makes the volumes of a batch, from the first one on, those that the program draws.
+    /// Makes the program draw the volumes of a batch, from the first one on.
     void use(const GlProgram& program, std::size_t first, std::size_t count);
     void use_planes(const GlProgram& program, std::size_t first, std::size_t count);
 

@@ -21,7 +21,7 @@ EyeView make_eye_view(const Pane& pane, int picture_height, int scale) {
     if (const std::optional<FacePlane>& clip = pane.camera.clip) {
         view.clip_normal = rotate_to_eye(view, -clip->normal);
         const double offset = clip->offset - dot(clip->normal, view.camera.position);
-        // What is drawn has coordinates of the size of 1, and single precision has an end.
+        // Drawn coordinates are about 1, and single precision has a limit.
         constexpr double beyond_all = 1e6;
         view.clip_offset = std::clamp(offset / view.unit, -beyond_all, beyond_all);
     }

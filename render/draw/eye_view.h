@@ -7,7 +7,7 @@
 namespace scb::render {
 
 /// A pane's camera as the shaders need it. Lengths are divided by the far distance, so that single
-/// precision serves scenes of any size; all that is done here is done in double precision.
+/// precision serves scenes of any size. These functions compute in double precision.
 struct EyeView {
     Camera camera;
     double unit = 1;        ///< world length of one unit of eye space: the far distance
@@ -17,8 +17,8 @@ struct EyeView {
     double half_height = 0;
     PixelRect target;  ///< of the pane in the render target, origin at the bottom left
     int scale = 1;     ///< render target pixels per pixel of the picture, in x and y
-    /// Points p of eye space with clip_normal.p + clip_offset >= 0 are drawn; all of them where
-    /// both are 0, which is without a clipping plane. A unit normal; eye units.
+    /// Points p of eye space with clip_normal.p + clip_offset >= 0 are drawn. Both are 0 without a
+    /// clipping plane. A unit normal; eye units.
     Vec3 clip_normal = Vec3::Zero();
     double clip_offset = 0;
 };
@@ -29,8 +29,8 @@ EyeView make_eye_view(const Pane& pane, int picture_height, int scale);
 /// A world point in eye space, in eye units.
 Vec3 to_eye_units(const EyeView& view, const Vec3& point);
 
-/// How far a point of eye space is behind the clipping plane, in eye units: what is drawn is not
-/// below 0.
+/// How far a point of eye space is behind the clipping plane, in eye units; drawn points have 0 or
+/// more.
 double behind_clip(const EyeView& view, const Vec3& point);
 
 /// A world direction in eye space.

@@ -9,8 +9,8 @@
 
 namespace scb::render {
 
-/// The corners of that many triangles, as OpenGL counts them. Throws InputError where an int does
-/// not hold them.
+/// The number of corners of the triangles, as OpenGL counts them. Throws InputError if it does not
+/// fit into an int.
 int corner_count(std::size_t triangle_count);
 
 /// Keeps meshes on the GPU and draws them.
@@ -18,17 +18,18 @@ class MeshPainter {
   public:
     explicit MeshPainter(const Gl& gl);
 
-    /// Throws InputError where corner_count does.
+    /// Throws InputError as corner_count does.
     MeshHandle upload(const Mesh& mesh);
     void release(MeshHandle handle);
     void forget() { meshes_.clear(); }
 
-    /// `background` is what a dimmed mesh fades into. Asserts that the handle is one of its own.
+    /// `background` is the color into which a dimmed mesh fades. Asserts that the handle is from
+    /// this painter.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
   private:
-    /// Corner by corner, in units of `scale` about `origin`, so that single precision serves meshes
-    /// of any size and any distance from their frame's origin.
+    /// Coordinates of corners, in units of `scale` about `origin`, so that single precision serves
+    /// meshes of any size and any distance from their frame's origin.
     struct GpuMesh {
         Vec3 origin;
         double scale;
@@ -38,10 +39,10 @@ class MeshPainter {
         GlVertexArray attributes;
     };
 
-    /// Sets what the program needs for the mesh, its colors among it.
+    /// Sets the program's data for the mesh, including its colors.
     const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
-    /// Of the mesh that was prepared.
+    /// Draws triangles of the prepared mesh.
     void draw_triangles(const std::vector<std::uint32_t>& triangles);
 
     const Gl& gl_;

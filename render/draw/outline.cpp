@@ -20,7 +20,7 @@ Mask owned_pixels(const IdImage& image, const PixelRect& pane,
                   const std::vector<std::uint32_t>& ids) {
     Mask mask{pane.width, pane.height, {}};
     mask.set.reserve(static_cast<std::size_t>(pane.width) * static_cast<std::size_t>(pane.height));
-    // Neighbors are often the same thing.
+    // Neighboring pixels often have the same owner.
     std::uint32_t last = 0;
     bool last_owned = false;
     for (int y = 0; y < pane.height; ++y)
@@ -38,7 +38,7 @@ Mask owned_pixels(const IdImage& image, const PixelRect& pane,
 void draw_outline(Image& image, const IdImage& ids, const PixelRect& pane, const Outline& outline) {
     Mask mask = owned_pixels(ids, pane, outline.ids);
     const int width = outline.width, reach = width + std::max(1, width / 2);
-    // Squared distance to the nearest pixel that is owned, as far as it matters.
+    // Squared distance to the nearest owned pixel, up to the width of the outline.
     for (int y = 0; y < pane.height; ++y)
         for (int x = 0; x < pane.width; ++x) {
             if (mask.at(x, y)) continue;

@@ -8,8 +8,8 @@
 
 namespace scb::render {
 
-/// Draws an overlay into the framebuffer that is bound, whose first row is the picture's top one.
-/// Takes the place of ImGui's own OpenGL back end, which asks GLX for its functions.
+/// Draws an overlay into the bound framebuffer, whose first row is the top row of the picture.
+/// Replaces ImGui's own OpenGL back end, which asks GLX for its functions.
 class OverlayPainter {
   public:
     explicit OverlayPainter(const Gl& gl);

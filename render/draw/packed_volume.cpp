@@ -11,7 +11,7 @@ namespace scb::render {
 
 namespace {
 
-/// A rectangle in normalised device coordinates; starts as all there is.
+/// A rectangle in normalised device coordinates; starts as the whole view.
 struct Rectangle {
     double left = -1, bottom = -1, right = 1, top = 1;
 
@@ -27,8 +27,8 @@ struct Extent {
     double lower, upper;
 };
 
-/// The slopes x / depth of the two lines from the eye that touch a disc, all of which is in front
-/// of the eye.
+/// The slopes x / depth of the two lines from the eye that touch a disc; all of the disc must be in
+/// front of the eye.
 Extent touching_slopes(double x, double depth, double r) {
     const double root = r * std::sqrt(std::max(0.0, x * x + depth * depth - r * r));
     const double denominator = depth * depth - r * r;
@@ -38,7 +38,7 @@ Extent touching_slopes(double x, double depth, double r) {
 Rectangle around_ball(const Vec3& c, double r, const EyeView& view) {
     Extent x{c[0] - r, c[0] + r}, y{c[1] - r, c[1] + r};
     if (!view.camera.orthographic) {
-        // Around the eye plane a ball has no bounded image.
+        // A ball that reaches the eye plane has no bounded image.
         if (-c[2] - r <= 1e-3 * r) return {};
         x = touching_slopes(c[0], -c[2], r);
         y = touching_slopes(c[1], -c[2], r);
@@ -79,7 +79,7 @@ Rectangle around_slab(const Vec3& c, const Vec3& n, double r, double e, double f
 }
 
 /// The radius of the circle in which a plane at signed distance k from the center cuts the sphere;
-/// 0 where it is no more than a point.
+/// 0 if it is a point or empty.
 double rim_radius(double r, double k) {
     const double rim = std::sqrt(std::max(0.0, r * r - k * k));
     return rim > 1e-3 * r ? rim : 0;
@@ -112,7 +112,7 @@ struct Pack {
         const double r = volume.r / view.unit, e = volume.e / view.unit, f = volume.f / view.unit;
         if (!(r > 0) || behind(c, r)) return false;
         rectangle.clip(around_ball(c, r, view));
-        // A nearly whole ball has the smaller rectangle already.
+        // For a nearly whole ball, the ball's own rectangle is smaller.
         if (e - f < 1.8 * r) rectangle.clip(around_slab(c, n, r, e, f, view));
         words.set(1, c, r);
         words.set(2, n, e);
@@ -192,7 +192,7 @@ std::optional<PackedVolume> pack(const VolumeInstance& instance, const EyeView& 
     if (!(r.left < r.right && r.bottom < r.top)) return std::nullopt;
 
     packed.shape = visitor.shape;
-    // A hundredth of a pixel, so that rounding to float loses nothing.
+    // Grows by a hundredth of a pixel, so that rounding to float loses nothing.
     const double x = 0.02 / view.target.width, y = 0.02 / view.target.height;
     visitor.words.set(0, r.left - x, r.bottom - y, r.right + x, r.top + y);
     const Rgba8 color = instance.color;

@@ -22,10 +22,10 @@ namespace scb::render {
 
 namespace {
 
-// Rows of a picture that are read back at a time: their samples stay in the cache.
+// Rows of a picture read back at a time: few enough that their samples stay in the cache.
 constexpr int rows_at_a_time = 16;
 
-/// Of a render target's side.
+/// The largest side of a render target.
 int largest_side(const Gl& gl) {
     std::array<GLint, 2> viewport{};
     GLint texture = 0;
@@ -90,15 +90,16 @@ bool has_meeting_lines(const Pane& pane) {
 struct Renderer::Parts {
     ContextPlatform& platform;
     const Gl& gl;
-    int exceptions = 0;  // on their way when the renderer was made
+    int exceptions = 0;  // in flight when the renderer was made
     int limit;
     MeshPainter meshes;
     VolumePainter volumes;
     SegmentPainter segments;
     OverlayPainter overlay;
     std::optional<RenderTarget> drawn;     // at the resolution of the samples
-    std::optional<RenderTarget> overlaid;  // at that of the picture, top row first: for the overlay
-    std::vector<std::uint32_t> samples;    // these two are kept for their memory
+    std::optional<RenderTarget> overlaid;  // at the resolution of the picture, top row first: for
+                                           // the overlay
+    std::vector<std::uint32_t> samples;    // this and `row` are kept to reuse their memory
     std::vector<std::uint32_t> row;
 
     explicit Parts(ContextPlatform& context)
@@ -110,7 +111,7 @@ struct Renderer::Parts {
           segments(gl),
           overlay(gl) {}
 
-    /// All but the shaders.
+    /// Forgets everything except the shaders.
     void forget() {
         meshes.forget();
         overlay.forget();
@@ -149,8 +150,8 @@ struct Renderer::Parts {
         const Rgba8 background = pane.background.value_or(picture.background);
         gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
         gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
-        // The first one is clear if it has the picture's background. (With a scissor this is not
-        // for nothing: quads are drawn.)
+        // The first pane is clear already if it has the picture's background. (A clear with a
+        // scissor is not free: it draws quads.)
         if (&pane != &picture.panes.front() || background != picture.background)
             clear(gl, background);
         draw_backdrop(pane, view, background);
@@ -158,7 +159,7 @@ struct Renderer::Parts {
         volumes.draw_opaque(pane.volumes, view);
         segments.draw_opaque(pane.segments, view);
         volumes.draw_translucent(pane.volumes, view);
-        // Lines in which surfaces meet are hidden by what is opaque, whatever else is nearer.
+        // Only opaque surfaces hide lines in which surfaces meet.
         if (has_translucent(pane) && has_meeting_lines(pane)) {
             clear_depth();
             for (const GLuint buffer : {0u, 1u})
@@ -171,8 +172,8 @@ struct Renderer::Parts {
         segments.draw_over(pane.segments, view);
     }
 
-    /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. Not
-    /// by a shader, which on llvmpipe takes a fifth of the processor time of a whole picture.
+    /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. A
+    /// shader would take a fifth of the processor time of a whole picture on llvmpipe.
     template <typename Resolve>
     void read_resolved(GLenum attachment, GLenum format, GLenum type, int scale, void* pixels,
                        Resolve resolve) {

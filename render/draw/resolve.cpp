@@ -7,7 +7,7 @@
 namespace scb::render {
 namespace {
 
-// Where alpha is in a word depends on the machine.
+// The position of alpha in a word depends on the machine.
 constexpr auto opaque = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 255});
 
 /// The mean of four words byte by byte: two bytes at a time, so that no sum runs into the next.

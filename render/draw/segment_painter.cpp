@@ -15,8 +15,8 @@ namespace scb::render {
 
 namespace {
 
-/// By how many pixels lines in which surfaces meet are drawn nearer: at the foot of two steep
-/// surfaces, both are in front of the sides of a line.
+/// Lines in which surfaces meet are drawn nearer by so many pixels: where two steep surfaces meet,
+/// both are in front of the sides of a line.
 constexpr double lift_of_meeting_lines = 3;
 
 struct SegmentCorner {
@@ -27,7 +27,7 @@ struct SegmentCorner {
 };
 
 /// A point on the screen: x, y in pixels of the render target from its middle, the distance from
-/// the eye, and how far behind the clipping plane it is, as shaders/segment.frag wants it.
+/// the eye, and how far behind the clipping plane it is, for shaders/segment.frag.
 struct ScreenPoint {
     double x, y, depth, behind;
 };
@@ -53,7 +53,7 @@ void append(std::vector<SegmentCorner>& corners, const Segment& segment, const E
     const double half = segment.width * view.scale / 2;
     double dx = q.x - p.x, dy = q.y - p.y;
     const double length = std::sqrt(dx * dx + dy * dy);
-    // Seen end on, a segment is a dot; the ends reach out by half the width, so that joints close.
+    // A segment along the view is a dot. The ends extend by half the width, so that joints close.
     dx = length > 0 ? dx / length * half : half;
     dy = length > 0 ? dy / length * half : 0;
     const auto corner = [&](const ScreenPoint& at, double along, double across) {
@@ -122,7 +122,7 @@ void SegmentPainter::draw_over(const std::vector<Segment>& segments, const EyeVi
             hidden.back().width = std::min(segment.width, 2.0);
         }
     }
-    // What is hidden comes first and leaves the depths as they are: it covers nothing that is seen.
+    // Hidden parts are drawn first and do not write depths, so they cover nothing visible.
     gl_.DepthMask(GL_FALSE);
     gl_.DepthFunc(GL_GREATER);
     draw(hidden, view);

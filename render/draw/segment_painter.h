@@ -12,9 +12,10 @@ class SegmentPainter {
   public:
     explicit SegmentPainter(const Gl& gl);
 
-    /// Those that stand among opaque things, by depth.
+    /// Draws the segments among opaque things, by depth.
     void draw_opaque(const std::vector<Segment>& segments, const EyeView& view);
-    /// Those that come after what is translucent: see Segment::hidden_color, Segment::on_top.
+    /// Draws the segments that come after translucent things: see Segment::hidden_color,
+    /// Segment::on_top.
     void draw_over(const std::vector<Segment>& segments, const EyeView& view);
 
   private:

@@ -36,7 +36,7 @@ PackedVolume::Shape shape_of(const AnyVolume& volume) {
 std::size_t largest_batch(const Gl& gl) {
     GLint texels = 0;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    // And the vertex numbers, of many volumes up to 288 for one, must fit into an int.
+    // Vertex numbers, up to 288 for a volume of many, must fit into an int.
     return std::min<std::size_t>(
         static_cast<std::size_t>(texels) / ConvexPoints::most_points_per_volume(), 1u << 22);
 }
@@ -71,7 +71,7 @@ void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, cons
     std::vector<const VolumeInstance*> drawn;
     for (const VolumeInstance& volume : volumes)
         if (volume.color.a == 255) drawn.push_back(&volume);
-    // Batches by program; the depth test makes the order of no account.
+    // Batches by program; because of the depth test, the order does not matter.
     std::stable_sort(drawn.begin(), drawn.end(),
                      [](const VolumeInstance* a, const VolumeInstance* b) {
                          return shape_of(a->volume) < shape_of(b->volume);
@@ -83,7 +83,7 @@ void VolumePainter::draw_opaque(const std::vector<VolumeInstance>& volumes, cons
 void VolumePainter::draw_translucent(const std::vector<VolumeInstance>& volumes,
                                      const EyeView& view) {
     struct Entry {
-        double backward;  // coordinate of the center: the farthest is the lowest
+        double backward;  // coordinate of the center; the farthest center has the lowest
         const VolumeInstance* volume;
     };
     std::vector<Entry> entries;
@@ -130,7 +130,7 @@ void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
         if (shape == PackedVolume::Shape::convex) {
             convex_.add(std::get<ConvexShape>(volume->volume), view);
             ++convex;
-            // Its points among those of the run.
+            // The index of its points in the run.
             texels_[texels_.size() - 2] = static_cast<std::uint32_t>(runs_.back().count);
         }
         if (shape == PackedVolume::Shape::polytope) {
@@ -138,7 +138,7 @@ void VolumePainter::pack_all(const std::vector<const VolumeInstance*>& volumes,
             Run& run = runs_.back();
             const std::size_t planes = convex_.add_planes(polytope, view);
             texels_[texels_.size() - 2] = static_cast<std::uint32_t>(run.planes);
-            // Edges are drawn of faces that are there, not of those that stand for a curve.
+            // Edges of real faces are drawn, but not of faces that approximate a curve.
             constexpr std::uint32_t without_edges = 0x80000000;
             texels_[texels_.size() - 1] =
                 static_cast<std::uint32_t>(planes) | (polytope.faces.empty() ? without_edges : 0);

@@ -11,35 +11,35 @@
 
 namespace scb::render {
 
-/// Draws volumes by ray-casting them exactly, each inside its rectangle on the screen: two
-/// triangles, whatever the volume, and no special case for an eye inside it. A hierarchy's finer
-/// levels have thousands of volumes of a few pixels each. Rounded convex volumes, of which
-/// the farthest points are all that is known, are meshes of these.
+/// Draws volumes by exact ray casting, each inside its rectangle on the screen: two triangles for
+/// any volume, and no special case for an eye inside it. A hierarchy's finer levels have thousands
+/// of volumes of a few pixels each. Rounded convex volumes are drawn as meshes of their farthest
+/// points.
 class VolumePainter {
   public:
     explicit VolumePainter(const Gl& gl);
 
-    /// Those with alpha 255, by depth.
+    /// Draws the volumes with alpha 255, by depth.
     void draw_opaque(const std::vector<VolumeInstance>& volumes, const EyeView& view);
 
-    /// Those with alpha below 255: colors from far to near, then depth and ids of the nearest
-    /// surfaces.
+    /// Draws the volumes with alpha below 255: colors from far to near, then depth and ids of the
+    /// nearest surfaces.
     void draw_translucent(const std::vector<VolumeInstance>& volumes, const EyeView& view);
 
   private:
     enum class Sides { nearest = 1, back_then_front = 2 };
 
-    /// Volumes of one shape that follow each other in texels_.
+    /// Consecutive volumes of one shape in texels_.
     struct Run {
         PackedVolume::Shape shape;
         std::size_t first;
         std::size_t count;
-        std::size_t first_of_convex;  // of its points or planes among those of convex volumes
+        std::size_t first_of_convex;  // first of its points or planes among all of convex volumes
         std::size_t planes = 0;
     };
 
     void pack_all(const std::vector<const VolumeInstance*>& volumes, const EyeView& view);
-    /// What was packed last, in its order.
+    /// Draws the volumes packed last, in their order.
     void draw(const EyeView& view, Sides sides);
     void upload(std::size_t batch);
     const GlProgram& program_of(PackedVolume::Shape shape) const;
@@ -54,7 +54,7 @@ class VolumePainter {
     GlTexture texture_;
     std::size_t batch_limit_;  // volumes that the buffer may hold at a time; no run crosses a batch
     std::optional<std::size_t> uploaded_batch_;
-    std::vector<std::uint32_t> texels_;  // these two are kept for their memory
+    std::vector<std::uint32_t> texels_;  // this and the next one are kept to reuse their memory
     std::vector<Run> runs_;
     ConvexPoints convex_;
 };
