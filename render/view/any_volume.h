@@ -6,7 +6,7 @@ namespace scb::render {
 
 using scb::AnyVolume;
 
-/// As of each type, see core/volumes/placed_volume.h.
+/// Of the volume's type, see core/volumes/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
 /// Whether two volumes are the same numbers.

@@ -22,7 +22,7 @@ Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees, const Vec3& up
     Mat3 turned;
     for (int i = 0; i < 3; ++i) {
         const Vec3 v = axes.col(i);
-        // Downwards there is no smallest rotation; half a turn about x is as good as any.
+        // If `up` is down, there is no smallest rotation; any half turn will do, here about x.
         if (to[2] < -1 + 1e-12) {
             turned.col(i) = Vec3(v[0], -v[1], -v[2]);
             continue;

@@ -12,15 +12,14 @@ namespace scb::render {
 
 namespace {
 
-/// Along one axis of the view: where the eye must be, as its position on that axis and its depth
-/// coordinate.
+/// The eye's position along one axis of the view, and its depth coordinate.
 struct Placement {
     double along;
     double backward;
 };
 
-/// Both side planes through an eye at (along, backward) with slope `tangent` touch the set: the
-/// plane towards +axis contains the set if `(axis + tangent back).(x - eye) <= 0` for every x.
+/// The eye (along, backward) at which both side planes with slope `tangent` touch the set. The set
+/// is inside the plane towards +axis if `(axis + tangent back).(x - eye) <= 0` for every x.
 Placement touch_both_sides(const Support& support, const Vec3& axis, const Vec3& back,
                            double tangent) {
     const double length = std::sqrt(1 + tangent * tangent);
@@ -108,7 +107,7 @@ Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& opt
     } else if (options.orthographic) {
         camera.view_height =
             std::max(width_along(support, up), width_along(support, right) / options.aspect) / part;
-        // A set seen edge on has no height to fit.
+        // A set seen edge-on has no height to fit.
         camera.view_height = std::max(camera.view_height, size * 1e-6);
         along_back = support(back) + size;
     } else {
@@ -148,7 +147,7 @@ void set_depth_range(Camera& camera, const Support& support) {
     const double eye = dot(camera.position, back);
     const double nearest = eye - support(back);
     const double farthest = eye + support(-back);
-    // Everything behind the eye, or nothing at all: any range will do.
+    // Everything is behind the eye, or there is nothing: any range will do.
     const double beyond = farthest > 0 && std::isfinite(farthest) ? farthest : camera.view_height;
     camera.far_distance = beyond * 1.01;
     camera.near_distance = std::max(nearest * 0.98, camera.far_distance * 1e-4);

@@ -27,38 +27,37 @@ Vec3 center_of(const Support& support);
 /// The support of everything in `parts` together.
 Support support_of_all(std::vector<Support> parts);
 
-/// `part` of the way from the support of what must be seen to that of all, which holds it.
+/// `part` of the way from the support `inner`, which must be seen, to the support `outer`, which
+/// contains it.
 Support support_between(Support inner, Support outer, double part);
 
-/// Width / height of the set as a camera with these axes sees it from afar; 1 where it has no
-/// height.
+/// Width / height of the set as a camera with these axes sees it from afar; 1 if it has no height.
 double aspect_of(const Support& support, const Mat3& axes);
 
 struct CameraFit {
     double aspect = 16.0 / 9;  ///< width / height of the view
     double margin =
-        0.04;  ///< left free at every side, as a part of the view's width and height; below 0.5
+        0.04;  ///< free space at every side, as a part of the view's width and height; below 0.5
     bool orthographic = false;
     double vertical_fov = 30;  ///< degrees
 };
 
-/// The camera with these axes that comes as close as it can while everything in the support stays
-/// inside the view less its margins. Exact: at least two opposite sides (left and right, or top and
-/// bottom) are touched, because each volume's own support along the normals of the view's four side
-/// planes places the camera. The depth range is set too. A set of no size (one point) is looked at
-/// from a distance at which one unit fills the view. Throws InputError where the set is empty or
-/// not finite.
+/// The closest camera with these axes for which everything in the support stays inside the view
+/// minus its margins. Exact: the set touches at least two opposite sides (left and right, or top
+/// and bottom), because each volume's own support along the normals of the view's four side planes
+/// places the camera. The depth range is set too. A set without size (one point) is viewed from a
+/// distance at which one unit fills the view. Throws InputError if the set is empty or not finite.
 Camera fit_camera(const Mat3& axes, const Support& support, const CameraFit& options = {});
 
-/// How much the centers of the volumes spread as the camera sees them, to the side or in height,
-/// whichever is more, as a part of the view's height. 0 where there are none.
+/// The spread of the volumes' centers in the view, the larger of width and height, as a part of the
+/// view's height. 0 if there are none.
 double extent_in_view(const Camera& camera, std::span<const AnyVolume> volumes);
 
-/// A ball that holds the centers of volumes, about the middle of them all.
+/// A ball that contains the centers of volumes, about the middle of them all.
 Ball ball_about_centers(std::span<const AnyVolume> volumes);
 
-/// Makes the camera's depth range as narrow as the support allows. What is behind the eye, or
-/// nearer than a ten thousandth of the far distance, is cut off.
+/// Makes the camera's depth range as narrow as the support allows. Points behind the eye, or nearer
+/// than a ten thousandth of the far distance, are cut off.
 void set_depth_range(Camera& camera, const Support& support);
 
 }  // namespace scb::render

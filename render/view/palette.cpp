@@ -60,7 +60,7 @@ Rgba8 hierarchy_color(VolumeKind kind) {
         default:
             break;
     }
-    // Those that follow, in their order: as far from the eight as shades of them are.
+    // The colors after the eight, in their order: as far from the eight as their shades are.
     constexpr std::array<Rgba8, 5> others = {{{0x7A, 0x3E, 0x9D},
                                               {0x00, 0x5F, 0x73},
                                               {0x8A, 0x5A, 0x00},

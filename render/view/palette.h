@@ -19,14 +19,15 @@ inline constexpr Rgba8 body_a_color{0x00, 0x72, 0xB2};
 inline constexpr Rgba8 body_b_color{0xE6, 0x9F, 0x00};
 
 /// Each kind of hierarchy has one color in every figure that compares them: the SCB stands out in
-/// vermillion, the balls are two blues and the OBB is grey. Of all fours in the palette these are
-/// among the farthest apart for color-blind readers, yet legible on white and on black.
+/// vermillion, the balls are two blues and the OBB is grey. Among all choices of four from the
+/// palette, these are among the farthest apart for color-blind readers, and legible on white and on
+/// black.
 Rgba8 hierarchy_color(VolumeKind kind);
 
 struct Theme;
 
-/// The i-th shade of a color of which `count` are needed: the first is the color itself, the others
-/// step towards the theme's text (darker on white, lighter on black), so that all stay legible.
+/// The i-th of `count` shades of a color: the first is the color itself, the others step towards
+/// the theme's text (darker on white, lighter on black), so that all stay legible.
 Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme);
 
 /// Smith and van der Walt's viridis: a magnitude from 0 (dark violet) to 1 (yellow), clamped; NaN
@@ -47,9 +48,9 @@ struct Theme {
     Rgba8 text;        ///< titles and values
     Rgba8 faint_text;  ///< units, remarks
     Rgba8 mesh;        ///< a mesh that is not the subject
-    Rgba8 accent;      ///< what the reader should look at first
-    Rgba8 warning;     ///< text about what is wrong; always with words that say so
-    Rgba8 left_over;   ///< areas and volumes of what a query had no need to go into
+    Rgba8 accent;      ///< for the things that the reader should look at first
+    Rgba8 warning;     ///< text about errors; always with words that say so
+    Rgba8 left_over;   ///< areas and volumes of pairs that a query left over
 };
 
 extern const Theme light_theme;

@@ -11,32 +11,31 @@
 
 namespace scb::render {
 
-/// A mesh that a Renderer has taken to the GPU; valid for that renderer, until it is released.
+/// A mesh that a Renderer has uploaded to the GPU; valid for that renderer, until it is released.
 struct MeshHandle {
     std::uint32_t index = 0;
 };
 
-/// A volume in the world frame. It is opaque where the color's alpha is 255 and translucent below
+/// A volume in the world frame. It is opaque if the color's alpha is 255 and translucent below
 /// that; with alpha 0 it is not drawn. A volume with the eye inside shows its inner side. A ball or
-/// SCB of radius 0 draws nothing; a disc (e == f) or a flat box is drawn as the flat thing it is.
+/// SCB of radius 0 is not drawn; a disc (e == f) or a flat box is drawn flat.
 ///
-/// Which of two coplanar surfaces is in front must not be left to the rounding of depths. So each
-/// is drawn nearer by (id mod 32) millionths of its distance from the eye (along the view axis),
-/// which is enough unless it is seen within a few degrees of its edge: the one with the larger id
-/// mod 32 wins, also from up to 31 millionths of the distance behind. Ids that are equal mod 32
-/// tie: there rounding decides, pixel by pixel, and where even the rounded depths are equal, the
-/// one that is earlier in the list (SCBs and balls before boxes).
+/// The rounding of depths must not decide which of two coplanar surfaces is in front. So each
+/// surface is drawn nearer by (id mod 32) millionths of its distance from the eye (along the view
+/// axis). This suffices unless it is seen within a few degrees of its edge. The surface with the
+/// larger id mod 32 wins, also from up to 31 millionths of the distance behind. If ids are equal
+/// mod 32, rounding decides, pixel by pixel. If even the rounded depths are equal, the surface that
+/// is earlier in the list wins (SCBs and balls before boxes).
 struct VolumeInstance {
     AnyVolume volume;
     Rgba8 color;
     std::uint32_t id = 0;  ///< goes into the id buffer, below 2^31; also decides between coplanar
                            ///< surfaces
-    bool hatched =
-        false;  ///< in stripes about its color: a second kind of things in the same colors
+    bool hatched = false;  ///< striped in its color: a second kind of things in the same colors
 };
 
-/// A mesh in its place: flat shaded, both sides alike, opaque. Where a volume's surface coincides
-/// with the mesh, the volume wins, being drawn nearer by at least 11 millionths of its distance.
+/// A mesh in its place: flat shaded, both sides alike, opaque. If a volume's surface coincides with
+/// the mesh, the volume wins, since it is drawn nearer by at least 11 millionths of its distance.
 struct MeshDraw {
     MeshHandle mesh;
     Pose pose;
@@ -45,32 +44,32 @@ struct MeshDraw {
     bool edges = false;                  ///< draw the triangles' edges, about one pixel wide
     std::uint32_t first_id = 0;  ///< triangle t has the id first_id + t; 0: the mesh has no ids (0)
     double dim = 0;              ///< 0 to 1: how far the colors fade into the background
-    bool hatched = false;        ///< as of volumes
-    /// The triangles that are drawn, where these are not all: each index once, ascending.
+    bool hatched = false;        ///< see VolumeInstance::hatched
+    /// The triangles to draw, if not all: each index once, ascending.
     std::optional<std::vector<std::uint32_t>> chosen = std::nullopt;
-    bool backdrop = false;  ///< drawn before all else, which it hides nowhere; without ids
-    /// 0 to 1: how much of light and shade; at 0 each triangle has its color everywhere. Colors
-    /// that a legend has are to be found again.
+    bool backdrop = false;  ///< drawn before everything else, hides nothing; without ids
+    /// The strength of light and shade, 0 to 1. At 0 each triangle has exactly its color, so that
+    /// readers find the colors of a legend.
     double shading = 1;
 };
 
 /// A straight line in the world, of constant width in the picture. It faces the viewer at the depth
-/// of its middle, drawn nearer by 70 millionths of its distance: in front of the surface that it
-/// lies in, but for half its width where that surface is tilted.
+/// of its middle, drawn nearer by 70 millionths of its distance. So it is in front of the surface
+/// that it lies in, except for half its width if that surface is tilted.
 struct Segment {
     Vec3 from;
     Vec3 to;
     Rgba8 color;
     std::uint32_t id = 0;
     double width = 2;     ///< pixels
-    bool on_top = false;  ///< drawn over everything else of the pane, whatever hides it
-    /// Of a line in which surfaces meet: it is drawn over what is translucent; and where something
-    /// opaque is more than three pixels in front of it, which is more than the surfaces that meet
-    /// there are as a rule, it is at most two pixels wide and has this color.
+    bool on_top = false;  ///< drawn over everything else of the pane, never hidden
+    /// For a line in which surfaces meet. It is drawn over translucent things. Where something
+    /// opaque is more than three pixels in front of it, it has this color and is at most two pixels
+    /// wide. The surfaces that meet there are usually less far in front.
     std::optional<Rgba8> hidden_color = std::nullopt;
 };
 
-/// Pixels of a picture, (x, y) being the top left one.
+/// A rectangle of pixels of a picture; (x, y) is the top left pixel.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -78,35 +77,35 @@ struct PixelRect {
     int height = 0;
 };
 
-/// Things of a pane that are outlined, all together, in front of everything but the
-/// overlay.
+/// Things of a pane to outline, all together, in front of everything except the overlay.
 struct Outline {
-    std::vector<std::uint32_t> ids;  ///< ascending; what has none of their pixels is not outlined
+    std::vector<std::uint32_t> ids;  ///< ascending; without a pixel of these ids there is no
+                                     ///< outline
     Rgba8 color;
     Rgba8 halo;     ///< a thinner ring about it
     int width = 2;  ///< pixels
 };
 
-/// A view within a picture: one camera, clipped to its rectangle. What lies in it is drawn in this
-/// order: meshes that are a backdrop; opaque meshes, volumes and segments by depth, of what
-/// coincides the first; then translucent volumes from far to near (by the distance of their centers
-/// along the view axis, ties by id, then by position in the list), their back sides before their
-/// fronts; then the segments that have a color where they are hidden; then those that are on top;
-/// then the outline.
+/// A view within a picture: one camera, clipped to its rectangle. The order of drawing: meshes that
+/// are a backdrop; opaque meshes, volumes and segments by depth, at equal depth the first in this
+/// order; then translucent volumes from far to near (by the distance of their centers along the
+/// view axis, ties by id, then by position in the list), their back sides before their fronts; then
+/// the segments that have a color where they are hidden; then those that are on top; then the
+/// outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;
-    std::optional<Rgba8> background;  ///< where it differs from the picture's
+    std::optional<Rgba8> background;  ///< if it differs from the picture's
     std::vector<MeshDraw> meshes;
     std::vector<VolumeInstance> volumes;
     std::vector<Segment> segments;
     Outline outline;
 };
 
-/// What to draw. Panes are drawn in order; where two overlap, the later one covers the earlier one
-/// wholly.
+/// The input of a Renderer. Panes are drawn in order; where two overlap, the later one covers the
+/// earlier one completely.
 ///
-/// The id of a pixel is that of the nearest surface at the pixel's center (with 4 samples: at the
+/// The id of a pixel is the id of the nearest surface at the pixel's center (with 4 samples: at the
 /// center of its top left quarter), no matter how translucent.
 struct Picture {
     int width = 1280;
