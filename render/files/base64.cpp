@@ -15,7 +15,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
         const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < 3; ++i) bits = bits << 8 | (i < count ? bytes[at + i] : 0u);
-        // n bytes are n + 1 characters.
+        // n bytes become n + 1 characters.
         for (std::size_t i = 0; i < 4; ++i)
             text += i <= count ? alphabet[bits >> (18 - 6 * i) & 63] : '=';
     }

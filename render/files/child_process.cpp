@@ -45,7 +45,7 @@ struct Descriptor {
 // The child's descriptor that ChildProcess::output_path names, and the one behind it.
 constexpr int output_descriptor = 3, first_not_given = 4;
 
-/// What a new process gets besides its arguments.
+/// The settings of a new process besides its arguments.
 struct SpawnSettings {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -66,14 +66,14 @@ struct SpawnSettings {
     SpawnSettings(const SpawnSettings&) = delete;
     SpawnSettings& operator=(const SpawnSettings&) = delete;
 
-    /// Keeps the first error of what was asked for.
+    /// Keeps the first error of the calls.
     void keep(int result) {
         if (error == 0) error = result;
     }
 
     void give(int descriptor, int as) {
-        // From a copy above all that are given, lest one takes the place of another before that has
-        // had its turn: this program itself may run with its standard input closed.
+        // From a copy above all given descriptors, so that none overwrites another before its turn:
+        // this program itself may run with its standard input closed.
         const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, first_not_given);
         if (copy < 0) {
             error = errno;
@@ -99,7 +99,7 @@ std::string last_line_of(const std::string& text) {
     std::string last;
     for (std::string line; std::getline(lines, line);)
         if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-    // It becomes a part of a message, which ends at a zero.
+    // The line becomes part of a message, which would end at a zero.
     std::replace(last.begin(), last.end(), '\0', '?');
     return last;
 }
@@ -185,7 +185,7 @@ bool ChildProcess::read(std::span<std::uint8_t> bytes, const std::function<bool(
 
 void ChildProcess::kill() {
     if (id_ < 0) return;
-    // The id is kept for a child that has ended, until it is waited for; but not where SIGCHLD is
+    // The system keeps the id of an ended child until it is waited for, except if SIGCHLD is
     // ignored.
     siginfo_t ignored;
     const bool kept =

@@ -17,7 +17,7 @@ namespace scb::render {
 /// Whether PATH has a program of that name.
 bool is_on_path(const std::string& program);
 
-/// How a program ended: with an exit status, or by a signal; `code` is which.
+/// How a program ended: with an exit status, or by a signal; `code` is its number.
 struct ProcessEnd {
     bool by_signal = false;
     int code = 0;
@@ -25,51 +25,51 @@ struct ProcessEnd {
     bool operator==(const ProcessEnd&) const = default;
 };
 
-/// Another program, which is fed through its standard input. It is in a process group of its own,
-/// so that Ctrl-C does not reach it, and inherits no files but what is said here.
+/// Another program, which receives bytes through its standard input. It has a process group of its
+/// own, so that Ctrl-C does not reach it, and inherits no files except those named here.
 class ChildProcess {
   public:
-    /// Where the program finds `output`.
+    /// The path of `output` for the program.
     static constexpr const char* output_path = "/proc/self/fd/3";
 
-    /// Starts the program that PATH has under the first name of `command`, with the others as its
-    /// arguments, without a shell. Throws OutputError.
+    /// Starts the program `command[0]` from PATH, with the other words as its arguments, without a
+    /// shell. Throws OutputError.
     ///
-    /// `patience`: how long write() waits for a program that takes nothing. `folder`: where the
-    /// program runs, and where a path of it that is relative begins; empty: here.
+    /// `patience`: how long write() waits for a program that reads nothing. `folder`: the program's
+    /// working folder, also for its relative path; empty: the current folder.
     ChildProcess(const std::vector<std::string>& command, const UnnamedFile& output,
                  std::chrono::milliseconds patience, const std::string& folder = "");
-    /// Ends it where it still runs.
+    /// Ends the program if it still runs.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Blocks until it has taken all bytes; false where it takes no more. The only function that
-    /// another thread may be in while one calls kill().
+    /// Blocks until the program has read all bytes; false if it reads no more. Only this function
+    /// may run in another thread during kill().
     bool write(std::span<const std::uint8_t> bytes);
 
-    /// Waits for bytes that the program sends through the socket that is its standard input. False
-    /// where the program has closed the socket before, and where `is_over` says true, which is
-    /// asked all the while.
+    /// Waits for bytes that the program sends through the socket of its standard input. False if
+    /// the program has closed the socket before, or once `is_over`, which is polled, returns true.
     bool read(std::span<std::uint8_t> bytes, const std::function<bool()>& is_over);
 
-    /// Ends it at once, with its own children; a write() that blocks returns. Where SIGCHLD is
-    /// ignored and it has ended already, its own children are left alone: the system may have given
-    /// their process group's id to others.
+    /// Ends the program at once, with its own children; a blocked write() returns. If SIGCHLD is
+    /// ignored and the program has ended already, its children are not ended: the system may have
+    /// given their process group's id to others.
     void kill();
 
-    /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
-    /// or when `stopped`, which is asked all the while, says true, and was killed; where it was
-    /// waited for before; and where SIGCHLD is ignored, as then nobody learns how it ended.
+    /// Closes its input and waits until it has ended. If it has not ended after this time, or once
+    /// `stopped`, which is polled, returns true, it is killed, and the result is nothing. Nothing
+    /// also if it was waited for before, or if SIGCHLD is ignored, since the system then does not
+    /// report how it ended.
     std::optional<ProcessEnd> wait(std::chrono::milliseconds most,
                                    const std::function<bool()>& stopped = {});
 
-    /// Ends its input and waits until it has ended. Nothing where it had not ended after that time,
-    /// and is then left to itself: it may outlive this program. Nothing either where SIGCHLD is
-    /// ignored.
+    /// Closes its input and waits until it has ended. If it has not ended after this time, the
+    /// result is nothing, and the program goes on: it may outlive this one. Nothing also if SIGCHLD
+    /// is ignored.
     std::optional<ProcessEnd> wait_or_leave(std::chrono::milliseconds most);
 
-    /// Its process, which is its process group too; -1 once it was waited for.
+    /// The id of its process and process group; -1 after it was waited for.
     pid_t id() const { return id_; }
 
     /// All of its standard output so far.
@@ -78,18 +78,17 @@ class ChildProcess {
     /// Empties what was printed. Throws OutputError.
     void forget_printed() const;
 
-    /// The last line that is not empty of its standard error; where there is none, of its standard
-    /// output.
+    /// The last nonempty line of its standard error, or, if there is none, of its standard output.
     std::string last_line() const;
 
   private:
-    /// Ends its input and waits until it has ended, or `is_over` says true, after which it is no
-    /// longer this object's.
+    /// Closes its input and waits until it has ended, or until `is_over` returns true. Afterwards
+    /// the process no longer belongs to this object.
     std::optional<ProcessEnd> end_of(const std::function<bool()>& is_over, bool kill_it);
 
     UnnamedFile output_, errors_;
-    int input_ = -1;  ///< one of two sockets: unlike a pipe, these need raise no SIGPIPE
-    pid_t id_ = -1;   ///< -1 once it was waited for
+    int input_ = -1;  ///< one of two sockets: unlike pipes, these can avoid SIGPIPE
+    pid_t id_ = -1;   ///< -1 after it was waited for
 };
 
 }  // namespace scb::render

@@ -10,15 +10,15 @@
 
 namespace scb::render {
 
-/// Encodes pictures as PNG and writes them beside the drawing, with the order, the bounds and the
-/// errors (OutputError) of a WorkQueue.
+/// Encodes pictures as PNG and writes them in parallel with drawing, with the order, the bounds and
+/// the errors (OutputError) of a WorkQueue.
 class EncodeQueue {
   public:
     explicit EncodeQueue(std::size_t capacity = 4, std::size_t threads = 1,
                          std::size_t byte_capacity = std::size_t{256} << 20)
         : queue_(capacity, threads, byte_capacity) {}
 
-    /// What all files say of themselves; to be called before the first picture.
+    /// Sets the texts of all files; call it before the first picture.
     void set_texts(std::vector<PngText> texts) { texts_ = std::move(texts); }
 
     /// Takes the picture over.
@@ -29,7 +29,7 @@ class EncodeQueue {
     void finish() { queue_.finish(); }
 
   private:
-    std::vector<PngText> texts_;  ///< before the queue, whose threads read it to their end
+    std::vector<PngText> texts_;  ///< declared before the queue, whose threads read it to their end
     WorkQueue queue_;
 };
 

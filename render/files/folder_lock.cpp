@@ -12,7 +12,7 @@
 namespace scb::render {
 
 FolderLock::FolderLock(const std::filesystem::path& folder, Busy busy) {
-    // The folder itself, lest a file for the lock is taken for one of its files.
+    // Locks the folder itself, since a lock file could be mistaken for one of its files.
     descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0)
         throw OutputError(folder.string() + ": this folder cannot be opened (" +

@@ -4,19 +4,19 @@
 
 namespace scb::render {
 
-/// A folder that programs change one at a time. The lock is gone at the end, however the program
-/// ends, and leaves no file.
+/// A lock on a folder that only one program may change at a time. It ends with the program, in any
+/// case, and leaves no file.
 class FolderLock {
   public:
-    /// What to do where another has the folder.
+    /// What to do if another program has the lock.
     enum class Busy { wait, leave };
     enum class State {
         held,
-        busy,    ///< another has it
-        unknown  ///< the file system knows no locks: there may be others
+        busy,    ///< another program has it
+        unknown  ///< the file system has no locks: there may be others
     };
 
-    /// Throws OutputError where the folder cannot be opened.
+    /// Throws OutputError if the folder cannot be opened.
     FolderLock(const std::filesystem::path& folder, Busy busy);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

@@ -25,7 +25,7 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Which thing owns each pixel of a picture, laid out as the picture. 0 is the background.
+/// The id that owns each pixel of a picture, laid out like the picture. 0 is the background.
 struct IdImage {
     int width = 0;
     int height = 0;

@@ -27,8 +27,8 @@ unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed_size, 
     return packed;
 }
 
-/// The largest block that stb may have, in this thread. Where compressed data have no end, it takes
-/// zeros for what is behind them, for as long as it gets memory.
+/// The largest block that stb may allocate, in this thread. If compressed data have no end, stb
+/// reads zeros behind them for as long as it gets memory.
 thread_local std::size_t most_for_stb = 0;
 
 void* block_for_stb(void* old, std::size_t size) {
@@ -62,9 +62,9 @@ namespace scb::render {
 namespace {
 
 // Three rendered pictures at 1280x720: zlib takes 7 ms at level 2, 10 ms at level 4 (files 7 to 13
-// % smaller) and 15 to 22 ms at level 6 (another 1 to 6 %). Of the filters none, sub, up and paeth,
-// used throughout, up comes within 2 % of the smallest file, and stb need not try them line by
-// line.
+// % smaller) and 15 to 22 ms at level 6 (another 1 to 6 %). Among the filters none, sub, up and
+// paeth, each used for all lines, up comes within 2 % of the smallest file, and stb need not try
+// them line by line.
 constexpr int compression_level = 4;
 constexpr int filter_up = 2;
 
@@ -78,13 +78,13 @@ void append_number(std::string& bytes, std::size_t number) {
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 255);
 }
 
-/// A chunk of a PNG file: tEXt of plain characters, and iTXt of others.
+/// A chunk of a PNG file: tEXt for plain characters, else iTXt.
 std::string text_chunk(const PngText& text) {
     const bool plain = std::all_of(text.text.begin(), text.text.end(),
                                    [](char c) { return c >= ' ' && c <= '~'; });
     std::string content = plain ? "tEXt" : "iTXt";
     content += text.keyword + '\0';
-    // Not compressed, in no stated language, and with no translated keyword.
+    // Not compressed, without a language, and without a translated keyword.
     if (!plain) content += std::string(4, '\0');
     content += text.text;
     std::string chunk;
@@ -108,8 +108,8 @@ std::vector<std::uint8_t> encode(const std::uint8_t* pixels, int width, int heig
     if (!stbi_write_png_to_func(append_bytes, &bytes, width, height, channels, pixels,
                                 width * channels))
         throw std::bad_alloc();
-    // Texts stand before the pixels, where who only asks for them need not read those: behind the
-    // signature and the header.
+    // Texts are before the pixels, behind the signature and the header, so that a reader of texts
+    // need not read the pixels.
     constexpr std::ptrdiff_t header_end = 8 + 25;
     std::string chunks;
     for (const PngText& text : texts) chunks += text_chunk(text);
@@ -140,9 +140,9 @@ std::vector<std::uint8_t> encode_png(const IdImage& image, const std::vector<Png
 
 namespace {
 
-/// How far a whole picture makes its decoder grow blocks, which doubles them: to its pixels, and no
-/// further than deflate can pack them (1032 times), or to its data. `header` has the width from
-/// byte 16 on, then the height; scb draws neither above 2^14.
+/// The largest block that the decoder, which doubles its blocks, needs for a valid picture: its
+/// pixels, at most the 1032 times that deflate can expand the data, or its data. `header` has the
+/// width from byte 16 on, then the height; scb draws neither above 2^14.
 std::size_t most_of(const std::array<unsigned char, 25>& header, std::uintmax_t file_size) {
     const auto number = [&](std::size_t at) {
         std::size_t value = 0;
@@ -167,7 +167,7 @@ Image read_png(const std::filesystem::path& path) {
                                                          std::fclose);
     if (!file)
         throw InputError("Cannot read \"" + path.string() + "\": " + std::strerror(errno) + ".");
-    // The header is the first chunk, in which the ninth byte is the depth.
+    // The header is the first chunk; its ninth byte is the depth.
     std::array<unsigned char, 25> start{};
     const bool has_header = std::fread(start.data(), 1, start.size(), file.get()) == start.size() &&
                             std::memcmp(&start[12], "IHDR", 4) == 0;
@@ -182,11 +182,11 @@ Image read_png(const std::filesystem::path& path) {
         stbi_load_from_file(file.get(), &image.width, &image.height, &channels, 4),
         stbi_image_free);
     if (!pixels) {
-        // The decoder has no words for some damage, and takes what is behind the end for a chunk
+        // The decoder has no message for some damage, and reads bytes behind the end as a chunk
         // without a name.
         const char* const words = stbi_failure_reason();
         std::string reason = words == nullptr ? "no reason given" : words;
-        // They may quote the file.
+        // The message may quote the file.
         for (char& c : reason)
             if (c < ' ' || c > '~') c = '?';
         const bool is_cut_off = reason.empty() || reason[0] == ' ' || reason == "outofdata";

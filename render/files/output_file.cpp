@@ -39,7 +39,7 @@ std::string advice(int error) {
                       advice(error) + ".");
 }
 
-/// Everything, or the errno of what went wrong.
+/// Writes everything. Returns 0 or the errno of the error.
 int write_all(int file, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -50,8 +50,9 @@ int write_all(int file, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
-/// Waits until what was written is on the disk: before a file gets its name, so that a loss of
-/// power leaves the old file or the new one. Some file systems cannot, and say so.
+/// Waits until the written bytes are on the disk. This is called before a file gets its name, so
+/// that a loss of power leaves the old file or the new one. File systems that cannot do this are
+/// accepted.
 int synchronized(int file) {
     int result;
     do result = ::fsync(file);
@@ -59,13 +60,13 @@ int synchronized(int file) {
     return result == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
-/// A name beside `path` that no one else has. `take` is to make it, and returns -1 and EEXIST where
-/// there is such a file; what it returns last is returned.
+/// Finds an unused name beside `path`. `take` creates the file, or returns -1 and EEXIST if there
+/// is such a file. Returns the last result of `take`.
 template <class Take>
 int take_name_beside(const std::filesystem::path& path, std::string& name, Take take) {
     constexpr int attempts = 100;
     std::random_device random;
-    // Leaves room for the ending where the name is as long as names can be.
+    // Leaves room for the suffix if the name has the largest length.
     constexpr std::size_t most = 200;
     const std::string start = (path.parent_path() / path.filename().string().substr(0, most));
     for (int i = 0; i < attempts; ++i) {
@@ -76,12 +77,12 @@ int take_name_beside(const std::filesystem::path& path, std::string& name, Take 
     return -1;
 }
 
-// Not mkostemp, whose files only their owner may read: the mode that a plain create gives would
-// then take the umask, which cannot be asked for without setting it.
+// Not mkostemp, since only their owner may read its files. To give them the usual mode would take
+// the umask, which cannot be read without setting it.
 constexpr mode_t mode = 0666;
 
-/// Writes into a file without a name, and gives it one only once it is whole. False where the file
-/// system has no such files; else `error` is 0 or the errno of what went wrong.
+/// Writes into a file without a name, and names it only once it is whole. False if the file system
+/// has no such files; else `error` is 0 or the errno of the error.
 bool write_unnamed(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                    std::optional<mode_t> kept, std::string& name, int& error) {
 #ifdef O_TMPFILE
@@ -123,7 +124,7 @@ int write_named(const std::filesystem::path& path, std::span<const std::uint8_t>
     return error;
 }
 
-/// Standard output or standard error where the file is one of them, else -1.
+/// Standard output or standard error if the file is one of them, else -1.
 int standard_stream(const struct stat& file) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
         struct stat s;
@@ -135,7 +136,7 @@ int standard_stream(const struct stat& file) {
 
 int write_in_place(const std::filesystem::path& path, const struct stat& existing,
                    std::span<const std::uint8_t> bytes) {
-    // /dev/stdout opened anew would write at the start of the file that it was sent to.
+    // /dev/stdout, opened again, would write at the start of the file that it is redirected to.
     if (const int stream = standard_stream(existing); stream >= 0) return write_all(stream, bytes);
     const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file < 0) return errno;
@@ -147,22 +148,22 @@ int write_in_place(const std::filesystem::path& path, const struct stat& existin
 }  // namespace
 
 void write_file_whole(const std::filesystem::path& given, std::span<const std::uint8_t> bytes) {
-    // A link stays, and what it leads to is replaced.
+    // A link stays, and its target is replaced.
     std::error_code ignored;
     std::filesystem::path path = std::filesystem::canonical(given, ignored);
     if (path.empty()) path = given;
     struct stat existing;
     const bool exists = ::stat(path.c_str(), &existing) == 0;
     int error = 0;
-    // A device is not a file to replace, and neither is what this program already writes to.
+    // Neither a device nor a file that this program already writes to is replaced.
     if (exists && ((!S_ISREG(existing.st_mode) && !S_ISDIR(existing.st_mode)) ||
                    standard_stream(existing) >= 0)) {
         error = write_in_place(path, existing, bytes);
     } else {
-        // Who could not read the file before cannot read it now.
+        // Keeps the mode: users that could not read the file before cannot read it now.
         std::optional<mode_t> kept;
         if (exists) kept = existing.st_mode & 0777;
-        std::string name;  // empty where there is no such file
+        std::string name;  // empty if there is no such file
         if (!write_unnamed(path, bytes, kept, name, error)) {
             name.clear();
             error = write_named(path, bytes, kept, name);

@@ -5,15 +5,16 @@
 
 namespace scb::render {
 
-/// How a terminal is told to show a picture.
+/// The protocols with which terminals show pictures.
 enum class TerminalImages { none, kitty, iterm2, sixel };
 
-/// What the terminal of the standard output understands, by the variables of the environment that
-/// it sets, or as SCB_IMAGES says: kitty, iterm2, sixel or none. None where it is no terminal and
-/// that variable is not set.
+/// The protocol of the terminal on standard output, from environment variables that the terminal
+/// sets, or from SCB_IMAGES: kitty, iterm2, sixel or none. `none` if it is not a terminal and
+/// SCB_IMAGES is not set.
 TerminalImages terminal_images();
 
-/// What has the terminal show the picture of a PNG file. Throws InputError where it cannot be read.
+/// The text that makes the terminal show the picture of a PNG file. Throws InputError if it cannot
+/// be read.
 std::string terminal_image(TerminalImages how, const std::filesystem::path& png);
 
 }  // namespace scb::render

@@ -7,18 +7,18 @@
 
 namespace scb::render {
 
-/// A file without a name, which is gone with its last user, whatever happens.
+/// A file without a name, which the system always deletes after its last use.
 class UnnamedFile {
   public:
-    /// Throws OutputError where there is no room for one.
+    /// Throws OutputError if there is no room for one.
     UnnamedFile();
 
     int descriptor() const { return fileno(file_.get()); }
 
-    /// All of it. Throws OutputError where it cannot be read.
+    /// The whole content. Throws OutputError if it cannot be read.
     std::vector<std::uint8_t> bytes() const;
 
-    /// Empties the file; all its users write at its beginning then. Throws OutputError.
+    /// Empties the file; all its users then write at its beginning. Throws OutputError.
     void clear() const;
 
   private:

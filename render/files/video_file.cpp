@@ -21,7 +21,7 @@ std::string even_size_filter(int width, int height, Rgba8 background) {
 
 std::vector<std::string> command_for(int width, int height, int frames_per_second,
                                      Rgba8 background) {
-    // Errors only: the last line is to say what went wrong.
+    // Errors only: the last line must be the error.
     std::vector<std::string> command = {video_program, "-nostdin", "-hide_banner", "-loglevel",
                                         "error"};
     const auto add = [&command](std::initializer_list<std::string> words) {
@@ -30,8 +30,8 @@ std::vector<std::string> command_for(int width, int height, int frames_per_secon
     add({"-f", "rawvideo", "-pixel_format", "rgb0"});
     add({"-video_size", std::to_string(width) + "x" + std::to_string(height)});
     add({"-framerate", std::to_string(frames_per_second), "-i", "pipe:0"});
-    // sRGB as BT.709 in the limited range, which all players know, by arithmetic that no CPU does
-    // differently.
+    // sRGB as BT.709 in the limited range, which all players support, by arithmetic that is the
+    // same on all CPUs.
     add({"-vf", even_size_filter(width, height, background) +
                     "scale=in_range=pc:out_range=tv:out_color_matrix=bt709:"
                     "flags=bicubic+accurate_rnd+full_chroma_int+full_chroma_inp+bitexact,"
@@ -41,17 +41,17 @@ std::vector<std::string> command_for(int width, int height, int frames_per_secon
     // At 14 thin text keeps its edges and flat colors their value. Slower presets save a tenth of a
     // small file.
     add({"-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "14"});
-    // The number of threads and the CPU decide about bits.
+    // The number of threads and the CPU change the bits.
     add({"-threads", "1", "-x264-params", "cpu-independent=1"});
     add({"-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"});
     add({"-movflags", "+faststart", "-f", "mp4", "-y", ChildProcess::output_path});
     return command;
 }
 
-/// That ffmpeg takes no more; why is asked where it is waited for.
+/// ffmpeg reads no more. The code that waits for it finds out why.
 struct EncoderStopped {};
 
-// For what it has to say, once it takes no more.
+// The time for its messages, once it reads no more.
 constexpr std::chrono::seconds time_to_end(2);
 
 }  // namespace
@@ -87,10 +87,10 @@ void VideoFile::finish() {
     } catch (const EncoderStopped&) {
         fail(encoder_.wait(time_to_end));
     }
-    // Some frames are still to be encoded, and the file is rearranged.
+    // ffmpeg still encodes some frames, and rearranges the file.
     const std::optional<ProcessEnd> end = encoder_.wait(10 * patience_);
     const std::vector<std::uint8_t> bytes = encoded_.bytes();
-    // It exits with 0 where it could not write the end of the file, and only says so.
+    // If it could not write the end of the file, it exits with 0 and only prints an error.
     if (end != ProcessEnd{} || bytes.empty() || !encoder_.last_line().empty()) fail(end);
     write_file_whole(path_, bytes);
 }

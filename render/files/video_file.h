@@ -14,14 +14,14 @@ namespace scb::render {
 /// The program that makes videos.
 inline constexpr const char* video_program = "ffmpeg";
 
-/// A video of pictures of one size, H.264 in an MP4 file, made beside the drawing by the program
-/// ffmpeg, which has to be on PATH. The same pictures always give the same bytes (with the same
-/// ffmpeg and x264). All functions throw OutputError where ffmpeg or the file system fails.
+/// A video of pictures of one size, H.264 in an MP4 file, made in parallel with drawing by the
+/// program ffmpeg, which must be on PATH. The same pictures always give the same bytes (with the
+/// same ffmpeg and x264). All functions throw OutputError if ffmpeg or the file system fails.
 class VideoFile : public Animation {
   public:
-    /// `background` fills the column or the row that is added where a side is odd, which the format
-    /// does not know. `patience`: after which time without taking anything ffmpeg has failed.
-    /// Also throws std::system_error, where the system gives no thread to feed it.
+    /// `background` fills the column or the row that is added if a side is odd, which the format
+    /// does not allow. `patience`: ffmpeg has failed if it reads nothing for this time. Also throws
+    /// std::system_error if the system gives no thread.
     VideoFile(std::filesystem::path path, int width, int height, int frames_per_second,
               Rgba8 background, std::chrono::seconds patience = std::chrono::seconds(20));
     /// Without finish() nothing is written.
@@ -30,7 +30,7 @@ class VideoFile : public Animation {
     void push(Image image) override;
     std::size_t frames() const override { return frames_; }
 
-    /// Waits for ffmpeg, which has ten times the patience to end once it has taken all frames.
+    /// Waits for ffmpeg. Once it has read all frames, it must end within ten times the patience.
     void finish() override;
 
   private:
@@ -42,7 +42,7 @@ class VideoFile : public Animation {
     UnnamedFile encoded_;
     ChildProcess encoder_;
     std::size_t frames_ = 0;
-    WorkQueue queue_;  ///< ends first: it writes to the encoder
+    WorkQueue queue_;  ///< destroyed first: it writes to the encoder
 };
 
 }  // namespace scb::render

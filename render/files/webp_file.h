@@ -9,8 +9,8 @@ struct WebPAnimEncoder;
 
 namespace scb::render {
 
-/// An animation that browsers show, endlessly: WebP, without loss, by libwebp. The same pictures
-/// always give the same bytes (with the same libwebp).
+/// An endless animation for browsers: lossless WebP, by libwebp. The same pictures always give the
+/// same bytes (with the same libwebp).
 class WebpFile : public Animation {
   public:
     WebpFile(std::filesystem::path path, int width, int height, int frames_per_second);
@@ -21,7 +21,7 @@ class WebpFile : public Animation {
 
   private:
     [[noreturn]] void fail(const std::string& why) const;
-    /// When a frame begins, in milliseconds.
+    /// The time at which a frame begins, in milliseconds.
     int time_of(std::size_t frame) const;
     void encode(std::size_t frame, const Image& image);
 

@@ -12,7 +12,7 @@ WorkQueue::WorkQueue(std::size_t capacity, std::size_t threads, std::size_t byte
     try {
         while (threads_.size() < threads) threads_.emplace_back([this] { work(); });
     } catch (...) {
-        // No thread, or no memory for one: those that run will do.
+        // No thread, or no memory for one: continue with the threads that have started.
         if (threads_.empty()) throw;
     }
 }

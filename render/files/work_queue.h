@@ -11,27 +11,25 @@
 
 namespace scb::render {
 
-/// Does jobs beside the thread that hands them on, in the order they came (with one thread).
+/// Runs jobs in parallel with the calling thread, in the order of push() (with one thread).
 ///
-/// Memory stays flat: push() blocks while `capacity` jobs wait, or while one waits and the new one
-/// would bring those that wait above `byte_capacity`. What a thread works on does not wait.
+/// Memory stays bounded: push() blocks while `capacity` jobs wait, or while a job waits and the new
+/// one would bring the waiting jobs above `byte_capacity`. Running jobs do not count as waiting.
 ///
-/// After an error nothing more is done: what waits is dropped, and push() throws the first error
-/// until finish() has thrown it. Then the queue is as new.
+/// After an error no further job runs: waiting jobs are dropped, and push() throws the first error
+/// until finish() has thrown it. Then the queue can be used again.
 class WorkQueue {
   public:
-    /// Makes do with fewer threads where the system gives no more; throws std::system_error where
-    /// it gives none.
+    /// Uses fewer threads if the system gives no more; throws std::system_error if it gives none.
     explicit WorkQueue(std::size_t capacity = 4, std::size_t threads = 1,
                        std::size_t byte_capacity = std::size_t{256} << 20);
-    /// Drops what still waits, and waits for what is being done. Call finish() first, or errors go
-    /// unnoticed.
+    /// Drops waiting jobs, and waits for running jobs. Call finish() first, or errors go unnoticed.
     ~WorkQueue();
     WorkQueue(const WorkQueue&) = delete;
     WorkQueue& operator=(const WorkQueue&) = delete;
 
-    /// Takes the job over, which holds about that many bytes; or throws the first error since the
-    /// last finish(): what a job threw.
+    /// Takes over the job, which holds about `bytes` bytes. Throws the first exception of a job
+    /// since the last finish().
     void push(std::size_t bytes, std::function<void()> job);
 
     /// Waits until everything is done, or all threads have stopped after an error; throws the first
