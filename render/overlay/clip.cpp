@@ -14,8 +14,8 @@ ScreenPosition middle_of(const PixelRect& rect) {
     return {rect.x + rect.width / 2.0, rect.y + rect.height / 2.0};
 }
 
-/// Unit directions from the center of a circle in which it may meet the rectangle, in order, and
-/// whether they go all around.
+/// The unit directions from a circle's center in which the circle may meet the rectangle, in order,
+/// and whether they go all around.
 struct Directions {
     std::vector<ScreenPosition> units;
     bool all_around;
@@ -47,7 +47,7 @@ Directions directions_of(const ScreenCircle& circle, const PixelRect& rect) {
     return result;
 }
 
-/// Cuts the segment to what lies at or below a limit; false where nothing does.
+/// Cuts the segment to its part at or below a limit; false if there is none.
 bool cut(double from, double to, double limit, double& begin, double& end) {
     if (from > limit && to > limit) return false;
     const double at = from != to ? (limit - from) / (to - from) : 0;
@@ -83,7 +83,7 @@ ScreenPolygon clipped(const ScreenPolygon& polygon, const HalfPlane& half_plane)
 ScreenPolygon clipped(const ScreenPolygon& polygon, const ScreenCircle& disc,
                       const PixelRect& rect) {
     const Directions directions = directions_of(disc, rect);
-    // A disc that is so far away that none of its directions leads here.
+    // A disc so far away that none of its directions leads here.
     const ScreenPosition middle = middle_of(rect);
     const double away = length_of({middle.x - disc.center.x, middle.y - disc.center.y});
     if (away - disc.radius > length_of({double(rect.width), double(rect.height)})) return {};

@@ -6,7 +6,7 @@
 
 namespace scb::render {
 
-/// A convex polygon in a picture, corner by corner; empty where nothing is left.
+/// A convex polygon in a picture, corner by corner; may be empty.
 using ScreenPolygon = std::vector<ScreenPosition>;
 
 /// The points p of a picture with `normal.p <= limit`.
@@ -17,16 +17,16 @@ struct HalfPlane {
 
 struct ScreenCircle {
     ScreenPosition center;
-    double radius = 0;  ///< pixels, however many
+    double radius = 0;  ///< pixels, of any number
 };
 
 ScreenPolygon polygon_of(const PixelRect& rect);
 
-/// What the half plane leaves of a convex polygon (Sutherland and Hodgman, "Reentrant Polygon
+/// The part of a convex polygon in the half plane (Sutherland and Hodgman, "Reentrant Polygon
 /// Clipping").
 ScreenPolygon clipped(const ScreenPolygon& polygon, const HalfPlane& half_plane);
 
-/// The same of a disc, to a tenth of a pixel within the rectangle that holds the polygon.
+/// The part in a disc, to a tenth of a pixel within the rectangle that contains the polygon.
 ScreenPolygon clipped(const ScreenPolygon& polygon, const ScreenCircle& disc,
                       const PixelRect& rect);
 
@@ -34,8 +34,8 @@ ScreenPolygon clipped(const ScreenPolygon& polygon, const ScreenCircle& disc,
 std::vector<std::vector<ScreenPosition>> clipped(const std::vector<ScreenPosition>& line,
                                                  const PixelRect& rect);
 
-/// Points of a circle, close enough to draw what of it lies in the rectangle: all around and back
-/// to the first, or only the arc near the rectangle where that is small beside the circle.
+/// Points of a circle, close enough to draw its part in the rectangle: all around and back to the
+/// first, or, if the rectangle is small relative to the circle, only the arc near it.
 std::vector<ScreenPosition> circle_points(const ScreenCircle& circle, const PixelRect& rect);
 
 }  // namespace scb::render

@@ -63,8 +63,8 @@ void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const Pixe
 
 namespace {
 
-/// Of a title that is too long, the end of the scene's name, its first part, is cut: what the
-/// picture shows is behind it.
+/// If a title is too long, its first part, the scene's name, is cut at the end: the content of the
+/// picture follows it.
 std::string fitted_title(Overlay& overlay, std::string_view title, const TextStyle& style,
                          int width) {
     const std::string_view rest = title.substr(std::min(title.find(" · "), title.size()));
@@ -182,8 +182,8 @@ std::string number_text(double value, int digits) {
     if (std::abs(value) >= 100 && std::abs(value) < 1e7 && digits <= 3)
         return (value < 0 ? "-" : "") +
                count_text(static_cast<std::uint64_t>(std::llround(std::abs(value))));
-    // With '#' the zeros stay, so that numbers in a column have equal digits; a point at the end
-    // goes.
+    // With '#' the zeros stay, so that numbers in a column have equal digits. A point at the end is
+    // removed.
     std::string result = format("%#.*g", digits, value);
     if (const std::size_t exponent = result.find('e'); exponent != std::string::npos) {
         if (exponent > 0 && result[exponent - 1] == '.') result.erase(exponent - 1, 1);

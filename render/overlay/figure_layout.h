@@ -12,9 +12,9 @@
 
 namespace scb::render {
 
-/// Where things lie in a picture: a heading on top, the view of the scene below it, and a panel of
-/// numbers at its right, or below it where the picture is taller than wide. Nothing of the panel or
-/// the heading ever covers the view.
+/// The layout of a picture: a heading on top, the view of the scene below it, and a panel of
+/// numbers at its right, or below it if the picture is taller than wide. Neither panel nor heading
+/// covers the view.
 struct FigureLayout {
     int unit = 20;  ///< size of body text, pixels
     PixelRect heading;
@@ -33,8 +33,8 @@ struct Detail {
     double radius = 1;
 };
 
-/// Where a magnified detail can stand: below the panel's rows, which end at `below`, or beside
-/// them; nothing where there is no room.
+/// The square for a magnified detail: below the panel's rows, which end at `below`, or beside them;
+/// nothing if there is no room.
 std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
 
 /// The frames of a detail in its square and in the view that it is a part of, and its size.
@@ -45,33 +45,33 @@ inline double aspect_of(const PixelRect& rect) {
     return static_cast<double>(rect.width) / rect.height;
 }
 
-/// The title and, behind it, a line of smaller text; below it, where it does not fit there and the
-/// heading has room (see second_heading_line).
+/// Draws the title and, behind it, a line of smaller text. If this does not fit and the heading has
+/// room, it is below the title (see second_heading_line).
 void draw_heading(Overlay& overlay, const FigureLayout& layout, const Theme& theme,
                   std::string_view title, std::string_view subtitle);
 
-/// How much higher a heading must be for a line below the title, where it needs one; else 0.
+/// The additional height of a heading for a line below the title, if it needs one; else 0.
 int second_heading_line(Overlay& overlay, const FigureLayout& layout, std::string_view title,
                         std::string_view subtitle);
 
-/// The text, cut to what fits into `width` pixels, with an ellipsis where it was cut.
+/// The text, cut to fit into `width` pixels, with an ellipsis if it was cut.
 std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle& style, int width);
 
-/// The text in lines of at most that width, broken at spaces; a word that is wider is cut.
+/// The text in lines of at most this width, broken at spaces; a wider word is cut.
 std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
                                       const TextStyle& style, int width);
 
-/// A length bar in the lower left corner of a view: what a round number of scene units spans at
-/// `at`.
+/// Draws a length bar in the lower left corner of a view: the length of a round number of scene
+/// units at `at`.
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
                     const Theme& theme, int unit);
 
-/// A sentence at the top left of a view, in the color of what to look at first, on a panel.
+/// Draws a sentence at the top left of a view, in the accent color, on a panel.
 void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,
                  const Theme& theme, int unit);
 
-/// Where a ball about `center` appears in the view: the square around it, or nothing where it is
-/// behind the eye or outside.
+/// The square around a ball about `center` in the view, or nothing if the ball is behind the eye or
+/// outside.
 std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, const Vec3& center,
                                    double radius);
 
@@ -80,10 +80,10 @@ std::string number_text(double value, int digits = 3);
 std::string count_text(std::uint64_t count);
 /// "1 node", "2,000 nodes".
 std::string counted(std::uint64_t count, const char* one, const char* several);
-/// The mean over so many frames: "39,333.4", and without a decimal that of one.
+/// The mean over frames: "39,333.4", without a decimal for one frame.
 std::string mean_text(std::uint64_t sum, std::size_t frames);
 
-/// "43.8 %"; a dash where there is no whole.
+/// "43.8 %"; a dash if the whole is 0.
 std::string share_text(double part, double whole);
 
 }  // namespace scb::render

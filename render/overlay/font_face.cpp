@@ -35,7 +35,7 @@ std::string_view font_file(FontWeight weight) {
     return SCB_EMBEDDED(roboto_regular);
 }
 
-/// "--frames" has two, not one long dash.
+/// "--frames" has two hyphens, not one long dash.
 void keep_hyphens_apart(ImFont& font) {
     auto* hyphen = const_cast<ImFontGlyph*>(font.FindGlyphNoFallback('-'));
     if (hyphen == nullptr || hyphen->AdvanceX + hyphen->X0 - hyphen->X1 >= 1) return;
@@ -48,7 +48,7 @@ void keep_hyphens_apart(ImFont& font) {
 FontFace make_font_face(FontWeight weight, int size) {
     static std::atomic<std::uintptr_t> next_number = 1;
     FontFace face{weight, size, std::make_unique<ImFontAtlas>(), nullptr, next_number++};
-    // Said explicitly, so that pixels do not depend on how ImGui was built.
+    // Set explicitly, so that pixels do not depend on how ImGui was built.
     face.atlas->FontBuilderIO = ImFontAtlasGetBuilderForStbTruetype();
     face.atlas->Flags = ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
 

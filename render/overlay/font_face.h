@@ -16,7 +16,7 @@ struct FontFace {
     int size;                            ///< pixels from ascender to descender
     std::unique_ptr<ImFontAtlas> atlas;  ///< its TexID is the number below
     ImFont* font;
-    std::uintptr_t number;  ///< unlike any other face's of the process, from 1 on
+    std::uintptr_t number;  ///< unique among the faces of the process, from 1 on
 };
 
 /// Latin-1, Greek, general punctuation, arrows and mathematical operators, as far as the face has

@@ -8,8 +8,8 @@
 namespace scb::render {
 namespace {
 
-// Lengths of dashes and gaps by turns, in thicknesses. Round ends make dashes one longer and gaps
-// one shorter.
+// Lengths of dashes and gaps in turn, in units of the thickness. Round ends make dashes one longer
+// and gaps one shorter.
 std::vector<double> pattern_of(LineStroke stroke) {
     switch (stroke) {
         case LineStroke::solid:

@@ -27,14 +27,14 @@ std::vector<ImVec2> converted(std::span<const ScreenPosition> points) {
     return result;
 }
 
-/// The texture of plain figures is one white pixel; its number is not a face's.
+/// The texture of plain figures is one white pixel, with a number that no face has.
 constexpr ImTextureID white = nullptr;
 
 ImDrawListSharedData plain_drawing() {
     ImDrawListSharedData data;
     data.TexUvWhitePixel = {0.5f, 0.5f};
     data.ClipRectFullscreen = {0, 0, 65536, 65536};
-    // No anti-aliasing by fringes of triangles.
+    // No antialiasing by fringes of triangles.
     data.InitialFlags = ImDrawListFlags_AllowVtxOffset;
     return data;
 }

@@ -35,16 +35,16 @@ struct ScreenPosition {
     double y = 0;
 };
 
-/// The size of body text in a picture or pane of that size: 20 pixels at 1280x720, growing with the
-/// smaller of height and width, never below 13. Titles are 1.4 of it.
+/// The size of body text in a picture or pane of this size: 20 pixels at 1280x720. It grows with
+/// the smaller of height and width, and is never below 13. Titles are 1.4 times as large.
 int text_unit(int width, int height);
 constexpr int title_size(int unit) { return unit * 7 / 5; }
 inline int small_size(int unit) { return unit * 17 / 20 < 12 ? 12 : unit * 17 / 20; }
 
-/// Text and plain figures on top of a picture, in pixels from its top left corner, each thing over
-/// what came before. Everything lies on whole pixels and nothing is smoothed but the letters, so
-/// the bytes are the same everywhere. Make one and begin() it anew for every picture: it keeps the
-/// faces that it has rasterised.
+/// Text and plain figures on top of a picture, in pixels from its top left corner, later ones over
+/// earlier ones. Everything lies on whole pixels, and only letters are smoothed, so the bytes are
+/// the same everywhere. Make one overlay and call begin() for every picture: it keeps the faces
+/// that it has rasterised.
 class Overlay {
   public:
     Overlay();
@@ -55,11 +55,12 @@ class Overlay {
     /// Forgets what was drawn.
     void begin();
 
-    /// One line of UTF-8 (or several, parted by '\n'): its left end, middle or right end at x, as
-    /// its alignment says, and its top at y. Characters that the face does not have appear as '?'.
+    /// One line of UTF-8 (or several, parted by '\n'): its left end, middle or right end at x,
+    /// depending on its alignment, and its top at y. Characters that the face does not have appear
+    /// as '?'.
     void text(int x, int y, std::string_view text, const TextStyle& style);
 
-    /// The box that text() fills at most.
+    /// The largest box that text() fills.
     TextSize measure(std::string_view text, const TextStyle& style);
 
     void rectangle(const PixelRect& rect, Rgba8 color);
@@ -74,11 +75,11 @@ class Overlay {
     /// A filled convex polygon.
     void polygon(std::span<const ScreenPosition> corners, Rgba8 color);
 
-    /// Has it note there what it is asked to draw, until begin() empties the list; nullptr:
-    /// nowhere. Returns where it noted it before.
+    /// Records all drawn shapes in this list, until begin() empties it; nullptr: no recording.
+    /// Returns the list before.
     OverlayShapes* note_in(OverlayShapes* shapes);
 
-    /// What was drawn, for the painter.
+    /// The drawn shapes, for the painter.
     const ImDrawList& draw_list() const;
     /// The faces in use, for the painter.
     std::span<const FontFace> faces() const;

@@ -8,8 +8,8 @@
 
 namespace scb::render {
 
-/// What an overlay was asked to draw, for files that keep lines and letters as such. Text that it
-/// aligned otherwise has its left end here.
+/// The shapes drawn on an overlay, for files with vector graphics. The position of a text is its
+/// left end, for any alignment.
 struct TextShape {
     int x = 0, y = 0, width = 0;
     std::string text;

@@ -31,7 +31,7 @@ PixelRect together(const PixelRect& a, const PixelRect& b) {
             std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-/// What a written text covers.
+/// Writes a text; returns the rectangle that it covers.
 PixelRect write(Overlay& overlay, int x, int y, std::string_view text, const TextStyle& style) {
     overlay.text(x, y, text, style);
     const TextSize size = overlay.measure(text, style);
@@ -115,7 +115,7 @@ PixelRect draw_scale_bar(Overlay& overlay, int x, int y, int largest_width, doub
     const std::string label = format("%g", value);
 
     const int end = std::max(4, style.unit / 3), thickness = std::max(1, style.unit / 10);
-    // Legible in front of any subject.
+    // A panel, so that it is legible in front of any subject.
     const int label_width = overlay.measure(label, body(style)).width, edge = style.unit / 4;
     const int left = std::min(x, x + (width - label_width) / 2) - edge;
     const PixelRect panel{left, y - end - line_height(style) - edge, 2 * (x - left) + width,

@@ -12,7 +12,7 @@ namespace scb::render {
 /// Figures made of an overlay's text and rectangles. Each returns the pixels that it covers, panel
 /// included.
 
-/// How figures look: `unit` is the size of body text in pixels (see text_unit).
+/// The style of figures: `unit` is the size of body text in pixels (see text_unit).
 struct FigureStyle {
     Theme theme = light_theme;
     int unit = 20;
@@ -23,10 +23,10 @@ struct Tick {
     std::string label;
 };
 
-/// A scale of colors, `color(0)` at the left or bottom end to `color(1)`: the bar fills `bar`;
-/// tick labels stand below a horizontal bar and right of a vertical one (taller than wide). `title`
-/// stands above. Labels of a horizontal bar stay within its ends, and one that would touch the one
-/// before it is left out.
+/// A scale of colors, `color(0)` at the left or bottom end to `color(1)`: the bar fills `bar`; tick
+/// labels stand below a horizontal bar and right of a vertical one (taller than wide). `title`
+/// stands above. Labels of a horizontal bar stay within its ends, and a label that would touch the
+/// one before is left out.
 PixelRect draw_color_bar(Overlay& overlay, const PixelRect& bar,
                          const std::function<Rgba8(double)>& color, std::string_view title,
                          std::span<const Tick> ticks, const FigureStyle& style);
@@ -37,8 +37,9 @@ struct BarPart {
 };
 
 /// A bar of parts whose lengths are proportional to their amounts, filled to `amount sum / full`:
-/// from the left, or from the bottom where `rect` is taller than wide. Every part with a pixel or
-/// more of length is drawn, and rounding never adds up: parts end where their running sum does.
+/// from the left, or from the bottom if `rect` is taller than wide. Every part with a pixel or more
+/// of length is drawn. Rounding errors do not add up, since the running sum gives the end of each
+/// part.
 PixelRect draw_stacked_bar(Overlay& overlay, const PixelRect& rect, std::span<const BarPart> parts,
                            double full);
 

@@ -4,13 +4,13 @@
 
 namespace scb::render {
 
-/// Cells of equal size side by side below a heading, wrapped into bands where there are many: what
-/// sheets share. The height is for whoever knows how high a cell is.
+/// The layout of sheets: cells of equal size side by side below a heading, wrapped into bands if
+/// there are many. The caller, which knows the height of a cell, computes the height.
 struct SheetGrid {
     int width = 0, height = 0;
     int unit = 0;                ///< size of body text
-    int columns = 0, bands = 0;  ///< cells in a row; rows of them that wrapping leads to
-    int view_width = 0;          ///< of what a cell shows
+    int columns = 0, bands = 0;  ///< cells in a row; rows after wrapping
+    int view_width = 0;          ///< of the view in a cell
 
     /// The left end of a column.
     int x(int column) const;
@@ -18,13 +18,13 @@ struct SheetGrid {
 
 inline constexpr int sheet_margin = 24;
 
-/// What every renderer here can draw, even with four samples.
+/// A size that every renderer here can draw, even with four samples.
 inline constexpr int largest_sheet_side = 8000;
 
-/// A grid of `count` cells, at most so many side by side; bands are evenly filled.
+/// A grid of `count` cells, at most `most_columns` side by side; bands are evenly filled.
 SheetGrid sheet_grid(int count, int most_columns, int view_width);
 
-/// How wide a view can be where there is room for all, by how many are side by side.
+/// The width of a view if there is room for all, by the number of columns.
 int roomy_view_width(int columns);
 
 bool fits(const SheetGrid& grid);

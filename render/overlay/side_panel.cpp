@@ -27,7 +27,7 @@ struct PanelPainter {
     const std::vector<PanelItem>& items;
     int y;
     int kept_free;
-    std::size_t current = 0;                                    ///< the item that is drawn
+    std::size_t current = 0;                                    ///< the current item
     std::map<std::size_t, std::vector<int>> ends_by_columns{};  ///< see column_ends
 
     int line_height() const { return unit * 5 / 4; }
@@ -41,13 +41,13 @@ struct PanelPainter {
         const auto* note = std::get_if<PanelNote>(&item);
         return note == nullptr ? line_height() : note_height(note_lines(*note).size());
     }
-    /// The height that the heading takes with the smallest thing that stands under it.
+    /// The height of the heading with the smallest item under it.
     int least_below(std::size_t heading) const {
         const int own = line_height() + unit / 4;
         std::size_t i = heading + 1;
         if (i == items.size()) return own;
         if (std::holds_alternative<PanelHeading>(items[i])) return own + least_below(i);
-        // Heads of columns stand above at least a row.
+        // Heads of columns need a row below them.
         if (const auto* row = std::get_if<PanelRow>(&items[i]);
             row != nullptr && row->label.empty() && i + 1 < items.size())
             return own + line_height() + least(items[i + 1]);
@@ -56,8 +56,7 @@ struct PanelPainter {
             smallest = std::min(smallest, least(items[i]));
         return own + smallest;
     }
-    /// The height of what stands below the item that is drawn, without notes, which may be left
-    /// out.
+    /// The height of the items below the current one, without notes, which may be left out.
     int least_of_rest() const {
         int sum = kept_free;
         for (std::size_t i = current + 1; i < items.size(); ++i) {
@@ -88,9 +87,10 @@ struct PanelPainter {
         y += unit / 4;
     }
 
-    /// Where the label and each value of rows with so many values end, from the left of the box.
+    /// The ends of the label and of each value, in rows with this number of values, from the left
+    /// of the box.
     std::vector<int> column_ends(std::size_t columns) const {
-        // Labels take what one of at most three columns leaves.
+        // Labels are narrower beside several columns.
         const int label = columns == 0 ? box.width : box.width * (columns == 1 ? 11 : 8) / 20;
         std::vector<int> ends = {label}, needed(columns + 1), numbers(columns + 1);
         for (std::size_t c = 1; c <= columns; ++c)
@@ -111,8 +111,8 @@ struct PanelPainter {
                 need(c + 1, row->values[c], row->strong ? FontWeight::bold : FontWeight::regular,
                      c < row->swatches.size() && row->swatches[c].has_value());
         }
-        // Where not all fits into columns of equal width, each has what it needs; or at least what
-        // its numbers need, which are never cut.
+        // If not all fits into columns of equal width, each column has the width that it needs; or
+        // at least the width of its numbers, which are never cut.
         for (const std::vector<int>& widths : {needed, numbers}) {
             const int sum = std::accumulate(widths.begin(), widths.end(), 0);
             bool fit = true;
@@ -138,7 +138,7 @@ struct PanelPainter {
         for (std::size_t i = 0; i < row.values.size(); ++i) {
             const int right = box.x + ends[i + 1], room = ends[i + 1] - ends[i] - unit / 4;
             const bool swatch = i < row.swatches.size() && row.swatches[i].has_value();
-            // Names may be cut, numbers never: they are set smaller.
+            // Names may be cut; numbers are set smaller instead.
             const bool number = is_number(row.values[i]);
             TextStyle style_of_value = value;
             const int limit = swatch ? room - unit * 5 / 4 : room;
@@ -170,7 +170,7 @@ struct PanelPainter {
         const PixelRect square = {box.x, y + unit / 10, unit * 4 / 5, unit * 4 / 5};
         overlay.rectangle(square, color);
         if (!hatched) return;
-        // As in the view: two of seven pixels.
+        // Hatched as in the view: two of seven pixels.
         const Rgba8 dark = mix(color, {0, 0, 0, 255}, 0.4);
         for (int row = 0; row < square.height; ++row)
             for (int column = -row % 7; column < square.width; column += 7) {
@@ -207,7 +207,7 @@ struct PanelPainter {
         y += second_line;
     }
 
-    /// As many of the words as fit into a line; all where not even one does.
+    /// The words that fit into a line; all if not even one fits.
     std::string first_line(const std::string& text, const TextStyle& style, int width) const {
         if (overlay.measure(text, style).width <= width) return text;
         for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
@@ -249,7 +249,7 @@ int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, 
                     const std::vector<PanelItem>& items, int kept_free) {
     PanelPainter painter{overlay, box, theme, unit, items, box.y, kept_free};
     for (std::size_t i = 0; i < items.size(); ++i) {
-        // Things without their heading would be taken for those of the one above.
+        // Without its heading, an item would seem to belong to the heading above.
         if (std::holds_alternative<PanelHeading>(items[i]) &&
             !painter.fits(painter.gap() + painter.least_below(i)))
             break;

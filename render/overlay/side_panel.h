@@ -9,7 +9,7 @@
 
 namespace scb::render {
 
-/// A column of numbers beside a view: what can stand in it, from top to bottom.
+/// The items of a column of numbers beside a view, from top to bottom.
 struct PanelHeading {
     std::string text;
 };
@@ -28,8 +28,8 @@ struct PanelKey {
     std::string text;
 };
 
-/// A color, what it means, how many there are and what share that is, if that is said. A text that
-/// is too long has a second line where nothing of what follows has to give way, but for notes.
+/// A color, its meaning, its number, and, optionally, its share. A text that is too long gets a
+/// second line if nothing below it, except notes, has to give way.
 struct PanelLegendRow {
     Rgba8 color;
     std::string text;
@@ -44,7 +44,7 @@ struct PanelScale {
     std::vector<std::pair<double, std::string>> ticks;
 };
 
-/// Left out as a whole where it has no room.
+/// Left out as a whole if it has no room.
 struct PanelNote {
     std::string text;  ///< wrapped to the width
 };
@@ -52,12 +52,12 @@ struct PanelNote {
 using PanelItem =
     std::variant<PanelHeading, PanelRow, PanelKey, PanelLegendRow, PanelScale, PanelNote>;
 
-/// Puts the note before those at the end, which are left out sooner.
+/// Inserts the note before the notes at the end, which are left out sooner.
 void insert_before_notes(std::vector<PanelItem>& items, PanelNote note);
 
-/// Draws the items into the box, top down; what does not fit any more is left out. A heading
-/// without room for anything of what stands under it ends the panel. Notes leave the lowest
-/// `kept_free` pixels free. Returns the y below the last one.
+/// Draws the items into the box, top down; items that do not fit are left out. A heading without
+/// room for an item under it ends the panel. Notes leave the lowest `kept_free` pixels free.
+/// Returns the y below the last item.
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items, int kept_free = 0);
 

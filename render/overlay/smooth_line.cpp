@@ -11,15 +11,16 @@
 namespace scb::render {
 namespace {
 
-// Positions are whole sixteenths of a pixel; a pixel is sampled at 8 x 8 of the odd ones.
+// Positions are whole sixteenths of a pixel; a pixel is sampled at 8 x 8 odd positions.
 constexpr std::int64_t pixel_units = 16;
 constexpr int samples = 8;
 constexpr std::uint64_t full = ~std::uint64_t{0};
 
-// Pixels further out than this are in no picture, and squares of lengths must fit.
+// No picture has pixels further out, and squares of lengths must fit.
 constexpr double farthest = 65536;
 
-// How many columns of pixels are covered at a time: bounds the memory, whatever the picture's size.
+// The number of columns of pixels that are covered at a time; it bounds the memory for any size of
+// picture.
 constexpr int strip_width = 64;
 
 struct Point {
@@ -48,7 +49,7 @@ struct Stroke {
             return ex * ex + ey * ey <= radius * radius;
         }
         const std::int64_t across = std::abs(sx * dy - sy * dx);
-        // Its square may not fit, but then it is farther than any radius.
+        // The square may not fit, but then the distance is larger than any radius.
         return across < (std::int64_t{1} << 31) && across * across <= radius * radius * square;
     }
 };
@@ -73,7 +74,7 @@ struct Strip {
         const int last =
             std::min(x + width - 1, pixel_below(static_cast<double>(std::max(a.x, b.x) + radius)));
         for (int px = first; px <= last; ++px) {
-            // Only what the segment does within the radius of this column can reach it.
+            // Only the part of the segment within the radius of this column can reach it.
             std::int64_t low = std::min(a.y, b.y), high = std::max(a.y, b.y);
             if (a.x != b.x) {
                 const auto y_at = [&](std::int64_t at) {
@@ -129,7 +130,7 @@ struct Strip {
 void draw_smooth_line(Overlay& overlay, std::span<const ScreenPosition> points, Rgba8 color,
                       double thickness) {
     if (points.empty()) return;
-    // Noted as a line, not as its pixels.
+    // Recorded as a line, not as its pixels.
     OverlayShapes* const noted = overlay.note_in(nullptr);
     if (noted != nullptr)
         noted->list.emplace_back(LineShape{{points.begin(), points.end()}, color, thickness, true});

@@ -8,7 +8,7 @@
 namespace scb::render {
 namespace {
 
-// Of Roboto, in units of its size: what is above and below the line that letters stand on.
+// The extents of Roboto above and below the base line, in units of its size.
 constexpr double ascent = 0.927734375, descent = 0.244140625;
 
 std::string escaped(std::string_view text) {
@@ -27,7 +27,7 @@ std::string escaped(std::string_view text) {
                 result += "&quot;";
                 break;
             default:
-                // XML knows no other characters of control.
+                // XML allows no other control characters.
                 if (static_cast<unsigned char>(c) >= 0x20) result += c;
         }
     return result;
