@@ -36,7 +36,7 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
         if (drawable(bar)) largest = std::max({largest, bar.value, end_of(bar)});
     }
     const int gap = unit / 2;
-    // A name may be cut, a number never.
+    // A name may be cut, but not a number.
     names = std::min(names, rect.width * 9 / 20);
     PixelRect area{rect.x + names + gap, rect.y + top, rect.width - names - numbers - 2 * gap,
                    rect.height - top};
@@ -83,7 +83,7 @@ PixelRect draw_bar_plot(Overlay& overlay, const PixelRect& rect, const BarPlot& 
         }
         overlay.text(area.x + length_of(end_of(bar)) + gap, text, bar.number, number);
     }
-    // Where bars begin.
+    // The line where bars begin.
     overlay.rectangle({area.x, area.y, hairline, area.height}, style.theme.faint_text);
     return area;
 }

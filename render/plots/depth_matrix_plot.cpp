@@ -36,13 +36,13 @@ std::string text_of(const DepthCell& cell, MatrixMeasure measure) {
     return std::to_string((200 * cell.rejected + cell.tests) / (2 * cell.tests));
 }
 
-/// Black or white, whichever can be read on the color (luma of ITU-R BT.601).
+/// Black or white, whichever is legible on the color (luma of ITU-R BT.601).
 Rgba8 text_on(Rgba8 color) {
     return 299 * color.r + 587 * color.g + 114 * color.b > 128'000 ? Rgba8{0, 0, 0}
                                                                    : Rgba8{255, 255, 255};
 }
 
-/// Where the cells are.
+/// The positions of the cells.
 struct Grid {
     PixelRect area;
     int cell_width = 1, cell_height = 1;
@@ -64,7 +64,7 @@ Grid grid_in(const PixelRect& rect, const DepthMatrix& matrix, int largest) {
     return {{rect.x, rect.y, width * columns, height * rows}, width, height};
 }
 
-/// The largest size of text at which every cell's number fits into it; 0 where none does.
+/// The largest size of text at which every cell's number fits into the cell; 0 if there is none.
 int text_size_in(Overlay& overlay, const Grid& grid, const DepthMatrix& matrix,
                  MatrixMeasure measure, int largest) {
     int size = std::min(largest, grid.cell_height - 3);
@@ -80,7 +80,7 @@ int text_size_in(Overlay& overlay, const Grid& grid, const DepthMatrix& matrix,
     return size >= least_text ? size : 0;
 }
 
-/// Depths are labelled so that labels take at most half of the axis.
+/// The step between labelled depths, such that labels take at most half of the axis.
 std::size_t label_stride(int room, int cell) {
     std::size_t stride = 1;
     for (const std::size_t factor : {1u, 2u, 5u, 10u, 20u, 50u, 100u, 200u, 500u, 1000u}) {

@@ -6,18 +6,18 @@
 
 namespace scb::render {
 
-/// What the colors of a matrix of depths say.
+/// The meaning of the colors of a matrix of depths.
 enum class MatrixMeasure {
-    tests,  ///< how many volume tests; logarithmic, from 1 to a power of ten
-    share,  ///< which share of them was rejected; linear, from 0 to 1
+    tests,  ///< the number of volume tests; logarithmic, from 1 to a power of ten
+    share,  ///< the share of rejected tests; linear, from 0 to 1
 };
 inline constexpr EnumNames<MatrixMeasure, 2> matrix_measure_names = {"tests", "share"};
 
-/// Draws the cells as far as the rectangle allows, the depth of A from left to right and that of B
-/// from top to bottom, with the depths beside them and the scale of colors below. Cells without
-/// tests are pale. Cells carry their number (share: in percent) where all of them can. Where there
-/// are more depths than cells can be told apart, a cell holds several, and the scale says so.
-/// Returns what is covered.
+/// Draws the cells as large as the rectangle allows, the depth of A from left to right and the
+/// depth of B from top to bottom, with the depths beside them and the scale of colors below. Cells
+/// without tests are pale. If there is room in all cells, they have their number (share: in
+/// percent). If there are too many depths, a cell is for several depths, and the scale says so.
+/// Returns the covered rectangle.
 PixelRect draw_depth_matrix(Overlay& overlay, const PixelRect& rect, const DepthMatrix& matrix,
                             MatrixMeasure measure, const FigureStyle& style);
 

@@ -8,21 +8,21 @@
 
 namespace scb::render {
 
-/// Endings that a picture shows alike: every stage of slab cut balls and balls for itself, the 15
-/// axes of boxes in three groups.
+/// Endings that pictures show in one color: each stage of slab cut balls and balls is a group, the
+/// 15 axes of boxes are three groups.
 struct EndingGroup {
     std::string label;  ///< "slab A, ball B", "faces of A", "triangles apart"
     Rgba8 color;
     std::vector<Stage> endings;
 };
 
-/// There are never more groups than that.
+/// The largest number of groups.
 inline constexpr std::size_t most_groups = 48;
 
-/// The groups of the endings, in their order. Colors mean the same in every picture: what the
-/// volume test rejected is grey (balls), blue (a slab and a ball), violet and olive (second slabs)
-/// or green and yellow (a slab and a cylinder, or what comes last); what it let pass is purple
-/// where the triangles were apart and vermillion where they meet. What the query left over has the
+/// The groups of the endings, in their order. Colors mean the same in every picture. Rejections of
+/// the volume test are grey (balls), blue (a slab and a ball), violet and olive (second slabs) or
+/// green and yellow (a slab and a cylinder, or the last stages). Pairs that passed are purple if
+/// the triangles were apart and vermillion if they meet. Pairs that the query left over have the
 /// theme's color.
 std::vector<EndingGroup> ending_groups(const std::vector<Stage>& endings, const Theme& theme,
                                        const StageTable& stages = {});
@@ -31,7 +31,7 @@ std::vector<EndingGroup> ending_groups(const TraceHeader& header, const Theme& t
 
 Rgba8 ending_color(Stage ending, const Theme& theme);
 
-/// Of the counts, those of the group.
+/// The sum of the group's counts.
 std::uint64_t count_of(const EndingGroup& group, const EndingCounts& counts);
 
 }  // namespace scb::render

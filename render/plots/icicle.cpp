@@ -12,11 +12,11 @@ namespace {
 
 std::size_t depth_of(const Step& test) { return std::size_t{test.depth_a} + test.depth_b; }
 
-/// Where each test begins, in tests.
+/// The position at which each test begins, in tests.
 std::vector<std::uint32_t> begins_of(const std::vector<Step>& tests,
                                      const std::vector<std::uint32_t>& sizes) {
     std::vector<std::uint32_t> begins(sizes.size(), 0);
-    std::vector<std::uint32_t> next(sizes.size(), 0);  // where a test's next child begins
+    std::vector<std::uint32_t> next(sizes.size(), 0);  // the begin of each test's next child
     std::uint32_t next_root = 0;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         const std::uint32_t parent = tests[i].parent;
@@ -45,7 +45,7 @@ std::vector<std::vector<std::uint32_t>> rows_of(const std::vector<Step>& tests,
     return rows;
 }
 
-/// For each outcome the index of its group; groups.size() for pairs that were divided.
+/// The index of each outcome's group; groups.size() for divided pairs.
 class GroupIndex {
   public:
     explicit GroupIndex(const std::vector<EndingGroup>& groups)
@@ -63,14 +63,14 @@ class GroupIndex {
     std::array<std::uint32_t, StageTable::most_rows> of_{};
 };
 
-/// One column of a row. Areas are exact: a column is as wide as there are tests, and a test as wide
-/// as there are columns.
+/// One column of a row. Widths are exact integers: a column has the width of the number of tests, a
+/// test the width of the number of columns.
 struct Column {
     std::array<std::uint64_t, most_groups + 1> covered{};   ///< by each group
     std::uint32_t touched = 0;                              ///< tests that touch it
     std::uint32_t begins = 0;                               ///< tests whose first column it is
-    std::array<std::uint32_t, most_groups + 1> begin_in{};  ///< of these, those of each group
-    std::uint32_t last = 0;                                 ///< the last one that touches it
+    std::array<std::uint32_t, most_groups + 1> begin_in{};  ///< of these, the tests of each group
+    std::uint32_t last = 0;                                 ///< the last test that touches it
 };
 
 std::uint32_t largest_group(const Column& column) {
@@ -78,7 +78,7 @@ std::uint32_t largest_group(const Column& column) {
     return static_cast<std::uint32_t>(most - column.covered.begin());
 }
 
-/// Adds these columns, which are drawn test by test.
+/// Adds columns that are drawn test by test.
 void add_runs(Icicle& icicle, int row, const std::vector<Column>& line, int begin, int end,
               std::uint32_t divided) {
     for (int x = begin; x < end; ++x) {
@@ -99,7 +99,7 @@ void add_runs(Icicle& icicle, int row, const std::vector<Column>& line, int begi
     }
 }
 
-/// Adds these columns as one stack.
+/// Adds columns as one stack.
 void add_stack(Icicle& icicle, int row, const std::vector<Column>& line, int begin, int end,
                std::uint32_t divided) {
     IcicleStack stack{row, begin, end, 0, 0, {}};

@@ -14,18 +14,18 @@
 namespace scb::render {
 namespace {
 
-// Rectangles at least so wide end with a thin line, and rows at least so high with one of
-// background. Across a row background means that there are no tests.
+// Rectangles of at least this width end with a thin line, and rows of at least this height with a
+// line of background. Within a row, background means no tests.
 constexpr int least_parted_width = 5, least_parted_height = 5;
 constexpr int least_icicle_text = 9;
 constexpr int block_width = 8;
 
-/// Shares of a stack as whole rows of pixels, from the top: pairs that were divided, then the
-/// groups of endings. What rounding leaves is carried to the next stack of the row, so that along
-/// the row also rare outcomes have their share.
+/// Shares of a stack as whole rows of pixels, from the top: divided pairs, then the groups of
+/// endings. Rounding errors are carried to the next stack of the row, so that rare outcomes also
+/// have their share along the row.
 class StackRows {
   public:
-    /// For each of them the y at which it ends.
+    /// The y at which each of them ends.
     std::vector<int> operator()(const IcicleStack& stack, std::size_t groups, int height) {
         if (stack.row != row_ || stack.begin != end_) carried_.fill(0);
         row_ = stack.row;

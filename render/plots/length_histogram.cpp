@@ -13,7 +13,7 @@ namespace {
 
 int bin_of(double share) {
     if (!(share > 0)) return LengthHistogram::bins;
-    if (!std::isfinite(share)) return 0;  // beside roots without size
+    if (!std::isfinite(share)) return 0;  // if the roots have no size
     const double place = std::floor(-LengthHistogram::per_halving * binary_logarithm(share));
     return static_cast<int>(std::clamp(place, 0.0, 1.0 * LengthHistogram::bins));
 }
@@ -23,7 +23,7 @@ int row_height(const FigureStyle& style) { return style.unit * 7 / 4; }
 }  // namespace
 
 void LengthHistogram::add(double diameter, double thickness) {
-    // A thickness that is but rounding noise is none.
+    // A thickness of rounding noise counts as 0.
     const double tau = thickness < 1e-12 * diameter ? 0 : thickness;
     ++diameters[static_cast<std::size_t>(bin_of(diameter / root_diameter))];
     ++thicknesses[static_cast<std::size_t>(bin_of(tau / root_diameter))];
@@ -62,7 +62,7 @@ PixelRect draw_length_histogram(Overlay& overlay, const PixelRect& rect,
         for (int i = 0; i <= LengthHistogram::bins; ++i) {
             const std::uint32_t count = (*counts)[static_cast<std::size_t>(i)];
             if (count == 0) continue;
-            // What is there is seen.
+            // Every nonempty bin is visible.
             const int height = std::max(
                 1, static_cast<int>(std::lround(static_cast<double>(count) / most * full)));
             overlay.rectangle({x_of(i), base - height, bin - 1, height}, style.theme.faint_text);

@@ -13,12 +13,12 @@
 namespace scb::render {
 namespace {
 
-// From here on a linear scale would hide most lines in its lowest twentieth.
+// Above this ratio, a linear scale would hide most lines in its lowest twentieth.
 constexpr double peak_to_median = 20;
 
 bool drawable(double value) { return std::abs(value) <= largest_plot_value; }
 
-/// The values that are drawn at all.
+/// The range of the drawn values.
 struct DataRange {
     double x_low = std::numeric_limits<double>::infinity(), x_high = -x_low;
     double y_low = x_low, y_high = -x_low;
@@ -80,7 +80,7 @@ std::vector<std::vector<ScreenPosition>> pieces_of(const PlotSeries& series, con
             if (!pieces.back().empty()) pieces.emplace_back();
             continue;
         }
-        // Marks are one pixel wide, and the line goes through their middles.
+        // Marks are one pixel wide; the line goes through their middles.
         pieces.back().push_back(
             {area.x + 0.5 + right * (area.width - 1), area.y + 0.5 + (1 - up) * (area.height - 1)});
     }
@@ -98,14 +98,14 @@ struct EndLabel {
 
 int name_height(const FigureStyle& style) { return small_size(style.unit) * 6 / 5; }
 
-// Moves names apart, all together as little as their order allows, within the rows from top to
-// bottom.
+// Moves names apart within the rows from top to bottom, with the least total motion that keeps
+// their order.
 void spread(std::vector<EndLabel>& labels, int height, int top, int bottom) {
     std::stable_sort(labels.begin(), labels.end(),
                      [](const EndLabel& a, const EndLabel& b) { return a.end.y < b.end.y; });
     // Names that touch move as one block, whose middle is the mean of their ends.
     struct Block {
-        double first;  // the row of its first name, as wished
+        double first;  // the desired row of its first name
         int count;
     };
     std::vector<Block> blocks;
@@ -137,14 +137,14 @@ TextStyle name_style(const FigureStyle& style) {
     return {small_size(style.unit), FontWeight::medium, style.theme.text};
 }
 
-/// Where the last line ends, which may be far from the right end: a single point is in the middle.
+/// The end of the last line, which may be far from the right end: a single point is in the middle.
 double last_end(const std::vector<EndLabel>& labels) {
     double right = 0;
     for (const EndLabel& label : labels) right = std::max(right, label.end.x);
     return right;
 }
 
-/// The names in their places, or none where one could not stand next to its own line's end.
+/// The names in their places, or none if a name could not be next to its own line's end.
 std::vector<EndLabel> placed_labels(const LinePlot& plot, const PlotFrame& frame,
                                     const PixelRect& area, const FigureStyle& style) {
     std::vector<EndLabel> labels;
@@ -178,7 +178,7 @@ void draw_end_labels(Overlay& overlay, const std::vector<EndLabel>& labels, cons
         TextStyle text = name_style(style);
         text.color = mix(label.series->color, style.theme.text, 0.35);
         const int left = static_cast<int>(x), top = label.y - small / 2;
-        // Among the data, no grid line goes through a name.
+        // If names are among the data, no grid line goes through them.
         if (left < area.x + area.width)
             overlay.rectangle(
                 {left - 2, top, overlay.measure(label.series->name, text).width + 4, small},
@@ -187,8 +187,8 @@ void draw_end_labels(Overlay& overlay, const std::vector<EndLabel>& labels, cons
     }
 }
 
-/// Rows of line samples, names and remarks, wrapped to the width; only measured where `draw` is
-/// false. Returns the height.
+/// Rows of line samples, names and remarks, wrapped to the width; only measured if `draw` is false.
+/// Returns the height.
 int legend_rows(Overlay& overlay, const PixelRect& rect, const std::vector<PlotSeries>& series,
                 const FigureStyle& style, bool draw) {
     const TextStyle name = name_style(style);
@@ -252,7 +252,7 @@ PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot
             names = std::max(
                 names, style.unit + 1 + overlay.measure(series.name, name_style(style)).width);
         frame.right = std::max(least_right, names);
-        // They are not cut, but leave the data two thirds of the width.
+        // Names are not cut, but must leave two thirds of the width for the data.
         if (names <= rect.width / 3)
             labels = placed_labels(plot, frame, plot_area(overlay, box, frame, style), style);
     }

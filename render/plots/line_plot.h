@@ -15,43 +15,43 @@ struct PlotSeries {
     Rgba8 color;
     LineStroke stroke = LineStroke::solid;
     std::vector<double> x;  ///< ascending
-    /// One for each x (what one of the two has more than the other is not drawn). Where a value is
-    /// NaN or infinite the line has a gap; a value between two gaps is a dot.
+    /// One for each x (surplus elements of either are not drawn). The line has a gap at a value
+    /// that is NaN or infinite; a value between two gaps is a dot.
     std::vector<double> y;
 };
 
-/// How the values of y are spread. `automatic` is logarithmic where one series would otherwise
-/// press the others to the floor: where the largest value is more than 20 times the median of all
-/// positive ones, and none is negative.
+/// The scale of y. `automatic` is logarithmic if one series would otherwise press the others to the
+/// floor: if the largest value is more than 20 times the median of all positive values, and none is
+/// negative.
 enum class PlotScale { automatic, linear, log10 };
 
-/// How a reader learns which line is whose: from names at the right ends of the lines, from a row
-/// of names and remarks below the plot, or from elsewhere. Names stand at the lines only where each
-/// can, whole and next to its own line's end; else at none, for a name that was pushed away points
-/// at the wrong line. So there should be a legend elsewhere, too.
+/// How lines are identified: by names at the right ends of the lines, by a row of names and remarks
+/// below the plot, or elsewhere. Names are at the lines only if each fits, whole and next to its
+/// own line's end. Else no line has a name, since a displaced name would point at the wrong line.
+/// So there should be a legend elsewhere, too.
 enum class PlotLegend { none, at_lines, below };
 
 /// Values over an axis, several series in one plot.
 struct LinePlot {
     std::string title;
     std::string x_label;
-    std::string y_label;             ///< gets ", log scale" added where it is one
+    std::string y_label;             ///< ", log scale" is added for such a scale
     std::vector<PlotSeries> series;  ///< later ones over earlier ones
     std::vector<PlotRange> ranges;
     PlotScale scale = PlotScale::automatic;
     PlotLegend legend = PlotLegend::at_lines;
     bool whole_x = false;                ///< x counts something: marks at whole numbers only
     bool from_zero = true;               ///< a linear scale includes 0
-    std::string empty_text = "no data";  ///< where there is no value to draw
+    std::string empty_text = "no data";  ///< shown if there is no value to draw
 };
 
-/// The scale that a plot is drawn with: `linear` or `log10`.
+/// The scale of the drawn plot: `linear` or `log10`.
 PlotScale chosen_scale(const LinePlot& plot);
 
-/// Draws the plot into the rectangle and nothing outside of it. On a logarithmic scale, values of 0
-/// lie on a floor of their own, marked "0", and negative ones are gaps. Series may have any number
-/// of points (see thinned). Returns where the data are, which is empty where the rectangle is too
-/// small for a plot; then nothing is drawn.
+/// Draws the plot inside the rectangle. On a logarithmic scale, values of 0 lie on a floor of their
+/// own, marked "0", and negative values are gaps. Series may have any number of points (see
+/// thinned). Returns the rectangle of the data; it is empty, and nothing is drawn, if there is too
+/// little room.
 PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot& plot,
                          const FigureStyle& style);
 

@@ -16,7 +16,7 @@ std::vector<ScreenPosition> thinned(std::span<const ScreenPosition> points) {
             if (points[end].y < points[low].y) low = end;
             if (points[end].y > points[high].y) high = end;
         }
-        // A position that is not a number is in no column.
+        // A NaN position is in no column.
         if (end == begin) {
             ++begin;
             continue;

@@ -7,9 +7,9 @@
 
 namespace scb::render {
 
-/// The points of a line (pixels, from left to right) without those that cannot be seen: of points
-/// that follow each other within one column of pixels, the first, the highest, the lowest and the
-/// last, in their order. So no peak is lost, however many points share a column.
+/// The points of a line (pixels, from left to right) without invisible ones: among consecutive
+/// points in one column of pixels, the first, the highest, the lowest and the last stay, in their
+/// order. So no peak is lost.
 std::vector<ScreenPosition> thinned(std::span<const ScreenPosition> points);
 
 }  // namespace scb::render

@@ -15,10 +15,10 @@
 namespace scb::render {
 namespace {
 
-// Steps of a range are counted up to this share of one.
+// The tolerance for counting the steps of a range, as a share of a step.
 constexpr double rounding = 1e-9;
 
-/// mantissa times ten to the exponent, the mantissa being 1, 2 or 5.
+/// mantissa times ten to the exponent; the mantissa is 1, 2 or 5.
 struct RoundNumber {
     int mantissa = 1;
     int exponent = 0;
@@ -53,7 +53,7 @@ std::string linear_label(double value, int exponent, double largest) {
     const int digits = exponent_of(largest) - exponent + 1;
     if (largest >= 1e15 || exponent < -7) return format("%.*g", std::clamp(digits, 1, 17), value);
     const int thousands = largest >= 1e9 ? 9 : largest >= 1e6 ? 6 : largest >= 1e4 ? 3 : 0;
-    // More digits behind the point than before it are harder to read than separators.
+    // Numbers with more digits after the point than before it are harder to read than separators.
     if (thousands > 0 && thousands - exponent <= 2)
         return fixed_text(value / std::pow(10.0, thousands), std::max(0, thousands - exponent)) +
                (thousands == 9   ? "G"

@@ -5,17 +5,17 @@
 
 namespace scb::render {
 
-/// Values beyond it (in either direction) have no place on an axis: differences of larger ones
-/// overflow.
+/// Values beyond it (in either direction) have no place on an axis, since differences of larger
+/// values overflow.
 inline constexpr double largest_plot_value = 1e300;
 
-/// A place on an axis that is marked. Minor marks have no label.
+/// A mark on an axis. Minor marks have no label.
 struct AxisTick {
     double value = 0;
     std::string label;
 };
 
-/// What an axis of a plot shows: `low` at its left or bottom end, `high` at the other; low < high.
+/// The range of an axis: `low` at its left or bottom end, `high` at the other; low < high.
 struct PlotAxis {
     double low = 0;
     double high = 1;
@@ -24,27 +24,27 @@ struct PlotAxis {
     std::vector<AxisTick> ticks;
 };
 
-/// Where a linear axis ends.
+/// The ends of a linear axis.
 enum class AxisEnds {
-    data,  ///< where the values end, so that no width is lost
-    ticks  ///< at the first marks beyond them, so that the reader can see the limits
+    data,  ///< at the ends of the values, so that no width is lost
+    ticks  ///< at the first marks beyond the values, so that the reader can see the limits
 };
 
 /// A linear axis for the values from `low` to `high`, marked at multiples of 1, 2 or 5 times a
-/// power of ten (`whole`: of whole numbers), at most `most_ticks` of them but not fewer than 3 are
-/// allowed for. Labels are all different, and of one kind: with thousands separators below 10,000,
-/// else in k, M or G. A range too small to divide (a billionth of its values) is that of a
-/// constant, which lies in the middle. Limits that are not finite count as 0.
+/// power of ten (`whole`: of whole numbers), at most `most_ticks` of them; a limit below 3 counts
+/// as 3. Labels are all different, and of one kind: with thousands separators below 10,000, else in
+/// k, M or G. A range too small to divide (a billionth of its values) is drawn like a constant, in
+/// the middle. Limits that are not finite count as 0.
 PlotAxis linear_axis(double low, double high, int most_ticks, AxisEnds ends, bool whole = false);
 
 /// A logarithmic axis for positive values from `low` to `high`, which begins and ends at 1, 2 or 5
-/// times a power of ten. All of these are labelled where they are at most `most_ticks`, else powers
-/// of ten only. `with_zero` adds a place for 0 below the smallest value, apart from the scale.
+/// times a power of ten. All of these are labelled if they are at most `most_ticks`, else powers of
+/// ten only. `with_zero` adds a place for 0 below the smallest value, apart from the scale.
 PlotAxis log_axis(double low, double high, int most_ticks, bool with_zero = false);
 
-/// Where a value is, from 0 at the low end to 1 at the high end; values beyond are at the ends. NaN
-/// where the axis has no place for it: NaN, infinite, or not positive on a logarithmic axis (0 has
-/// one where zero_at_low).
+/// The position of a value, from 0 at the low end to 1 at the high end; values beyond are at the
+/// ends. NaN if the axis has no place for the value: NaN, infinite, or not positive on a
+/// logarithmic axis (0 has a place if zero_at_low).
 double axis_position(const PlotAxis& axis, double value);
 
 }  // namespace scb::render

@@ -46,7 +46,7 @@ struct FramePainter {
         int top = 0, bottom = tick_length(style) + small_size(style.unit) + 2;
         if (!frame.title.empty()) top += line_height(style);
         if (!frame.y_label.empty()) top += line_height(style);
-        // Half the uppermost label of the y axis stands above the data.
+        // Half of the uppermost label of the y axis is above the data.
         top += has_labels(frame.ranges) ? line_height(style) : small_size(style.unit) / 2 + 1;
         if (!frame.x_label.empty()) bottom += line_height(style);
         area = {rect.x + left, rect.y + top, std::max(0, rect.width - left - frame.right),
@@ -80,7 +80,8 @@ struct FramePainter {
                 std::max(2 * hairline(style), x_of(std::min(range.to, frame.x.high)) - from + 1);
             overlay.rectangle({from, area.y, width, area.height},
                               mix(style.theme.background, style.theme.border, 0.55));
-            // Over the middle of the range, but within the rectangle and apart from each other.
+            // Labels are over the middle of their range, but within the rectangle and apart from
+            // each other.
             const TextStyle text = label_style(style);
             const std::string label = fitted_text(overlay, range.label, text, rect.width - 1);
             // Some letters lean out of their box.

@@ -7,7 +7,7 @@
 namespace scb::render {
 namespace {
 
-// A corner of a box is a corner, and a curve is smooth at the size that pictures have.
+// Enough that a box has visible corners, and a curve is smooth at the size of pictures.
 constexpr std::size_t silhouette_directions = 240;
 
 }  // namespace
@@ -50,7 +50,7 @@ SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const Sectio
 
 ScreenPosition nearest_point(const SectionCut& cut, double sign, bool cylinder) {
     if (cut.is_silhouette()) {
-        // The support's derivative is how far beside the center its point is.
+        // The support's derivative is the sideways distance of its point from the center.
         const std::size_t count = cut.reaches.size(), at = sign > 0 ? count / 4 : 3 * count / 4;
         const double step = 2 * silhouette_direction(1, count).y;
         return {cut.x - sign * (cut.reaches[at + 1] - cut.reaches[at - 1]) / step,
@@ -85,7 +85,7 @@ SectionScale::SectionScale(const PixelRect& box, const SectionExtent& shown) : r
     const double width = shown.right - shown.left, height = shown.top - shown.bottom;
     pixels = std::min(width > 0 ? 0.9 * box.width / width : HUGE_VAL,
                       height > 0 ? 0.9 * box.height / height : HUGE_VAL);
-    // Two points in one place.
+    // Two coincident points.
     if (!std::isfinite(pixels)) pixels = 1;
 }
 

@@ -9,16 +9,15 @@
 
 namespace scb::render {
 
-/// What a section plane cuts out of a ball or slab cut ball, or the silhouette of another volume as
-/// it is seen along the plane's front, in plane coordinates from the center of A: x to the right, y
-/// up.
+/// The cut of a section plane with a ball or slab cut ball, or the silhouette of another volume
+/// seen along the plane's front, in plane coordinates from the center of A: x to the right, y up.
 struct SectionCut {
     double x = 0, y = 0, r = 0;
     bool has_slab = false;
     double nx = 0, ny = 0, e = 0, f = 0;  ///< the slab: f <= nx dx + ny dy <= e
     Rgba8 color;
-    /// Of a silhouette: how far it reaches from x, y in the directions of silhouette_direction, as
-    /// many as there are; r is the most.
+    /// For a silhouette: its extents from x, y in all directions of silhouette_direction; r is the
+    /// largest.
     std::vector<double> reaches{};
 
     bool is_silhouette() const { return !reaches.empty(); }
@@ -28,12 +27,12 @@ struct SectionCut {
 /// The i-th of `count` directions, from the right counterclockwise.
 ScreenPosition silhouette_direction(std::size_t i, std::size_t count);
 
-/// `from_a`: the volume's center, from that of A; `before`: how far the plane is in front of it. A
-/// plane beside the ball leaves radius 0.
+/// `from_a`: the volume's center, from the center of A; `before`: how far the plane is in front of
+/// it. A plane that misses the ball gives radius 0.
 SectionCut section_cut(const AnyVolume& volume, const Vec3& from_a, const SectionPlane& plane,
                        double before, Rgba8 color);
 
-/// Where a cut comes nearest to what is below it (`sign` -1) or above: the corner of its cylinder,
+/// The point of a cut nearest to a body below it (`sign` -1) or above: the corner of its cylinder,
 /// or of the slab and the circle; else the circle's pole. In plane coordinates.
 ScreenPosition nearest_point(const SectionCut& cut, double sign, bool cylinder);
 
@@ -46,7 +45,7 @@ struct SectionExtent {
 
 /// From plane coordinates to pixels of a rectangle.
 struct SectionScale {
-    double x0 = 0, y0 = 0;  ///< what is in the middle of the rectangle
+    double x0 = 0, y0 = 0;  ///< the point in the middle of the rectangle
     double pixels = 1;      ///< per unit
     PixelRect rect;
 
@@ -60,7 +59,7 @@ struct SectionScale {
     ScreenCircle circle(const SectionCut& cut) const;
     /// The points at most k above the cut's center along its normal (`sign` 1), or below it (-1).
     HalfPlane side(const SectionCut& cut, double k, double sign) const;
-    /// The points within a silhouette's reach in its i-th direction.
+    /// The points within a silhouette's extent in its i-th direction.
     HalfPlane side(const SectionCut& cut, std::size_t i) const;
 };
 

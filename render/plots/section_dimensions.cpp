@@ -19,7 +19,7 @@ double power_of_ten(int exponent) {
     return power;
 }
 
-/// Decimals that show three digits.
+/// The number of decimals that show three digits.
 int decimals_of(double value) {
     int decimals = 0;
     while (decimals < most_decimals && value * power_of_ten(decimals) < 100) ++decimals;
@@ -29,7 +29,7 @@ int decimals_of(double value) {
 int decimals_of(const std::vector<double>& numbers, double largest) {
     if (!(largest > 0)) return 0;
     int decimals = decimals_of(largest);
-    // Less than a hundred thousandth is rounding, or nothing that a sum shows.
+    // Less than a hundred thousandth is rounding, or invisible in a sum.
     for (const double v : numbers)
         if (std::abs(v) > 1e-5 * largest) decimals = std::max(decimals, decimals_of(std::abs(v)));
     return decimals;
@@ -66,7 +66,7 @@ struct Table {
 std::vector<std::string> sum_texts(const std::vector<double>& numbers) {
     double largest = 0;
     for (const double v : numbers) largest = std::max(largest, std::abs(v));
-    // Beyond that, decimals are no way to write numbers.
+    // Beyond this range, decimals do not suit.
     if (largest > 0 && (largest < 1e-6 || largest >= 1e12)) {
         std::vector<std::string> texts;
         for (const double v : numbers)
@@ -84,12 +84,12 @@ std::vector<std::string> sum_texts(const std::vector<double>& numbers) {
         for (std::size_t i = 0; i < terms; ++i) missing -= rounded[i];
         return missing == 0;
     };
-    // One digit more, or two, may be all that it takes.
+    // One or two more digits may suffice.
     const int least = decimals_of(numbers, largest);
     int decimals = least;
     while (!round_all(decimals) && decimals < least + 2) ++decimals;
     if (missing != 0) round_all(decimals = least);
-    // What rounding took from the sum goes to those that it changed most.
+    // The rounding error of the sum is added to the terms that rounding changed most.
     for (std::size_t count = 0; std::abs(missing) > 0.5 && count < terms; ++count) {
         const double step = missing > 0 ? 1 : -1;
         std::size_t most = 0;
@@ -146,7 +146,7 @@ void draw_dimensions(Overlay& overlay, const SectionScale& scale, const PixelRec
         }
         if (y + small > box.y + box.height) continue;
         if (i + 1 == count) overlay.rectangle({x, y - line / 8, table.width, 1}, theme.text);
-        // As the length itself is drawn.
+        // Drawn like the length itself.
         const int sample = static_cast<int>(std::lround(width));
         overlay.rectangle(
             {x + small / 4 - sample / 2, y + small / 8, std::max(1, sample), small * 3 / 4},

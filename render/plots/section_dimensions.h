@@ -18,16 +18,16 @@ struct SectionDimension {
     bool strong = false;
 };
 
-/// The numbers with as many decimals as show three digits of all that matter, rounded so that the
-/// last, the sum of the others, is that of what is printed: 0.093252, −0.034666, −0.058214,
-/// +0.000372. What vanishes at that many decimals is 0.
+/// The numbers with enough decimals for three digits of all that matter. They are rounded so that
+/// the last, the sum of the others, is the sum of the printed numbers: 0.093252, −0.034666,
+/// −0.058214, +0.000372. Numbers that vanish at these decimals are 0.
 std::vector<std::string> sum_texts(const std::vector<double>& terms_and_sum);
 
 /// The width that they need.
 int dimensions_width(Overlay& overlay, const std::vector<SectionDimension>& dimensions, int unit);
 
 /// Draws them into `box`, which lies right of the section's rectangle and is as high: each in a
-/// column of its own, and in the same order a table of their numbers, of which the last is the sum.
+/// column of its own. A table of their numbers has the same order; the last number is the sum.
 void draw_dimensions(Overlay& overlay, const SectionScale& scale, const PixelRect& box,
                      const std::vector<SectionDimension>& dimensions, const Theme& theme, int unit,
                      double line_width);

@@ -6,7 +6,7 @@
 namespace scb::render {
 namespace {
 
-/// The direction's part across `up`, of length 1; zero where it is as good as parallel.
+/// The direction's part across `up`, normalized; zero if the two are nearly parallel.
 Vec3 across(const Vec3& up, const Vec3& direction) {
     const double length = std::sqrt(squared_norm(direction));
     if (!(length > 0)) return Vec3::Zero();
@@ -14,12 +14,12 @@ Vec3 across(const Vec3& up, const Vec3& direction) {
     part -= dot(up, part) * up;
     if (!(squared_norm(part) > 1e-12)) return Vec3::Zero();
     part /= std::sqrt(squared_norm(part));
-    // Once more: the difference above has few digits where the two are nearly parallel.
+    // Once more: the difference above has few digits if the two are nearly parallel.
     part -= dot(up, part) * up;
     return part / std::sqrt(squared_norm(part));
 }
 
-/// A direction, and what it is called.
+/// A direction, and its name.
 struct Named {
     std::string name;
     Vec3 direction = Vec3::Zero();
@@ -40,7 +40,7 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
                            const std::optional<Vec3>& common_point) {
     const Vec3 to_b = center(b) - center(a);
     const Named line{"the line of centers", to_b}, n0 = normal_of(a, "n0"), n1 = normal_of(b, "n1");
-    // Whose center the plane goes through, of slab and ball that of the ball.
+    // Whether the plane goes through B's center; for slab and ball, it goes through the ball's.
     bool through_b = false, silhouettes = !is_cut(a);
     Named own = line;
     std::vector<Named> others;
@@ -89,10 +89,10 @@ SectionPlane section_plane(const AnyVolume& a, const AnyVolume& b, const Overlap
         break;
     }
     if (!is_cut(a)) plane.words = "as seen from the side";
-    // B on the right, where it is on a side at all.
+    // B is on the right, unless it is straight above.
     if (dot(plane.right, to_b) < 0) plane.right = -plane.right;
     plane.front = cross(plane.right, plane.up);
-    // Less is rounding.
+    // Smaller values are rounding.
     const double behind = -dot(plane.front, to_b);
     if (silhouettes || !(std::abs(behind) > 1e-9 * std::sqrt(squared_norm(to_b)))) return plane;
     (through_b ? plane.before_a : plane.before_b) = through_b ? -behind : behind;

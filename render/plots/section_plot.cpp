@@ -12,8 +12,8 @@
 namespace scb::render {
 namespace {
 
-/// What is too small to be seen in a drawing of all with this scale: the surroundings of the
-/// smaller of the two, or of the gap between them.
+/// The part that is too small to see in the whole drawing at this scale: the surroundings of the
+/// smaller volume, or of the gap between them.
 std::optional<SectionExtent> detail_extent(const SectionCut& a, const SectionCut& b,
                                            const SectionPlot& plot, const SectionScale& scale,
                                            int unit) {
@@ -28,7 +28,7 @@ std::optional<SectionExtent> detail_extent(const SectionCut& a, const SectionCut
     }
     const double gap = std::abs(end_b - end_a);
     if (!(gap > 0 && pixels * gap < 0.4 * unit) || plot.common_point) return std::nullopt;
-    // An eighth of the height, if that is not too much of a magnification to be understood.
+    // An eighth of the height, unless the magnification would be too large to understand.
     constexpr double largest = 60;
     const double height = std::max(8 * gap, scale.rect.height / pixels / largest);
     const bool of_b = plot.measures_b();
@@ -86,7 +86,7 @@ class Drawing {
         }
     }
 
-    /// The cylinder with the slab's height, which the plane holds the axis of.
+    /// The cylinder with the slab's height; its axis is in the plane.
     void cylinder(const SectionCut& cut) {
         const double nx = cut.nx, ny = cut.ny;
         const auto corner = [&](double k, double side) {
@@ -123,7 +123,7 @@ class Drawing {
             draw_stroke(overlay_, part, color, stroke, thickness);
     }
 
-    /// Segments that follow each other are one line, so that their joints are drawn once.
+    /// Consecutive segments are one line, so that their joints are drawn once.
     void flush_outline(Rgba8 color) {
         std::vector<ScreenPosition> points;
         for (const auto& [p, q] : outline_) {
@@ -168,7 +168,7 @@ std::vector<SectionDimension> dimensions_of(const SectionPlot& plot, double dist
     return all;
 }
 
-/// The two, with what the step takes them for.
+/// The two volumes, with the shapes that the step uses for them.
 void draw_bodies(Drawing& drawing, const SectionPlot& plot, const SectionCut& a,
                  const SectionCut& b, const Theme& theme) {
     for (const SectionCut& cut : {a, b}) drawing.region(cut);
@@ -185,7 +185,7 @@ void draw_bodies(Drawing& drawing, const SectionPlot& plot, const SectionCut& a,
     drawing.dot(x, y, theme.text, 4 * drawing.width());
 }
 
-/// A part of the drawing, magnified in `rect`, and a frame in the whole about what that shows.
+/// A part of the drawing, magnified in `rect`, and a frame around this part in the whole.
 void draw_detail(Overlay& overlay, const PixelRect& rect, const SectionExtent& extent,
                  const SectionScale& whole, const SectionPlot& plot, const SectionCut& a,
                  const SectionCut& b, const Theme& theme, int unit) {
@@ -195,7 +195,7 @@ void draw_detail(Overlay& overlay, const PixelRect& rect, const SectionExtent& e
                         scale.y0 - (py - rect.height / 2.0) / scale.pixels);
     };
     const ScreenPosition first = in_whole(0, 0), last = in_whole(rect.width, rect.height);
-    // Not so small that nobody finds it.
+    // A frame must not be too small to find.
     const double least = unit / 2.0, middle_x = (first.x + last.x) / 2,
                  middle_y = (first.y + last.y) / 2,
                  half_width = std::max(least, last.x - first.x) / 2,
@@ -255,7 +255,7 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
     const SectionCut a = section_cut(plot.a, Vec3::Zero(), plane, plane.before_a, body_a_color),
                      b = section_cut(plot.b, to_b, plane, plane.before_b, body_b_color);
     const std::vector<SectionDimension> dimensions = dimensions_of(plot, b.y, theme);
-    // Lines and dots are wider than what they stand for.
+    // Lines and dots extend beyond their exact positions.
     const int edge = unit / 4, numbers = dimensions_width(overlay, dimensions, unit),
               beside = rect.width - numbers < 5 * unit ? 0 : numbers;
     PixelRect box = {rect.x + edge, rect.y + edge, rect.width - edge - beside - unit / 2,
@@ -274,7 +274,7 @@ bool draw_section_plot(Overlay& overlay, const PixelRect& rect, const SectionPlo
         rest.x += inset.width + unit;
         rest.width -= inset.width + unit;
         detail = detail_extent(a, b, plot, SectionScale(rest, extent), unit);
-        // What it shows but a little larger is better seen in a larger whole.
+        // If the inset magnifies only a little, a larger whole shows more.
         if (detail && SectionScale(inset, *detail).pixels < 3 * SectionScale(box, extent).pixels)
             detail.reset();
         if (detail) box = rest;

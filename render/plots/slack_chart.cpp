@@ -12,7 +12,7 @@ namespace {
 struct Row {
     std::string name, number, note;
     std::size_t step = 0;
-    bool shown = false;  ///< the section's
+    bool shown = false;  ///< the step of the section
     bool faint = false;
 };
 
@@ -30,7 +30,7 @@ std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
         row.step = i;
         if (step.line > 0) row.name = std::to_string(step.line) + "  ";
         row.name += formulas ? step.formula : std::string(stage_name(step.stage));
-        // Nothing but rounding.
+        // Only rounding.
         const bool vanishes = !step.skipped.empty() && std::abs(step.slack) <= 2 * steps.margin;
         row.number = vanishes ? "–" : signed_text(step.slack);
         row.shown = i == closest;
@@ -46,7 +46,8 @@ std::vector<Row> rows_of(const OverlapSteps& steps, bool formulas) {
     return rows;
 }
 
-/// Where there is no room for all: the first ones, how many are left out, and the closest one.
+/// If there is no room for all: keeps the first rows, the number of omitted rows, and the closest
+/// step.
 void keep_rows(std::vector<Row>& rows, std::size_t room, std::size_t closest) {
     if (rows.size() <= room) return;
     const std::size_t first = room < 3 ? 0 : room - 2;

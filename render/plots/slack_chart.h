@@ -11,18 +11,18 @@ namespace scb::render {
 
 class Overlay;
 
-/// The slack of every step of a test as bars about zero: what separates goes to the right.
+/// The slack of every step of a test as bars about zero: steps that separate go to the right.
 struct SlackChart {
     const OverlapSteps* steps = nullptr;
     Rgba8 separating;  ///< the color of bars that go to the right
 };
 
-/// How many lines it takes; see slack_line.
+/// The number of its lines; see slack_line.
 int slack_chart_lines(const OverlapSteps& steps);
 int slack_line(int unit);
 
-/// Draws it into the rectangle and nothing outside of it; steps that do not fit are left out, and
-/// formulas where there is no room for them.
+/// Draws it inside the rectangle. Steps that do not fit are left out, and so are formulas without
+/// room.
 void draw_slack_chart(Overlay& overlay, const PixelRect& rect, const SlackChart& chart,
                       const Theme& theme, int unit);
 

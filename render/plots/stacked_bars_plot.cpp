@@ -8,7 +8,7 @@
 namespace scb::render {
 namespace {
 
-/// `most` bars at most, each the mean of those that follow each other.
+/// At most `most` bars, each the mean of consecutive bars.
 std::vector<std::vector<double>> means(const StackedBarsPlot& plot, std::size_t most) {
     const std::size_t all = plot.amounts.size(), count = std::min(all, most);
     std::vector<std::vector<double>> bars;
@@ -30,8 +30,8 @@ bool are_evenly_spaced(const std::vector<int>& numbers) {
     return true;
 }
 
-/// One place for each number, whatever they are. Round ones are marked where there are some and the
-/// numbers follow at even steps, as a reader then expects; else every so many.
+/// One place for each number, for any numbers. If the numbers have even steps and some are round,
+/// the round ones are marked, as readers expect. Else every n-th number is marked.
 PlotAxis numbers_axis(const std::vector<int>& numbers, int most_ticks) {
     PlotAxis axis;
     axis.low = 0;
@@ -87,8 +87,8 @@ PixelRect draw_stacked_bars_plot(Overlay& overlay, const PixelRect& rect,
         std::vector<BarPart> parts;
         for (std::size_t part = 0; part < plot.colors.size(); ++part)
             parts.push_back({plot.colors[part], bars[i][part]});
-        // Few bars do not become walls; and draw_stacked_bar takes what is wider than tall for one
-        // that lies.
+        // The width of few bars is limited: draw_stacked_bar draws a bar that is wider than tall as
+        // a horizontal one.
         const int slot = edge(i + 1) - left - gap,
                   width = std::min({slot, 8 * style.unit, std::max(1, area.height - 1)});
         draw_stacked_bar(overlay, {left + (slot - width) / 2, area.y, width, area.height}, parts,
