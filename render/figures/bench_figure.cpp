@@ -15,7 +15,7 @@
 namespace scb::render {
 namespace {
 
-/// One of the two plots: what it shows and how it is called.
+/// One of the two plots: its values and its name.
 struct Measure {
     const char* title;
     const char* unit;  ///< of the values
@@ -26,7 +26,7 @@ struct Measure {
 constexpr Measure counts_measure = {"Volume pair tests", "N_v", "no data", &BenchSeries::n_v};
 constexpr Measure times_measure = {"Time", "ms", "not measured", &BenchSeries::ms};
 
-// The order in which lines are drawn: those of the SCB over the others, sparser over fuller ones.
+// The order in which lines are drawn: lines of the SCB over the others, sparser over fuller ones.
 std::vector<std::size_t> drawing_order(const BenchFigure& figure,
                                        const std::vector<SeriesLook>& looks) {
     std::vector<std::size_t> order;
@@ -57,7 +57,7 @@ LinePlot line_plot_of(const BenchFigure& figure, const Measure& measure) {
                         looks[row].stroke,
                         {series.frames.begin(), series.frames.end()},
                         series.*measure.values};
-        // Frames that are not known are gaps, and both plots have the same frames.
+        // Unknown frames are gaps, and both plots have the same frames.
         line.y.resize(line.x.size(), std::numeric_limits<double>::quiet_NaN());
         plot.series.push_back(std::move(line));
     }
@@ -89,7 +89,7 @@ std::string subtitle_of(const BenchFigure& figure) {
     return text + (text.empty() || frames.empty() ? "" : ", ") + frames;
 }
 
-/// The lines below everything: what a reader needs to repeat the figure, but not to understand it.
+/// The lines at the bottom, which a reader needs to repeat the figure, but not to understand it.
 struct Footnote {
     std::vector<std::string> lines;
     TextStyle style;
@@ -116,7 +116,7 @@ Footnote footnote_of(Overlay& overlay, const BenchFigure& figure, const FigureLa
 struct BenchLayout {
     PixelRect left, right;  ///< the plots
     PixelRect legend, footnote;
-    int legend_text = 0;  ///< size of its text; 0 where there is none
+    int legend_text = 0;  ///< size of its text; 0: no legend
 };
 
 BenchLayout layout_of(const FigureLayout& frame, int width, int height, const BenchLegend& legend,
@@ -126,7 +126,8 @@ BenchLayout layout_of(const FigureLayout& frame, int width, int height, const Be
     const int inside = width - 2 * margin, gutter = 2 * unit;
     const int top = frame.heading.y + frame.heading.height + unit / 2;
     int bottom = height - margin;
-    // Bars have names and numbers of their own: they come before the table, or none would be drawn.
+    // Bars have names and numbers of their own, so they get their room before the table; else no
+    // bars would be drawn.
     const int bars = static_cast<int>(legend.rows.size()) * (small_size(unit) + 1) + 13 * unit / 4,
               plots = frame.portrait ? 2 : 1,
               least = plots * (legend.blocks ? std::max(9 * unit, bars) : 9 * unit);
@@ -163,7 +164,7 @@ void draw_lines(Overlay& overlay, const BenchFigure& figure, const BenchLayout& 
                 const FigureStyle& style) {
     LinePlot counts = line_plot_of(figure, counts_measure);
     LinePlot times = line_plot_of(figure, times_measure);
-    // Read side by side: time follows the counts.
+    // The plots are read side by side: time has the scale of the counts.
     counts.scale = times.scale = chosen_scale(counts);
     if (layout.legend_text == 0) counts.legend = times.legend = PlotLegend::below;
     draw_line_plot(overlay, layout.left, counts, style);

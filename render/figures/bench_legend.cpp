@@ -35,7 +35,7 @@ std::string ratio_text(const std::optional<double>& ratio) {
     return number_text(std::strtod(text.c_str(), nullptr));
 }
 
-// How many series of the same kind are before a row, and how many there are.
+// The number of series of the same kind before a row, and the number of all of them.
 std::pair<std::size_t, std::size_t> place_in_kind(const BenchFigure& figure, std::size_t row) {
     std::size_t before = 0, all = 0;
     for (std::size_t i = 0; i < figure.series.size(); ++i) {
@@ -65,15 +65,15 @@ bool misses_pairs(const BenchSeries& series, const std::map<int, double>& most) 
     return false;
 }
 
-/// A table whose columns have their places.
+/// A table with the positions of its columns.
 struct TablePainter {
     Overlay& overlay;
     const BenchLegend& legend;
     const Theme& theme;
     int size;
-    int names = 0;            // how wide the first column is
-    std::vector<int> widths;  // of the others
-    std::vector<int> rights;  // where their texts end
+    int names = 0;            // width of the first column
+    std::vector<int> widths;  // widths of the others
+    std::vector<int> rights;  // ends of their texts
 
     TablePainter(Overlay& target, const BenchLegend& table, const Theme& look, int text_size)
         : overlay(target), legend(table), theme(look), size(text_size) {
@@ -199,7 +199,7 @@ BenchLegend bench_legend(const BenchFigure& figure) {
     const std::vector<SeriesLook> looks = looks_of(figure);
     const std::map<int, double> most = most_pairs(figure);
     BenchLegend legend;
-    // Of one frame there is no mean.
+    // One frame has no mean.
     const std::string prefix = frames_of(figure).size() > 1 ? "mean " : "";
     LegendColumn n_v{prefix + "N_v"}, n_p{prefix + "N_p", {}, false, 2},
         pairs{prefix + "pairs", {}, false, 1};
@@ -227,7 +227,7 @@ BenchLegend bench_legend(const BenchFigure& figure) {
     if (misses) legend.columns.push_back(pairs);
     legend.columns.push_back(ms);
     if (compares) legend.columns.push_back(all);
-    // The first slab cut balls have a ratio where any frame is in the range.
+    // The first slab cut balls have a ratio if any frame is in the range.
     if (std::any_of(part.values.begin(), part.values.end(),
                     [](const std::string& value) { return value != unknown; }))
         legend.columns.push_back(part);

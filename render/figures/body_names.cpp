@@ -7,7 +7,7 @@ namespace scb::render {
 
 std::vector<std::string> column_names(std::vector<PanelItem>& items,
                                       const std::vector<std::string>& names, bool has_letters) {
-    // So many characters have room beside another body's.
+    // So many characters fit beside another body's name.
     constexpr std::size_t most = 7;
     constexpr std::string_view letters = "AB";
     const bool are_short = std::all_of(names.begin(), names.end(),

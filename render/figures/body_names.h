@@ -7,9 +7,10 @@
 
 namespace scb::render {
 
-/// What the columns of a panel call two bodies, or one: by their names where these are short, else
-/// A and B, which a note that is added says in full: "A spider, B ultimaker_robot_support".
-/// `has_letters`: the panel speaks of A and B elsewhere, so that these are the names in any case.
+/// The names of one or two bodies in the columns of a panel: their own names if these are short,
+/// else A and B, and then a note is added with the full names: "A spider, B
+/// ultimaker_robot_support". `has_letters`: the panel uses A and B elsewhere, so the names are
+/// always A and B.
 std::vector<std::string> column_names(std::vector<PanelItem>& items,
                                       const std::vector<std::string>& names,
                                       bool has_letters = false);

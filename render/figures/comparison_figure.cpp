@@ -13,7 +13,7 @@ constexpr int line_height(int unit) { return unit * 5 / 4; }
 ComparisonLayout::Side lay_out_side(const PixelRect& cell, int unit, ComparisonRows rows) {
     const int numbers = rows.numbers * line_height(unit) + unit / 2,
               legend = rows.legend * line_height(unit) + unit / 2;
-    // Narrower columns cut what the colors mean; but better so than not to show them.
+    // Narrower columns cut the texts of the legend, which is better than no legend.
     const bool beside =
         cell.width >= 29 * unit || numbers + legend > (cell.height - unit * 3 / 2) * 3 / 5;
     const int wanted = beside ? std::max(numbers, legend) : numbers + legend;

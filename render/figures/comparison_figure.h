@@ -10,15 +10,15 @@
 
 namespace scb::render {
 
-/// One of two things that are compared.
+/// One of two compared things.
 struct ComparedView {
     std::string caption;             ///< above the view
     Pane pane;                       ///< its viewport is set by compose()
     std::vector<PanelItem> numbers;  ///< below the view
-    std::vector<PanelItem> legend;   ///< beside the numbers, or below where there is no room
+    std::vector<PanelItem> legend;   ///< beside the numbers, or below if there is no room
     std::string remark;              ///< in the view, at the top
-    /// How many things are outlined, see outline_differences; nothing where what is shown is not
-    /// comparable.
+    /// The number of outlined things, see outline_differences; nothing if the views cannot be
+    /// compared.
     std::optional<std::size_t> outlined{};
 };
 
@@ -28,7 +28,7 @@ struct ComparisonFigure {
     std::string title;
     std::string subtitle;
     std::array<ComparedView, 2> views;
-    Vec3 center = Vec3::Zero();  ///< where the scale bar holds
+    Vec3 center = Vec3::Zero();  ///< the place for which the scale bar is valid
     const Theme* theme = &light_theme;
 };
 
@@ -38,7 +38,7 @@ struct ComparisonRows {
     int legend = 0;
 };
 
-/// Where the parts of such a picture lie: the views side by side, or below each other where the
+/// The positions of the parts of such a picture: the views side by side, or below each other if the
 /// picture is taller than wide.
 struct ComparisonLayout {
     struct Side {
@@ -51,8 +51,8 @@ struct ComparisonLayout {
 };
 ComparisonLayout comparison_layout(int width, int height, ComparisonRows rows);
 
-/// Outlines in both views what they show differently, of the things with this id or a larger one.
-/// Returns how many things that are, whether they are in sight or not.
+/// Outlines in both views the things that differ, among things with this id or a larger one.
+/// Returns the number of these things, visible or not.
 std::size_t outline_differences(std::array<ComparedView, 2>& views, std::uint32_t first_id,
                                 const Theme& theme);
 

@@ -19,7 +19,7 @@ std::string correlation_number(double value) {
            format("%.2f", std::abs(value) < 0.005 ? 0.0 : std::abs(value));
 }
 
-// From 0, or half steps below it as far as values reach, to 1.
+// From 0, or the half step below the least value, to 1.
 PlotAxis correlation_axis(const CorrelationFigure& figure) {
     PlotAxis axis{0, 1, false, false, {}};
     for (const CorrelationPlot& plot : figure.plots)
@@ -96,7 +96,7 @@ void draw_rows(Overlay& overlay, const PixelRect& rect, const CorrelationFigure&
     }
 }
 
-// What dots and bars are, in lines of that width. Returns where it ends.
+// Draws the meaning of dots and bars, in lines of this width. Returns the y of its end.
 int draw_key(Overlay& overlay, int x, int y, int width, const FigureStyle& style) {
     const int unit = style.unit, right = x + width;
     const TextStyle text{unit, FontWeight::regular, style.theme.text};

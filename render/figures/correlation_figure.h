@@ -8,10 +8,10 @@
 
 namespace scb::render {
 
-/// How one measure goes together with a cost.
+/// The correlation of one measure with a cost.
 struct CorrelationRow {
     std::string name;
-    std::vector<double> of_scene;  ///< rank correlations, -1 to 1; NaN where there is none
+    std::vector<double> of_scene;  ///< rank correlations, -1 to 1; NaN: none
     double mean = 0;
 };
 
@@ -21,12 +21,12 @@ struct CorrelationPlot {
 };
 
 /// Rank correlations of measures with costs: a row per measure, a dot per scene, a bar and a number
-/// for the mean. The plots lie side by side, or above each other where the picture is taller than
+/// for the mean. The plots lie side by side, or above each other if the picture is taller than
 /// wide; both have the same rows.
 struct CorrelationFigure {
     std::string title, subtitle;
     std::vector<CorrelationPlot> plots;
-    std::string footnote;  ///< small, wrapped; left out where there is no room
+    std::string footnote;  ///< small, wrapped; left out if there is no room
     const Theme* theme = &light_theme;
 };
 

@@ -37,7 +37,7 @@ Scb separating_disc(const ExplainFigure& figure) {
     return {middle, radius > 0 ? radius : certificate.margin / 4, d, 0, 0};
 }
 
-/// What the camera has to hold, in the world.
+/// The volumes that the camera must show, in the world.
 std::vector<AnyVolume> held(const ExplainFigure& figure) {
     std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
                                       placed(figure.b, figure.to_world)};
@@ -65,7 +65,7 @@ Pane pane_of(const ExplainFigure& figure, const Camera& camera, const PixelRect&
     if (certificate.contact == Contact::disjoint) {
         pane.volumes.push_back({volumes[2], with_opacity(theme.faint_text, 0.3), 3});
         const Scb& disc = std::get<Scb>(volumes[2]);
-        // explain_camera sees it edge-on, so that a line has to show it.
+        // explain_camera sees the disc edge-on, so a line shows it.
         if (!figure.camera) {
             const Vec3 across = disc.r * camera.axes.col(0);
             pane.segments.push_back(
@@ -86,7 +86,7 @@ SectionPlane plane_of(const ExplainFigure& figure) {
                              : std::nullopt);
 }
 
-/// The point of both, also where something hides it.
+/// The common point, also if something hides it.
 void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
                        const PixelRect& view, int unit) {
     const ContactCertificate& certificate = figure.found->certificate;
@@ -102,7 +102,7 @@ void mark_common_point(Overlay& overlay, const ExplainFigure& figure, const Came
     draw_smooth_line(overlay, std::array{position}, figure.theme->text, unit * 0.5);
 }
 
-/// How far a volume reaches in a view from the view's center, in each of silhouette_direction's.
+/// The extent of a volume in a view from the view's center, in each silhouette_direction.
 std::vector<double> outline_of(const AnyVolume& volume, const Camera& camera,
                                const PixelRect& view) {
     constexpr std::size_t count = 180;
@@ -118,7 +118,7 @@ std::vector<double> outline_of(const AnyVolume& volume, const Camera& camera,
         };
         double low = -10 * height, high = 10 * height;
         if (camera.orthographic) low = high = beyond(across);
-        // The plane through the eye that touches the volume: its slope, by halving.
+        // The slope of the plane through the eye that touches the volume, by bisection.
         for (int k = 0; k < 40 && low < high; ++k) {
             const double slope = (low + high) / 2;
             (beyond(across + slope * Vec3(camera.axes.col(2))) > 0 ? low : high) = slope;
@@ -128,7 +128,7 @@ std::vector<double> outline_of(const AnyVolume& volume, const Camera& camera,
     return reaches;
 }
 
-/// Of a volume that the other one hides or seems to: its outline, over everything.
+/// The outline of a volume that the other one hides or seems to hide, over everything.
 void mark_hidden(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
                  const PixelRect& view, int unit) {
     const std::vector<double> outlines[] = {
@@ -154,7 +154,7 @@ void mark_hidden(Overlay& overlay, const ExplainFigure& figure, const Camera& ca
     }
 }
 
-/// Squares about what is too small to be seen.
+/// Squares about things that are too small to see.
 void mark_small(Overlay& overlay, const ExplainFigure& figure, const Camera& camera,
                 const PixelRect& view, int unit) {
     const Rgba8 colors[] = {body_a_color, body_b_color};
@@ -205,7 +205,7 @@ void draw_section(Overlay& overlay, const ExplainFigure& figure, const ExplainLa
     if (step.line > 0) text += "line " + std::to_string(step.line) + ": ";
     text += "slack =";
     for (const StepTerm& term : step.terms) {
-        // Signs stand apart: they are "+", or "−" with three bytes.
+        // Signs are set apart: they are "+", or "−" with three bytes.
         const std::size_t sign = term.name.starts_with("+")   ? 1
                                  : term.name.starts_with("−") ? 3
                                                               : 0;
@@ -236,7 +236,7 @@ void draw_footnote(Overlay& overlay, const ExplainFigure& figure, const ExplainL
 Camera explain_camera(const ExplainFigure& figure, double aspect) {
     const SectionPlane plane = plane_of(figure);
     const ContactCertificate& certificate = figure.found->certificate;
-    // Along the plane between the two, so that neither looks as if it reached through it.
+    // The camera looks along the plane between the two, so that neither seems to cross it.
     const bool apart = certificate.contact == Contact::disjoint;
     const Vec3 up = apart ? certificate.direction : plane.up;
     Vec3 front = plane.front - dot(up, plane.front) * up;
@@ -278,7 +278,7 @@ Picture compose(const ExplainFigure& figure, int width, int height, int samples,
                  : certificate.contact == Contact::overlapping ? "the dot is a point of both"
                                                                : "neither apart nor in each other",
                  theme, layout.unit);
-    // Below the view, where the subject never is.
+    // Below the view, where it never covers the subject.
     draw_scale_bar(overlay, layout.view.x + layout.unit / 2, layout.view.y + layout.view.height,
                    view.width / 4,
                    pixels_per_unit(camera, center(placed(figure.a, figure.to_world)), view.height),

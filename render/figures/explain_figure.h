@@ -15,31 +15,31 @@ namespace scb::render {
 class Overlay;
 
 /// One overlap test as a picture, a live version of the paper's Figures 7 and 9: both volumes with
-/// what proves the exact verdict; the step that decided, or came closest, in a plane that shows it
-/// (not of boxes); the slack of all steps; the answer.
+/// the proof of the exact verdict; the step that decided, or came closest, in a plane that shows it
+/// (not for boxes); the slack of all steps; the answer.
 struct ExplainFigure {
     std::string title;
     std::string subtitle;
     std::array<std::string, 2> names;  ///< "A 412"
     VolumeKind kind{};
     AnyVolume a, b;  ///< in A's frame
-    /// What the volumes bound, where that is known: in the world; their colors are set.
+    /// The triangles in the volumes, if known, in the world, with their colors.
     std::optional<std::array<MeshDraw, 2>> triangles;
     OverlapOptions options;
-    /// How the test ended, where it is not this project's: "bullet: rejected at box".
+    /// How a test of another engine ended: "bullet: rejected at box".
     std::string ending;
     bool is_tested = true;  ///< false: there was no test, and `ending` says so
-    std::string but;  ///< said behind "the test is right": what is wrong nevertheless; may be empty
+    std::string but;        ///< a remaining error, printed behind "the test is right"; may be empty
     const PairExplanation* found = nullptr;
     Pose to_world;                 ///< from A's frame, for the camera
     std::optional<Camera> camera;  ///< in the world; else explain_camera's
-    bool orthographic = false;     ///< that one
+    bool orthographic = false;     ///< of explain_camera
     const Theme* theme = &light_theme;
 };
 
-/// A camera from which the step's plane is seen from the front, but a little from the side and from
-/// above, fitted to both volumes; of disjoint ones, without perspective and along the plane between
-/// them.
+/// A camera that sees the step's plane from the front, but a little from the side and from above,
+/// fitted to both volumes. For disjoint volumes it is without perspective and looks along the plane
+/// between them.
 Camera explain_camera(const ExplainFigure& figure, double aspect);
 
 Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay);

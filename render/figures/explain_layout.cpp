@@ -10,7 +10,7 @@
 namespace scb::render {
 namespace {
 
-/// At most so many, as letters are half as wide as high at most on the average.
+/// An upper bound, since on average letters are at most half as wide as high.
 int footnote_lines(const ExplainFigure& figure, int unit, int width) {
     std::size_t letters = 0;
     for (const std::string_view line : symbol_lines(figure.kind, figure.options))
@@ -42,7 +42,7 @@ ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure,
     const int line = slack_line(unit), chart = slack_chart_lines(figure.found->steps) * line,
               verdict = (static_cast<int>(verdict_lines(figure).size()) + 1) * line;
     const int below = std::min(std::max(chart, verdict), all.height * 3 / 5);
-    // Small pictures have no room for one.
+    // Small pictures have no room for a section.
     const bool section = whole.portrait || all.height - std::max(chart, verdict) > 12 * unit;
     if (whole.portrait) {
         const int verdict_height = std::min(verdict, all.height / 5),

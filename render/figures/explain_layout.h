@@ -4,13 +4,13 @@
 
 namespace scb::render {
 
-/// Where the parts of a picture of an explanation lie.
+/// The positions of the parts of a picture of an explanation.
 struct ExplainLayout {
     int unit = 20;  ///< size of body text, pixels
     PixelRect heading;
-    PixelRect view, section;  ///< with their captions above them; no section of boxes
+    PixelRect view, section;  ///< with their captions above them; boxes have no section
     PixelRect steps, verdict;
-    PixelRect footnote;  ///< what symbols mean; empty where there are none, or no room
+    PixelRect footnote;  ///< the meaning of symbols; empty if there are none, or no room
 
     static constexpr int caption_lines = 2;
     int caption_height() const { return caption_lines * unit * 5 / 4 + unit / 4; }

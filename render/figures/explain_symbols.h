@@ -8,7 +8,7 @@
 
 namespace scb::render {
 
-/// What the formulas of a test have beyond the paper's symbols, in lines for a terminal.
+/// The symbols in the formulas of a test beyond the paper's, in lines for a terminal.
 std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions& options);
 
 }  // namespace scb::render

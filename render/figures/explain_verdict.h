@@ -15,7 +15,7 @@ const OverlapStep& shown_step(const ExplainFigure& figure);
 /// "disjoint, 0.0123 apart".
 std::string exact_words(const ContactCertificate& certificate);
 
-/// A line of what a figure concludes.
+/// A line of a figure's conclusions.
 struct VerdictLine {
     std::string text;
     Rgba8 color;
@@ -23,11 +23,11 @@ struct VerdictLine {
     std::optional<Rgba8> swatch{};
 };
 
-/// How the test ended, the exact answer, what the test's answer is worth; the two volumes; the
+/// How the test ended, the exact answer, the verdict on the test's answer; the two volumes; the
 /// other tests.
 std::vector<VerdictLine> verdict_lines(const ExplainFigure& figure);
 
-/// Draws them into the rectangle, wrapped; what does not fit is left out.
+/// Draws them into the rectangle, wrapped; lines that do not fit are left out.
 void draw_verdict(Overlay& overlay, const PixelRect& box, const ExplainFigure& figure, int unit);
 
 }  // namespace scb::render

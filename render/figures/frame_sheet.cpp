@@ -9,7 +9,7 @@
 namespace scb::render {
 namespace {
 
-/// Details with a dot between them, as many as there is room for.
+/// Details with a dot between them, as many as fit.
 std::string fitted_details(Overlay& overlay, const std::vector<std::string>& details,
                            const TextStyle& style, int width) {
     std::string text;
@@ -21,7 +21,7 @@ std::string fitted_details(Overlay& overlay, const std::vector<std::string>& det
     return text;
 }
 
-/// Under the title. Returns the y below it.
+/// Draws the legend under the title. Returns the y below it.
 int draw_legend(Overlay& overlay, const FrameSheet& sheet, int y) {
     const int unit = sheet.layout.unit, right = sheet.layout.width - sheet_margin;
     if (sheet.scale) {
@@ -45,7 +45,7 @@ int draw_legend(Overlay& overlay, const FrameSheet& sheet, int y) {
     return y + unit * 5 / 4;
 }
 
-/// Title and legend. Returns their height.
+/// Draws title and legend. Returns their height.
 int draw_heading(Overlay& overlay, const FrameSheet& sheet) {
     FigureLayout frame;
     frame.unit = sheet.layout.unit;
@@ -103,7 +103,7 @@ void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel) {
             if (row->strong && !row->swatches.empty()) names = row->values;
             for (std::size_t i = 0; i < row->swatches.size(); ++i) {
                 if (!row->swatches[i]) continue;
-                // Counts are those of one picture; of which body they are holds for all.
+                // Counts are for one picture, but the bodies' names are for all.
                 if (row->strong)
                     add(*row->swatches[i], row->label + " " + row->values[i]);
                 else

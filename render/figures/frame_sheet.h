@@ -15,9 +15,9 @@ namespace scb::render {
 struct FrameSheetCell {
     std::string caption;               ///< in bold, above the view
     std::string value;                 ///< the number that matters most
-    std::vector<std::string> details;  ///< as many as there is room for
-    std::string scale_end;             ///< shown where the pictures' scales differ
-    Image view;                        ///< of the layout's size
+    std::vector<std::string> details;  ///< as many as fit
+    std::string scale_end;             ///< shown if the pictures' scales differ
+    Image view;                        ///< with the size of the layout's views
 };
 
 /// A contact sheet of the pictures of a sequence.
@@ -31,11 +31,11 @@ struct FrameSheet {
     std::vector<FrameSheetCell> cells;
 };
 
-/// What the panel of a picture of the sequence says of colors: adds the keys that are new, or the
+/// Adds the legend of a picture of the sequence, from its panel: the keys that are new, or the
 /// scale.
 void add_legend(FrameSheet& sheet, const std::vector<PanelItem>& panel);
 
-/// The label at the upper end of the panel's scale; empty where it has none.
+/// The label at the upper end of the panel's scale; empty if there is none.
 std::string scale_end(const std::vector<PanelItem>& panel);
 
 /// Draws the sheet, strip by strip, as a sheet can be many times as large as a picture.

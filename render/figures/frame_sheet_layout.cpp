@@ -8,14 +8,15 @@
 namespace scb::render {
 namespace {
 
-// Below it neither the subject nor a caption can be made out.
+// In narrower views, neither subject nor caption would be recognizable.
 constexpr int narrowest_view = 100;
 
-// While views need not be very small for it, a sheet that is quick to load: 20 million pixels.
+// As long as views need not be very small for it, a sheet has at most 20 million pixels, so that it
+// loads quickly.
 constexpr int small_view = 160;
 constexpr double roomy_pixels = 20e6;
 
-// Room for a heading that is wider than a few cells.
+// Room for a heading wider than a few cells.
 constexpr int least_width = 36;  // units
 
 // Title and a line or two of keys, or a scale.

@@ -8,17 +8,17 @@
 
 namespace scb::render {
 
-/// The pixels of a sheet of views that are drawn already, each below its captions.
+/// The layout of a sheet of views that are already drawn, each below its captions.
 struct FrameSheetLayout : SheetGrid {
     int view_height = 0;
 
     int cell_height() const;
-    /// Where the view begins in a cell.
+    /// The y at which the view begins in a cell.
     int view_y() const;
 };
 
-/// For that many cells of a view of that size, which is shrunk, not enlarged: the more cells, the
-/// smaller. Nothing where they would be too small to see, see most_frame_cells.
+/// The layout for `cells` cells of a view of this size. Views are shrunk, never enlarged: the more
+/// cells, the smaller. Nothing if they would be too small to see, see most_frame_cells.
 std::optional<FrameSheetLayout> frame_sheet_layout(std::size_t cells, const PixelRect& view);
 std::size_t most_frame_cells(const PixelRect& view);
 

@@ -21,7 +21,7 @@ Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFr
             triangle_heat(frame.steps, bodies[side].tree->shape(), side, of, wasted);
         for (const std::uint32_t count : heat.counts[side]) heat.most = std::max(heat.most, count);
     }
-    // The next of 1, 2 and 5 times a power of ten.
+    // The next number that is 1, 2 or 5 times a power of ten.
     double end = 10;
     for (int i = 0; end < heat.most; ++i) end *= i % 3 == 1 ? 2.5 : 2;
     constexpr int most_ticks = 6;
@@ -34,12 +34,12 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
         MeshDraw mesh = mesh_draw(bodies[side], {});
-        mesh.shading = 0.5;  // a scale is read from the colors
+        mesh.shading = 0.5;  // readers compare the colors with a scale
         for (const std::uint32_t count : heat.counts[side])
             mesh.triangle_colors.push_back(viridis(axis_position(heat.scale, count)));
         pane.meshes.push_back(std::move(mesh));
     }
-    // Both have the same colors: an outline tells them apart where they meet.
+    // Both bodies have the same colors, so an outline separates them where they meet.
     pane.outline = {std::vector<std::uint32_t>(heat.counts[1].size()), body_color(1), {0, 0, 0}, 2};
     std::iota(pane.outline.ids.begin(), pane.outline.ids.end(), bodies[1].first_triangle_id);
     return pane;
@@ -50,7 +50,7 @@ PanelItem heat_key(const Heat& heat) {
                      : heat.of == HeatOf::triangles ? "triangle tests of a triangle"
                                                     : "wasted tests of a triangle",
                      {}};
-    // The end has a label whatever it is, and none stands so near that it would meet that.
+    // The end always has a label, and no other label is so near that they would touch.
     constexpr double nearest = 0.85;
     for (const AxisTick& tick : heat.scale.ticks)
         if (const double at = axis_position(heat.scale, tick.value);

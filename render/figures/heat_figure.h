@@ -14,17 +14,17 @@ namespace scb::render {
 
 inline constexpr EnumNames<HeatOf, 3> heat_names = {"volumes", "triangles", "wasted"};
 
-/// In how many tests each triangle of both bodies took part, and the scale of its colors.
+/// The number of tests of each triangle of both bodies, and the scale of its colors.
 struct Heat {
     HeatOf of = HeatOf::volumes;
     std::array<std::vector<std::uint32_t>, 2> counts;
     std::uint32_t most = 0;    ///< of both bodies
-    std::uint64_t wasted = 0;  ///< volume tests of the query, where `of` asks for these
+    std::uint64_t wasted = 0;  ///< wasted volume tests of the query, if `of` selects these
     PlotAxis scale;            ///< logarithmic, with a place for 0
 };
 
-/// `scale_end`: the count at the upper end of the scale; else the first of 1, 2 and 5 times a power
-/// of ten that holds all, which seldom changes from frame to frame.
+/// `scale_end`: the count at the upper end of the scale; else the first number of the form 1, 2 or
+/// 5 times a power of ten that no count exceeds, which seldom changes from frame to frame.
 Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
              HeatOf of, std::optional<std::uint32_t> scale_end);
 

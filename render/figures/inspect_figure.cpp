@@ -87,7 +87,7 @@ void add_changes(std::vector<PanelItem>& items, const std::string& name, const W
                                 best});
 }
 
-/// Beside two numbers there is no room for all of "corrected", and thresholds tell these apart.
+/// Beside two numbers there is no room for "corrected", and thresholds identify these.
 std::string short_title(const OverlapOptions& options) {
     const std::string title = overlap_title(options), name = "corrected ";
     return title.starts_with(name) ? "corr. " + title.substr(name.size()) : title;
@@ -96,7 +96,7 @@ std::string short_title(const OverlapOptions& options) {
 std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     const PassCounts& counts = figure.sum.counts;
     std::vector<PanelItem> items;
-    // First, for a small picture's panel ends early.
+    // First, since a small picture's panel ends early.
     if (counts.wrongly_rejected > 0) {
         const Rgba8 alarm = figure.theme->warning;
         items.emplace_back(PanelHeading{"REJECTED WRONGLY"});

@@ -11,35 +11,35 @@
 
 namespace scb::render {
 
-/// What the same queries take with a volume and what is best for it.
+/// The cost of the same queries with another volume and the best setting for it.
 struct InspectedSetting {
     std::string name;  ///< of the volume
     Work counts;
     bool recommended = false;
 };
 
-/// What the tests of queries wasted and why: per frame, per depth and in all, and what other
-/// settings and overlap tests would have done.
+/// The wasted tests of queries, with reasons: per frame, per depth and in all; and the costs with
+/// other settings and overlap tests.
 struct InspectFigure {
     std::string title;
     std::string subtitle;
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
-    Work settings_from;                      ///< what the settings are compared with
+    Work settings_from;                      ///< the base that settings are compared with
     std::vector<InspectedSetting> settings;  ///< by cost, the least first
-    std::string best;                        ///< the recommended one: all of it
-    std::vector<AlternativeTest> others;     ///< what others would have done
+    std::string best;                        ///< the whole recommended setting
+    std::vector<AlternativeTest> others;     ///< the results of other overlap tests
     const Theme* theme = &light_theme;
 };
 
-/// The color of pairs that passed for that reason, and of what came of them: neutral where
-/// triangles meet, purple (as in pictures of rejections) for loose fits, the accent for false
-/// positives of the test.
+/// The color of pairs that passed for this reason, and of their results: neutral if triangles meet,
+/// purple (as in pictures of rejections) for loose fits, the accent for false positives of the
+/// test.
 Rgba8 pass_reason_color(PassReason reason, const Theme& theme);
-/// Of pairs that were rejected wrongly: that of alarms.
+/// The color of wrongly rejected pairs: an alarm color.
 Rgba8 wrong_rejection_color(const Theme& theme);
 
-/// How much more or less that is: "+9.6 %", "−3.9 %"; a dash where there was nothing.
+/// The relative change: "+9.6 %", "−3.9 %"; a dash if `from` is 0.
 std::string change_text(std::uint64_t from, std::uint64_t to);
 
 Picture compose(const InspectFigure& figure, int width, int height, Overlay& overlay);

@@ -12,7 +12,7 @@
 namespace scb::render {
 namespace {
 
-// Whether the thickness is but rounding noise.
+// Whether the thickness is only rounding noise.
 bool is_flat(const VolumeStatistics& s) { return s.thickness_sum < 1e-12 * s.diameter_sum; }
 
 std::string ratio_text(const VolumeStatistics& s) {
@@ -24,7 +24,7 @@ std::string ratio_text(const VolumeStatistics& s) {
 std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers& numbers) {
     const bool by_body = figure.style.colors.by == ColorBy::body;
     std::vector<PanelItem> items;
-    // One column per body where they fit, else the sums.
+    // One column per body if they fit, else the sums.
     std::vector<const VolumeStatistics*> columns;
     std::vector<ItemCount> counts;
     for (const LevelBody& body : figure.bodies)
@@ -180,8 +180,8 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
         for (const std::uint32_t node : cover) {
             if (!body.tree->has_volume(node)) continue;
             AnyVolume volume = body.tree->volume(node);
-            // Duplicate triangles have the same leaf: one of a run of equal ones is all that can
-            // be seen.
+            // Duplicate triangles have equal leaves: of a run of equal volumes, only one is
+            // visible.
             if (drawn && identical(volume, *drawn)) continue;
             const Rgba8 color = surfaces.empty()
                                     ? volume_color(style.colors, body.tree->lengths(node),
@@ -217,7 +217,7 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
         beside.width = std::min(layout.panel.width, layout.view.x + layout.view.width - beside.x);
     }
     beside.height = layout.panel.y + layout.panel.height - beside.y;
-    // In a portrait a detail has this place.
+    // In a portrait picture, a detail has this place.
     if (!layout.portrait || !figure.detail) {
         const PixelRect lengths = draw_length_histogram(
             overlay, beside, level_lengths(figure.bodies, figure.level, figure.style),

@@ -16,17 +16,17 @@
 
 namespace scb::render {
 
-/// A body as the pictures of levels need it, at one frame. What it points to is owned elsewhere.
+/// A body for pictures of levels, at one frame. Does not own the objects that it points to.
 struct LevelBody {
     std::string name;
     const Mesh* mesh = nullptr;
-    MeshHandle handle;  ///< of the mesh, where the style shows it
+    MeshHandle handle;  ///< of the mesh, if the style shows it
     Pose pose;
     const Tree* tree = nullptr;
     std::uint32_t first_id = 1;  ///< node i has the id first_id + i
 };
 
-/// How volumes and meshes look.
+/// The style of volumes and meshes.
 struct LevelStyle {
     ColorScale colors;
     double opacity = 1;       ///< of the volumes; translucent below 1, none at 0
@@ -35,21 +35,21 @@ struct LevelStyle {
     const Theme* theme = &light_theme;
 };
 
-/// A cover in numbers, per body and in all.
+/// Statistics of a cover, per body and in all.
 struct LevelNumbers {
     std::vector<VolumeStatistics> bodies;
     VolumeStatistics all;
 };
 LevelNumbers level_numbers(const std::vector<LevelBody>& bodies, int level);
 
-/// What d and τ are of such volumes: "d = 2r, τ = e − f".
+/// The definitions of d and τ for such volumes: "d = 2r, τ = e − f".
 std::string_view lengths_words(VolumeFamily family);
 
-/// Mean thickness and summed volume for a reader: 0 where they are but rounding noise.
+/// Mean thickness and summed volume for a reader: 0 if they are only rounding noise.
 std::string thickness_text(const VolumeStatistics& statistics);
 std::string volume_text(const VolumeStatistics& statistics);
 
-/// The support of all that pictures of these levels show: the volumes of their covers, which
+/// The support of everything in pictures of these levels: the volumes of their covers, which
 /// contain the meshes. The bodies must outlive the result.
 Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vector<int>& levels);
 
@@ -57,12 +57,12 @@ Support support_of_levels(const std::vector<LevelBody>& bodies, const std::vecto
 LengthHistogram level_lengths(const std::vector<LevelBody>& bodies, int level,
                               const LevelStyle& style);
 
-/// The view of a level: its volumes (see level_cover; of several equal ones that follow each other,
-/// the first) and, where the style says so, the meshes.
+/// The view of a level: its volumes (see level_cover; of consecutive equal volumes, only the first)
+/// and, depending on the style, the meshes.
 Pane level_pane(const PixelRect& viewport, const Camera& camera,
                 const std::vector<LevelBody>& bodies, int level, const LevelStyle& style);
 
-/// All that one picture of a level says.
+/// The content of one picture of a level.
 struct LevelFigure {
     std::string title;
     std::string subtitle;
@@ -70,7 +70,7 @@ struct LevelFigure {
     int level = 0;
     LevelStyle style;
     Camera camera;               ///< for the view of figure_layout
-    Vec3 center = Vec3::Zero();  ///< of the scene, where the scale bar holds
+    Vec3 center = Vec3::Zero();  ///< of the scene, for the scale bar
     std::optional<Detail> detail;
     bool with_panel = true;  ///< else the view alone
 };

@@ -147,7 +147,7 @@ LevelSheetLayout level_sheet_layout(std::size_t volumes, std::size_t levels, boo
     };
     const int columns = std::min(count, most_level_columns);
     const int roomy = roomy_view_width(columns);
-    // As tall as twice its width is tall enough.
+    // The height is limited to twice the width, if possible.
     for (int wider = most_level_columns; wider <= 2 * most_level_columns; ++wider)
         if (lay_out(std::min(count, wider), roomy) && layout.height <= 2 * layout.width)
             return layout;

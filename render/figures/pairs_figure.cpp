@@ -13,10 +13,10 @@
 namespace scb::render {
 namespace {
 
-/// Of nodes at the level at which a query stopped.
+/// The opacity of nodes at the level at which a query stopped.
 constexpr double node_opacity = 0.3;
-/// Of leaves. Large ones lie one behind the other, in front of what they are about: they are
-/// fainter than the body's usual ones.
+/// The opacity of leaves. Large leaves lie behind each other, in front of their triangles, so they
+/// are fainter than usual ones.
 constexpr double leaf_opacity = 0.25, least_leaf_opacity = 0.05;
 
 /// The indices on one side of a list of pairs, ascending, each once.
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
     return indices;
 }
 
-/// The indices of a body in these pairs. In a self query both sides are of the one body.
+/// The indices of a body in these pairs. In a self query both sides belong to the one body.
 std::vector<std::uint32_t> of_body(const TraceHeader& header, std::vector<IndexPair> pairs,
                                    std::size_t side) {
     if (header.kind != QueryKind::self) return side_of(pairs, side);
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> of_body(const TraceHeader& header, std::vector<IndexP
 /// How many bodies are drawn.
 std::size_t body_count(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
 
-/// The leaves of one side that overlapped, though their triangles are apart.
+/// The leaves of one side that overlapped although their triangles are apart.
 std::vector<std::uint32_t> apart_leaves(const TraceHeader& header, const TraceFrame& frame,
                                         std::size_t side) {
     std::vector<IndexPair> leaves;
@@ -82,7 +82,7 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
     }
 }
 
-/// Of lines in which triangles meet, where a body hides them.
+/// The color of lines in which triangles meet, where a body hides them.
 Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.25); }
 
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
@@ -120,7 +120,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
     Pane pane;
     for (std::size_t side = 0; side < body_count(header); ++side) {
         const QueryBody& body = bodies[side];
-        // Before the whole mesh, since of what coincides the first is seen.
+        // Before the whole mesh, since the first of coinciding surfaces is visible.
         if (!pairs_are_nodes(header))
             pane.meshes.push_back(
                 marked_triangles(body, of_body(header, frame.found.pairs, side), body_color(side)));

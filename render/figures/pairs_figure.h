@@ -6,9 +6,9 @@
 
 namespace scb::render {
 
-/// What pictures of a query's result show.
+/// The content of pictures of a query's result.
 struct PairsStyle {
-    bool leaves = false;  ///< the leaf volumes that overlapped
+    bool leaves = false;  ///< show the leaf volumes that overlapped
     const Theme* theme = &light_theme;
 };
 
@@ -17,11 +17,10 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
                                       std::uint32_t first_id);
 
 /// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
-/// the segments in which they meet, thin and gray where a body hides them; and, if asked for,
-/// translucent, those of B hatched, the volumes of leaves that overlapped though their triangles do
-/// not intersect. Of a
-/// query that stopped at a level: the volumes of the pairs of nodes. `first_pair_id` is the id of
-/// the first pair's segment.
+/// the segments in which they meet, thin and gray where a body hides them; and, on request,
+/// translucent and hatched for B, the volumes of leaves that overlapped although their triangles do
+/// not intersect. For a query that stopped at a level: the volumes of the pairs of nodes.
+/// `first_pair_id` is the id of the first pair's segment.
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
                 const PairsStyle& style, std::uint32_t first_pair_id);
 
@@ -29,12 +28,12 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
                                    const TraceFrame& frame, const PairsStyle& style);
 
-/// What its colors mean.
+/// The meaning of its colors.
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
                                     const TraceFrame& frame, const PairsStyle& style);
 
-/// What a camera that follows the contact has to show: the ends of the segments in which triangles
-/// meet, or the volumes of nodes. Empty without contact.
+/// The volumes that a camera following the contact must show: the ends of the segments in which
+/// triangles meet, or the volumes of nodes. Empty without contact.
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
                                       const TraceFrame& frame);
 

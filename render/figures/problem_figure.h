@@ -15,22 +15,22 @@ struct BodyPart {
     std::uint32_t index = 0;
 };
 
-/// What something that went wrong is about: of one body or two.
+/// The parts of one or two bodies that a problem concerns.
 struct ProblemParts {
     std::vector<QueryBody> bodies;
-    std::size_t first_side = 0;   ///< 1 where the only body is drawn as a second one
-    std::vector<BodyPart> nodes;  ///< that have volumes
+    std::size_t first_side = 0;   ///< 1 if the only body is drawn as the second one
+    std::vector<BodyPart> nodes;  ///< nodes with volumes
     std::vector<BodyPart> triangles;
 };
 
-/// The nodes' volumes, translucent, those of the second body hatched; the triangles in the bodies'
+/// The nodes' volumes, translucent, and hatched for the second body; the triangles in the bodies'
 /// colors; behind them, faint, the meshes.
 Pane problem_pane(const ProblemParts& parts, const Theme& theme);
 
-/// What a camera has to hold: these volumes and triangles, and a little about them.
+/// The region that a camera must show: these volumes and triangles, and a little around them.
 std::vector<AnyVolume> problem_region(const ProblemParts& parts);
 
-/// What the colors mean.
+/// The meaning of the colors.
 std::vector<PanelItem> problem_keys(const ProblemParts& parts, const Theme& theme);
 
 }  // namespace scb::render

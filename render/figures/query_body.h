@@ -12,8 +12,8 @@
 
 namespace scb::render {
 
-/// One of the two bodies of a query as pictures need it, at one frame. What it points to is owned
-/// elsewhere.
+/// One of the two bodies of a query for pictures, at one frame. Does not own the objects that it
+/// points to.
 struct QueryBody {
     std::string name;
     const Mesh* mesh = nullptr;
@@ -32,19 +32,20 @@ AnyVolume volume_of(const QueryBody& body, std::uint32_t node);
 /// direction: found by the hierarchy, for pictures of many frames.
 double mesh_reach(const QueryBody& body, const Vec3& direction);
 
-/// Blue for A, orange for B, as in every picture of bodies; and the same for a mesh that is not the
+/// Blue for A, orange for B, as in every picture of bodies; dimmed for a mesh that is not the
 /// subject.
 Rgba8 body_color(std::size_t side);
 Rgba8 dimmed_body_color(std::size_t side, const Theme& theme);
 
-/// The body's mesh in that color, with ids.
+/// The body's mesh in this color, with ids.
 MeshDraw mesh_draw(const QueryBody& body, Rgba8 color);
 
-/// Of the body's mesh these triangles alone, ascending, in a color of the legend: with little light
+/// Only these triangles of the body's mesh, ascending, in a color of the legend: with little light
 /// and shade.
 MeshDraw marked_triangles(const QueryBody& body, std::vector<std::uint32_t> triangles, Rgba8 color);
 
-/// As a translucent volume of this color looks: one sees both of its sides, one behind the other.
+/// The visible color of a translucent volume of this color: both of its sides, one behind the
+/// other.
 Rgba8 seen_color(Rgba8 color, double opacity, const Theme& theme);
 
 }  // namespace scb::render

@@ -18,13 +18,13 @@ std::string difference_text(std::uint64_t from, std::uint64_t to) {
     return to > from ? "+" + count_text(to - from) : "−" + count_text(from - to);
 }
 
-/// Whether a node's number means the same node in both, with the same volume.
+/// Whether equal numbers of nodes mean equal nodes with equal volumes in both.
 bool nodes_comparable(const ComparedQueries& queries) {
     const TraceHeader &a = *queries[0].header, &b = *queries[1].header;
     return same_nodes(a, b) && (a.engine || a.volume == b.volume);
 }
 
-/// The counts of both, the second's with what they differ by. `only_here`: pairs_of_one.
+/// Adds the counts of both, the second's with the differences. `only_here`: pairs_of_one.
 void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
                  const PairsOfOne& only_here) {
     const auto counts = [&](std::size_t side) {
@@ -48,7 +48,7 @@ void add_numbers(std::array<ComparedView, 2>& views, const ComparedQueries& quer
     }
 }
 
-/// Outlines what differs from that id on.
+/// Outlines the differences from this id on.
 void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const Theme& theme) {
     const std::size_t outlined = outline_differences(views, first_id, theme);
     for (ComparedView& view : views) view.outlined = outlined;
@@ -60,7 +60,8 @@ void explain_outlines(std::array<ComparedView, 2>& views) {
             view.numbers.emplace_back(PanelNote{"outlined: shown differently"});
 }
 
-/// Outlines nodes, where these can be compared, and triangles that differ, and adds the numbers.
+/// Outlines nodes that differ, if these can be compared, and triangles that differ, and adds the
+/// numbers.
 void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
     const QueryBodies& bodies = queries[0].bodies;
@@ -79,7 +80,7 @@ bool agree(const std::vector<EndingGroup>& a, const std::vector<EndingGroup>& b)
     });
 }
 
-/// Which nodes are seen in each: where they can be compared, those that either query would show.
+/// The nodes shown in each view: if they can be compared, the nodes that either query would show.
 std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
                                          const std::array<Outcomes, 2>& trees,
                                          const RejectionsStyle& style) {
@@ -168,7 +169,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         !agree(shown_groups(*queries[0].header, style), shown_groups(*queries[1].header, style)))
         for (ComparedView& view : views)
             insert_before_notes(view.legend, {"colors of this side: the other side's mean others"});
-    // Of other volumes every node looks another way.
+    // With different volumes, every node looks different.
     if (nodes_comparable(queries)) outline(views, 1, *style.theme);
     add_numbers(views, queries, only_here);
     for (std::size_t side = 0; side < 2; ++side)
@@ -207,7 +208,7 @@ ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader&
         groups =
             std::max(groups, style.by == NodeColor::share ? std::size_t{2}
                                                           : shown_groups(*header, style).size());
-    // The heading, which stands off.
+    // The heading has some distance.
     const int key = style.by == NodeColor::share ? scale_rows : 0;
     constexpr int bodies = 2, notes = 2;
     return {number_rows + bodies, static_cast<int>(groups) + 2 + key + notes};

@@ -10,9 +10,10 @@
 
 namespace scb::render {
 
-/// One of two queries that are compared: of the same bodies at the same poses.
+/// One of two compared queries: of the same bodies at the same poses.
 struct ComparedQuery {
-    QueryBodies bodies;  ///< with the ids of the other's, those of triangles behind all of nodes
+    QueryBodies bodies;  ///< with the same ids as the other's, ids of triangles after all ids of
+                         ///< nodes
     const TraceHeader* header = nullptr;
     const TraceFrame* frame = nullptr;
 };
@@ -22,12 +23,11 @@ using ComparedQueries = std::array<ComparedQuery, 2>;
 using PairsOfOne = std::array<std::vector<IndexPair>, 2>;
 PairsOfOne pairs_of_one(const ComparedQueries& queries);
 
-/// What pairs_figure, rejections_figure and heat_figure show of each, with the counts of both and
-/// the differences of the second's; what their views show differently is outlined: but no nodes,
-/// where hierarchies divide them by other splits. Cameras, captions and remarks are left open.
-/// Pairs that only one of them found are lines of their own in both views. Heat has one scale for
-/// both. The segments of the first query's pairs have the ids from `first_pair_id`, those of the
-/// second's follow.
+/// The views of pairs_figure, rejections_figure and heat_figure for each query, with the counts of
+/// both and the differences of the second's. Differences between the views are outlined; nodes only
+/// if both hierarchies have the same splits. Cameras, captions and remarks are not set. Pairs that
+/// only one of them found are lines of their own in both views. Heat has one scale for both. The
+/// segments of the first query's pairs have the ids from `first_pair_id`, followed by the second's.
 std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
                                            const PairsOfOne& only_here, const PairsStyle& style,
                                            std::uint32_t first_pair_id);
@@ -39,7 +39,7 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
                                           std::optional<std::uint32_t> scale_end,
                                           const Theme& theme);
 
-/// What the panels of these need at most, whatever the frame.
+/// The most rows that the panels of these need, for any frame.
 ComparisonRows compared_pairs_rows();
 ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
                                         const RejectionsStyle& style);

@@ -28,8 +28,8 @@ double area_of(const QueryBody& body, std::uint32_t triangle) {
     return triangle_moments(at[0], at[1], at[2]).area;
 }
 
-/// The triangles of a leaf at which paths ended since its triangles were tested, those with an area
-/// to be seen; none of a node whose volume ended them.
+/// The triangles of a leaf at which paths ended with a test of triangles, if they have an area;
+/// none for a node whose volume ended the paths.
 std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPaths& node,
                                             NodeColor by) {
     std::vector<std::uint32_t> triangles;
@@ -42,14 +42,14 @@ std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPa
     return triangles;
 }
 
-/// What is left over may hold much of the front, and would hide it.
+/// Pairs that are left over may contain much of the front, and would hide it.
 double opacity_of(Rgba8 color, const RejectionsStyle& style) {
     return color == ending_color(Stage::left_over, *style.theme) ? style.opacity / 5
                                                                  : style.opacity;
 }
 
-/// What a node may hide: the square about its volume; of triangles that are drawn instead, between
-/// that and the little that slivers hide. Nothing, where there is no volume.
+/// The area that a node may hide: the square about its volume; for triangles that are drawn
+/// instead, between that and the small area of slivers. 0 if there is no volume.
 double hidden_area(const QueryBody& body, const EndedPaths& node, NodeColor by) {
     if (!body.tree->has_volume(node.node)) return 0;
     const double side =
@@ -60,7 +60,7 @@ double hidden_area(const QueryBody& body, const EndedPaths& node, NodeColor by) 
     return area > 0 ? side * std::sqrt(2 * area) : side * side;
 }
 
-/// Leaves out what is large for its paths: see RejectionsStyle::focus.
+/// Leaves out nodes that are large for the number of their paths: see RejectionsStyle::focus.
 void leave_out_large(EndedNodes& ended, const QueryBodies& bodies, const RejectionsStyle& style) {
     struct Volume {
         double paths_per_area;
@@ -98,7 +98,7 @@ bool is_shown(Stage ending, const RejectionsStyle& style) {
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Meshes that are only to be guessed.
+/// Faint meshes in the background.
 constexpr double backdrop_dim = 0.5;
 
 Rgba8 backdrop_color(std::size_t side, const Theme& theme) {
@@ -107,11 +107,11 @@ Rgba8 backdrop_color(std::size_t side, const Theme& theme) {
 
 std::string volumes_text(std::size_t side, const std::string& name) {
     const std::string letter = side == 0 ? "A" : "B";
-    // Names are cut at their ends.
+    // Long names are cut at their ends.
     return letter + (side == 1 ? ", hatched" : "") + (name == letter ? "" : ": " + name);
 }
 
-/// The triangles of the leaves at which paths ended since triangles met.
+/// The triangles of the leaves at which paths ended because triangles met.
 std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceFrame& frame,
                                              const Outcomes& outcomes, std::size_t side,
                                              EndedPathsFilter filter) {
@@ -124,9 +124,8 @@ std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceF
     return triangles;
 }
 
-/// The lines in which triangles meet, in front of all that would hide them. What a query found is
-/// the rarest of endings, and what one looks for: most of these triangles are apart from others
-/// more often.
+/// The lines in which triangles meet, in front of everything. Found pairs are the rarest ending and
+/// the most interesting one, but most of these triangles are more often apart from others.
 std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& frame,
                                    const Outcomes& outcomes, const RejectionsStyle& style) {
     if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return {};
@@ -209,7 +208,7 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style) {
     if (style.by == NodeColor::share)
         keys.emplace_back(PanelScale{"color: share of a node's tests rejected",
                                      {{0, "0"}, {0.5, "50 %"}, {1, "100 %"}}});
-    // Options are not parted from their values; where there is little room, the last is left out.
+    // Options and their values stay together; if there is little room, the last is left out.
     if (style.focus < 1)
         keys.emplace_back(PanelNote{"large nodes left out; --focus\u00a01 shows all"});
     if (style.by == NodeColor::share) return keys;

@@ -6,7 +6,7 @@
 namespace scb::render {
 namespace {
 
-constexpr int least_bars = 5, least_bar = 3;  // how many, and how high
+constexpr int least_bars = 5, least_bar = 3;  // their number, and their height
 
 constexpr int title_height(int small) { return small * 3 / 2; }
 
@@ -16,7 +16,7 @@ int least_chart(const FigureLayout& layout, const PanelChart& chart) {
     return layout.unit / 2 + title_height(small_size(layout.unit)) + least_bars * least_bar;
 }
 
-/// Each `each` rows as one; all rows have the same parts.
+/// Joins each `each` rows to one; all rows have the same parts.
 std::vector<std::vector<BarPart>> joined_rows(const std::vector<std::vector<BarPart>>& rows,
                                               int each) {
     std::vector<std::vector<BarPart>> joined;
@@ -31,7 +31,7 @@ std::vector<std::vector<BarPart>> joined_rows(const std::vector<std::vector<BarP
     return joined;
 }
 
-// Below the panel's rows, or beside them where the panel is below the view.
+// Draws it below the panel's rows, or beside them if the panel is below the view.
 void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const Theme& theme,
                 const PanelChart& chart) {
     if (chart.rows.empty()) return;
@@ -46,7 +46,7 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
     const int labels = small * 5 / 3, top = box.y + title_height(small),
               height = box.y + box.height - top;
     if (height < least_bars * least_bar || box.width < 6 * unit) return;
-    // Where so many bars have no room, one is of several rows.
+    // Without room for so many bars, a bar is for several rows.
     const int each = (static_cast<int>(chart.rows.size()) * least_bar + height - 1) / height;
     const std::vector<std::vector<BarPart>> bars = joined_rows(chart.rows, each);
     const auto count = static_cast<int>(bars.size());
@@ -63,7 +63,7 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
                  chart.title + (each > 1 ? ", " + std::to_string(each) + " each" : ""), faint);
     overlay.text(box.x + box.width, box.y, "to " + count_text(static_cast<std::uint64_t>(full)),
                  label);
-    // As many bars are labelled as there is room for.
+    // Labels as many bars as there is room for.
     const int step = bar_height >= small ? 1 : bar_height * 5 >= small ? 5 : 10;
     for (int i = 0; i < count; ++i) {
         const int y = top + i * bar_height, gap = bar_height > 3 ? 1 : 0;

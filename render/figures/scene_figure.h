@@ -11,7 +11,7 @@
 namespace scb::render {
 
 /// Stacked bars, one per row from top to bottom, all on one scale. Row i is labelled with i. Rows
-/// have the same parts; where there are too many for the room, a bar is of several rows.
+/// have the same parts; if there is too little room, a bar is for several rows.
 struct PanelChart {
     std::string title;
     std::vector<std::vector<BarPart>> rows;
@@ -28,21 +28,20 @@ struct SceneFigure {
     std::string title;
     std::string subtitle;
     Pane pane;                   ///< its viewport is set by compose()
-    Vec3 center = Vec3::Zero();  ///< where the scale bar holds
+    Vec3 center = Vec3::Zero();  ///< the place for which the scale bar is valid
     std::vector<PanelItem> panel;
-    PanelChart chart;              ///< below the panel, where there is room
-    std::optional<Detail> detail;  ///< below the panel, where there is room and no chart
+    PanelChart chart;              ///< below the panel, if there is room
+    std::optional<Detail> detail;  ///< below the panel, if there is room and no chart
     std::vector<SceneMarker> markers;
-    std::string remark;  ///< in the view, at the top: what a reader would otherwise miss
-    /// Else the view alone, with its markers: nothing that has text.
+    std::string remark;  ///< in the view, at the top: for things that a reader would otherwise miss
+    /// False: the view alone, with its markers, and without text.
     bool with_panel = true;
     const Theme* theme = &light_theme;
 };
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay);
 
-/// The view alone, as wide and high as the picture, with what is drawn into it; `unit`: the size of
-/// its text.
+/// The view alone, as large as the picture, with its markers; `unit`: the size of its text.
 Picture compose_view(SceneFigure figure, int width, int height, int unit, int samples,
                      Overlay& overlay);
 

@@ -9,23 +9,23 @@
 
 namespace scb::render {
 
-/// How the paths of a traversal ended, frame by frame, as one stacked bar for each: which stage of
-/// the overlap test earns its operations (Table 1 of the paper).
+/// How the paths of a traversal ended, frame by frame, as one stacked bar for each frame. It shows
+/// which stages of the overlap test justify their operations (Table 1 of the paper).
 struct StagesFigure {
     std::string title;
     std::string subtitle;
     std::vector<EndingGroup> groups;   ///< from the bottom of a bar to its top
     std::vector<int> frames;           ///< ascending
     std::vector<EndingCounts> counts;  ///< one for each frame
-    double least_top = 0;  ///< the axis reaches this far at least: the same for figures compared
+    double least_top = 0;  ///< the least upper end of the axis: equal for figures to compare
     const Theme* theme = &light_theme;
 };
 
-/// The paths of the frame that has the most: where the axis ends without least_top.
+/// The paths of the frame with the most paths, the end of the axis without least_top.
 double most_paths(const StagesFigure& figure);
 
-/// Composes the picture: the bars, and their means per frame in a panel. Where there are more
-/// frames than pixels, a bar is the mean of those that fall on it.
+/// Composes the picture: the bars, and their means per frame in a panel. If there are more frames
+/// than pixels, a bar is the mean of the frames at its place.
 Picture compose(const StagesFigure& figure, int width, int height, Overlay& overlay);
 
 }  // namespace scb::render

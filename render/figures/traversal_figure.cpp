@@ -15,7 +15,7 @@ namespace {
 /// Plots that are less tall, in text units, have neither legend nor notes.
 constexpr int least_body = 14;
 
-/// What a reader would otherwise miss; empty where there is nothing.
+/// A remark on things that a reader would otherwise miss; may be empty.
 std::string remark_of(const TraceHeader& header, const Collision& found, bool part) {
     if (part) return found.pairs.empty() ? "no pairs below it" : "";
     if (found.n_v == 0) return "no tests of volumes were recorded";
@@ -63,7 +63,7 @@ std::vector<Number> numbers_of(const TraceHeader& header, const TraceFrame& fram
     return numbers;
 }
 
-/// Numbers in a row, in several rows where they are too many. Returns the y below.
+/// Draws numbers in a row, or in several rows if they are too many. Returns the y below.
 int draw_numbers(Overlay& overlay, const PixelRect& rect, const std::vector<Number>& numbers,
                  const std::string& remark, const FigureStyle& style) {
     const int unit = style.unit;
@@ -92,7 +92,7 @@ int draw_numbers(Overlay& overlay, const PixelRect& rect, const std::vector<Numb
     return y + unit * 5 / 4;
 }
 
-/// A color of the icicle, what it means, and how many tests had that outcome.
+/// A color of the icicle, its meaning, and the number of tests with this outcome.
 struct Key {
     std::string label;
     Rgba8 color;
@@ -119,7 +119,7 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes&
     return keys;
 }
 
-/// The legend of outcomes, in as many columns as there is room for.
+/// The legend of outcomes, in as many columns as fit.
 class Legend {
   public:
     Legend(Overlay& overlay, std::vector<Key> keys, std::uint64_t all, int width,
@@ -176,7 +176,7 @@ class Legend {
     int columns_ = 1, rows_ = 1, pitch_ = 0;
 };
 
-/// What stands above a plot.
+/// The caption above a plot.
 struct Caption {
     std::string title, note;
 };
@@ -192,7 +192,7 @@ std::string body_text(const std::string& side, const std::string& name) {
     return name == side ? side : side + " (" + name + ")";
 }
 
-/// What is left below a caption of that height.
+/// The rest below a caption of this height.
 PixelRect below(const PixelRect& rect, int height) {
     return {rect.x, rect.y + height, rect.width, std::max(1, rect.height - height)};
 }

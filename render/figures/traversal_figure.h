@@ -9,7 +9,7 @@
 
 namespace scb::render {
 
-/// Where the traversal of one frame spent itself, in the domain of pairs: without a camera.
+/// The cost of one frame's traversal in the domain of pairs, without a camera.
 struct TraversalFigure {
     std::string title;
     std::string subtitle;
@@ -21,8 +21,8 @@ struct TraversalFigure {
 };
 
 /// Composes the figure of a frame, with its counts and the legend of outcomes: the picture has no
-/// panes, all is in the overlay. Matrix and icicle stand side by side, or above each other where
-/// the picture is taller than wide. A tiny picture has neither legend nor notes.
+/// panes, all is in the overlay. Matrix and icicle are side by side, or above each other if the
+/// picture is taller than wide. A tiny picture has neither legend nor notes.
 Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
                 int width, int height, Overlay& overlay);
 

@@ -52,7 +52,7 @@ BarPlot plot_of_tests(const TuneFigure& figure) {
     return plot;
 }
 
-/// Whether the recommended setting is best in it.
+/// `is_best`: whether the recommended setting has the least cost.
 BarPlot plot_of_costs(const TuneFigure& figure, bool is_best) {
     BarPlot plot;
     plot.title = "cost";
@@ -117,7 +117,7 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
     const int gap = unit, room = bottom - top - footnote_height - unit / 2,
               for_bars = frame.portrait ? (room - gap) / 2 : room,
               least = static_cast<int>(figure.bars.size()) * (small_size(unit) + 1) + 3 * unit;
-    // Bars before small print.
+    // Bars have priority over small print.
     if (for_bars >= least) {
         int y = bottom - footnote_height;
         for (const std::string& text : footnote) {
@@ -136,7 +136,7 @@ Picture compose(const TuneFigure& figure, int width, int height, Overlay& overla
         before.height = beside.height = (before.height - gap) / 2;
         beside.y += before.height + gap;
     } else {
-        // Rows are level, so that names at the left are those of both.
+        // Rows are at the same height in both, so that the names at the left are valid for both.
         before.width = (before.width - gap) * 3 / 5;
         beside.x += before.width + gap;
         beside.width -= before.width + gap;

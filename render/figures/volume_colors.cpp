@@ -35,7 +35,7 @@ double color_magnitude(const ColorScale& scale, const VolumeLengths& lengths, in
                        ? std::clamp(1 + binary_logarithm(d / scale.root_diameter) / radius_halvings,
                                     0.0, 1.0)
                        : 0;
-        // Most volumes of a deep level are nearly flat: the square root parts them.
+        // Most volumes of a deep level are nearly flat: the square root separates them.
         case ColorBy::thickness:
             return d > 0 ? std::sqrt(lengths.thickness / d) : 0;
         case ColorBy::body:

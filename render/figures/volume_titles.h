@@ -7,11 +7,11 @@
 
 namespace scb::render {
 
-/// How a kind of volume is called in titles, tables and legends: "SCB", "ball", "ball (Ritter)",
+/// The name of a kind of volume in titles, tables and legends: "SCB", "ball", "ball (Ritter)",
 /// "OBB", "SCB2". (For file names and options see volume_kind_name.)
 std::string_view volume_title(VolumeKind kind);
 
-/// Of the volumes of such queries; of another engine with its name: "FCL 0.7, OBB".
+/// The name of the volumes of a trace's queries; for another engine, with its name: "FCL 0.7, OBB".
 std::string volume_title(const TraceHeader& header);
 
 }  // namespace scb::render
