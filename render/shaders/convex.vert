@@ -1,5 +1,5 @@
-// The triangles of each side of each rounded volume: a grid of directions, each at the volume's farthest point. Five
-// texels describe a volume, of which the first four have its frame.
+// The triangles of each side of each rounded volume: a grid of directions, each at the volume's
+// farthest point. Five texels describe a volume; the first four have its frame.
 uniform usamplerBuffer volumes;
 uniform usamplerBuffer corners;  // of the grid's triangles: numbers of directions
 uniform samplerBuffer directions;

@@ -7,18 +7,20 @@ uniform float pixel;       // height of a pixel, as half_view
 uniform float line_scale;  // render target pixels per pixel of the picture
 uniform vec4 clip;         // points p with dot(clip.xyz, p) + clip.w >= 0 are drawn; all zero: all points
 
-// How far a point is behind the clipping plane, on the side that is drawn.
+// How far a point is behind the clipping plane, on the drawn side.
 float behind_clip(vec3 p) { return dot(clip.xyz, p) + clip.w; }
 
-// What lies in the clipping plane is drawn, so rounding must not take it out: the plane is in front of itself by that
-// part of the distance from the eye, or of the far distance where that is the same for all.
+// Points in the clipping plane are drawn, so rounding must not exclude them: the plane is moved
+// forward by this part of the distance from the eye, or of the far distance where one value must
+// serve for all points.
 const float clip_slack = 4e-6;
 
 bool is_clipped(vec3 p) { return behind_clip(p) < -clip_slack * (orthographic != 0 ? 1.0 : -p.z); }
 
-// What the depth buffer holds of a point at distance `depth` in front of the eye, moved nearer by that fraction of the
-// distance. The buffer is linear and of floats, so a step of `nearer` means the same at every distance: meshes have 0,
-// volumes 1.1e-5 to 4.2e-5, segments 7e-5.
+// The value in the depth buffer for a point at distance `depth` in front of the eye, moved nearer
+// by the fraction `nearer` of the distance. The buffer is linear, with floats, so a step of
+// `nearer` has the same effect at every distance: meshes have 0, volumes 1.1e-5 to 4.2e-5, segments
+// 7e-5.
 float buffer_depth(float depth, float nearer) { return depth - nearer * depth; }
 
 // Size of a pixel at that distance.

@@ -3,8 +3,9 @@
 vec3 to_linear(vec3 color) { return color * color; }
 vec3 to_stored(vec3 light) { return sqrt(clamp(light, 0.0, 1.0)); }
 
-// A surface of that color (linear) whose unit normal faces the viewer, under a key light from the viewer's upper left
-// and more light from above than from below. What faces the key light turns a little paler, as matte paint does.
+// A surface of this color (linear) whose unit normal faces the viewer, under a key light from the
+// viewer's upper left and more light from above than from below. Surfaces that face the key light
+// are slightly paler, like matte paint.
 vec3 matte(vec3 color, vec3 normal, float tone) {
     const vec3 key = vec3(-0.4364, 0.5455, 0.7155);
     float lit = max(dot(normal, key), 0.0);
@@ -12,7 +13,8 @@ vec3 matte(vec3 color, vec3 normal, float tone) {
     return (color * light + 0.03 * lit * lit) * tone;
 }
 
-// What is hatched: two of seven pixels darker, the others as much lighter, so that from afar the color is the same.
+// The light of a hatched surface: two of seven pixels are darker, the others lighter, so that the
+// mean color is the same.
 vec3 striped(vec3 light) {
     const float dark = 0.45;
     bool in_stripe = mod(floor((gl_FragCoord.x + gl_FragCoord.y) / line_scale), 7.0) < 2.0;

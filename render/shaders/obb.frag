@@ -27,7 +27,7 @@ void main() {
     vec3 normal = vec3(face == 0 ? 1.0 : 0.0, face == 1 ? 1.0 : 0.0, face == 2 ? 1.0 : 0.0);
     if (cut) normal = clip.xyz * axes;
 
-    // Edges: where another pair of faces is near, or the cut.
+    // Edges: near another pair of faces, or the cut.
     float line = cut ? 0.0 : cut_cover(origin + (closest + surface) * ray, axes * normal, ray, size_of_pixel);
     for (int i = 0; i < 3; ++i) {
         if (i == face) continue;

@@ -34,7 +34,8 @@ void main() {
     vec3 p = q + surface * ray, normal = cut ? clip.xyz : plane_at(first + hit).xyz;
     float size_of_pixel = pixel_size(depth);
 
-    // Edges: where another face is near, along this one, or the cut. Of a cut, faces that stand for a curve are its edge.
+    // Edges: near another face, along this one, or the cut. Faces that approximate a curve are
+    // edges of a cut.
     float line = cut ? 0.0 : cut_cover(origin + (closest + surface) * ray, normal, ray, size_of_pixel);
     for (int i = 0; i < count; ++i) {
         if (i == hit || (!cut && v_tag.w >= 0x80000000u)) continue;

@@ -1,4 +1,4 @@
-// What the fragment shaders of all volumes share: from a hit to a shaded pixel.
+// The common part of the fragment shaders of all volumes: from a hit to a shaded pixel.
 flat in vec4 v_a;
 flat in vec4 v_b;
 flat in vec4 v_c;
@@ -21,12 +21,14 @@ void eye_ray(out vec3 origin, out vec3 direction) {
     }
 }
 
-// Which of two coplanar surfaces is in front must not be left to rounding: the ids decide, for all of a surface.
+// Rounding must not decide which of two coplanar surfaces is in front: the ids decide, for a whole
+// surface.
 float nearer_by_id(uint id) { return 1.1e-5 + 1e-6 * float(id & 31u); }
 
-// How many pixels a distance on a surface spans on the screen. `along` is the unit direction in the surface in
-// which the distance grows, `normal` the unit normal, `ray` the unit direction of sight. A step of one pixel
-// across the ray moves the point where it hits by |along - normal (along.ray)/(normal.ray)| times as much.
+// The pixels that a distance on a surface spans on the screen. `along` is the unit direction in the
+// surface in which the distance grows, `normal` the unit normal, `ray` the unit direction of sight.
+// A step of one pixel across the ray moves the point where it hits by |along - normal
+// (along.ray)/(normal.ray)| times as much.
 float to_pixels(float distance, vec3 along, vec3 normal, vec3 ray, float size_of_pixel) {
     float tilt = min(abs(dot(along, ray)) / max(abs(dot(normal, ray)), 1e-4), 12.0);
     return distance / (size_of_pixel * sqrt(1.0 + tilt * tilt));
@@ -37,8 +39,8 @@ float line_cover(float distance, float width) {
     return clamp(0.5 * width * line_scale + 0.5 - distance, 0.0, 1.0);
 }
 
-// How much of the pixel the line covers in which a surface ends at a plane. The surface is `away` from the plane here;
-// both normals are unit vectors.
+// The share of the pixel that is covered by the line in which a surface ends at a plane. The
+// surface is `away` from the plane here; both normals are unit vectors.
 float edge_cover(float away, vec3 plane, vec3 normal, vec3 ray, float size_of_pixel) {
     float cosine = dot(plane, normal), sine_squared = 1.0 - cosine * cosine;
     if (sine_squared < 1e-4) return 0.0;
@@ -47,12 +49,13 @@ float edge_cover(float away, vec3 plane, vec3 normal, vec3 ray, float size_of_pi
     return line_cover(distance, 2.0);
 }
 
-// The same of the plane that cuts a volume, at a point of the volume's own surface; of the cut itself 0.
+// The same for the plane that cuts a volume, at a point of the volume's own surface; 0 for the cut
+// itself.
 float cut_cover(vec3 point, vec3 normal, vec3 ray, float size_of_pixel) {
     return clip.xyz == vec3(0.0) ? 0.0 : edge_cover(behind_clip(point), clip.xyz, normal, ray, size_of_pixel);
 }
 
-// The same of the circle in which the cut meets a sphere of radius r, `p` being from its center.
+// The same for the circle in which the cut meets a sphere of radius r; `p` is from its center.
 float cut_circle_cover(vec3 p, float r, vec3 ray, float size_of_pixel) {
     float height = dot(clip.xyz, p);
     vec3 radial = p - height * clip.xyz;
@@ -61,13 +64,14 @@ float cut_circle_cover(vec3 p, float r, vec3 ray, float size_of_pixel) {
     return line_cover(to_pixels(away, radial / max(radius, 1e-30), clip.xyz, ray, size_of_pixel), 2.0);
 }
 
-// The tone of a cut: darker than what is lit alike, as sections are drawn.
+// The tone of a cut: darker than other surfaces with the same light, as in section drawings.
 const float cut_tone = 0.86;
 
-// Picks the surface to show from the interval of the ray inside the volume, both relative to `closest` along the
-// ray; discards the fragment where there is none. Of the interval, the clipping plane leaves what is behind it: `cut`
-// says that the surface is the plane, where the volume was cut open. `depth` is the surface's. That of the plane is the
-// same for all volumes, as a ray has one point in common with it, so that ids alone decide between cuts.
+// Picks the surface to show from the interval of the ray inside the volume, both relative to
+// `closest` along the ray; discards the fragment if there is none. The clipping plane keeps the
+// part of the interval behind it; `cut`: the surface is the plane, where the volume was cut open.
+// `depth` is the depth of the surface. The depth of the plane is the same for all volumes, as a ray
+// has one point in common with it, so that ids alone decide between cuts.
 float pick_surface(float entry, float exit, float closest, vec3 origin, vec3 ray, out float depth, out bool cut) {
     if (!(entry <= exit)) discard;
     float slope = dot(clip.xyz, ray), behind = behind_clip(origin), crossing = 0.0;
@@ -91,7 +95,7 @@ float pick_surface(float entry, float exit, float closest, vec3 origin, vec3 ray
     if (surface < nearest) discard;
     cut = at_exit ? cut_exit : cut_entry;
     float along = closest + surface;
-    // Not in front of the plane, as what is drawn of the slack would be.
+    // Not in front of the plane, where points within the slack would be.
     if (cut || (slope > 0.0 && along < crossing) || (slope < 0.0 && along > crossing)) along = crossing;
     depth = -(origin.z + along * ray.z);
     return surface;
