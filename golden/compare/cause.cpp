@@ -20,7 +20,7 @@ std::string setting_sentences(const CaseRecord& before, const CaseRecord& after)
     std::string sentences;
     for (const RecordedSetting& setting : recorded_settings) {
         const auto was = before.settings.find(setting.key), is = after.settings.find(setting.key);
-        // One that only one side has belongs to another test or volume, which is named.
+        // A setting of only one side belongs to another test or volume, which is named.
         if (was == before.settings.end() || is == after.settings.end()) continue;
         if (was->second == is->second) continue;
         add(sentences, "The " + std::string(setting.name) + " changed: " + is->second +
@@ -36,8 +36,8 @@ std::vector<std::string> words_of(const std::string& command) {
     return words;
 }
 
-/// Where two commands differ: what is between their common begin and end, with the name of an
-/// option before its value.
+/// The difference of two commands: the words between their common begin and end, with the name of
+/// an option before its value.
 std::string command_sentence(const std::string& before, const std::string& after) {
     if (before.empty() || after.empty() || before == after) return "";
     const std::vector<std::string> was = words_of(before), is = words_of(after);
@@ -77,7 +77,8 @@ std::string mesh_change(const RecordedMesh& before, const RecordedMesh& after) {
 std::string mesh_sentences(const CaseRecord& before, const CaseRecord& after) {
     std::string sentences;
     // Bodies often have one mesh.
-    std::vector<std::pair<std::string, std::vector<std::string>>> changes;  // and who has them
+    std::vector<std::pair<std::string, std::vector<std::string>>> changes;  // and the bodies that
+                                                                            // have them
     for (const auto& [body, mesh] : after.meshes) {
         const auto old = before.meshes.find(body);
         if (old == before.meshes.end() || old->second == mesh) continue;
@@ -110,13 +111,13 @@ std::string body_sentences(const CaseRecord& before, const CaseRecord& after) {
     return sentences;
 }
 
-/// In which frame is said only where the frames that are recorded differ in it.
+/// Names frames only if the recorded frames differ from each other.
 std::string pose_sentences(const CaseRecord& before, const CaseRecord& after) {
     const auto scene_of = [](const CaseRecord& record) {
         const auto scene = record.settings.find("scene");
         return scene == record.settings.end() ? std::string() : scene->second;
     };
-    // Bodies of two scenes have nothing in common but names.
+    // Bodies of two scenes have nothing in common except names.
     if (scene_of(before) != scene_of(after)) return "";
     std::map<std::string, std::vector<std::pair<int, std::string>>> motions;  // by body
     for (const auto& [frame, bodies] : after.poses) {
@@ -152,7 +153,7 @@ Cause cause_of(const CaseRecord& before, const CaseRecord& after) {
     add(cause.sentences, meshes);
     add(cause.sentences, body_sentences(before, after));
     add(cause.sentences, pose_sentences(before, after));
-    // Older baselines, which have no settings, may spell the same command otherwise.
+    // Older baselines, which have no settings, may spell the same command differently.
     if (cause.sentences.empty() && cause.has_settings)
         cause.sentences = command_sentence(before.command, after.command);
     return cause;

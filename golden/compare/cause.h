@@ -7,16 +7,16 @@
 
 namespace scb::golden {
 
-/// Why a run may differ from its baseline, as far as their records tell: only what is certain.
+/// Why a run may differ from its baseline, from their records: only certain causes.
 struct Cause {
-    std::string sentences;      ///< empty: none is known
+    std::string sentences;      ///< empty: no cause is known
     bool other_meshes = false;  ///< a body has another mesh than before
-    bool has_settings = false;  ///< both say what was asked, so all that changed of it is named
+    bool has_settings = false;  ///< both records have settings, so every change of them is named
 };
 
-/// What the case was made of before and is made of now: "The overlap test changed: symmetric
-/// instead of corrected. The mesh of body A changed: 320 triangles instead of 1,280. Body B moved:
-/// 0.02 along x, 1.5 degrees." Another command is quoted where nothing of this says what changed.
+/// The changes of the case's inputs: "The overlap test changed: symmetric instead of corrected. The
+/// mesh of body A changed: 320 triangles instead of 1,280. Body B moved: 0.02 along x, 1.5
+/// degrees." The commands are quoted if they differ and nothing else changed.
 Cause cause_of(const CaseRecord& before, const CaseRecord& after);
 
 }  // namespace scb::golden

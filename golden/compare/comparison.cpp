@@ -33,15 +33,15 @@ bool same_size(const render::Image& a, const render::Image& b) {
     return a.width == b.width && a.height == b.height;
 }
 
-/// Where the picture shows the scene: without the title and the panel of numbers, in which a digit
-/// changes whatever changed. All of it where the picture is a plot.
+/// The part of the picture with the scene: without the title and the panel of numbers, since its
+/// digits change with every change. The whole picture for plots.
 PixelBox scene_part(GoldenRun run, const render::Image& image) {
     if (!has_ids(run)) return {0, 0, image.width, image.height};
     const render::PixelRect view = render::figure_layout(image.width, image.height).view;
     return {view.x, view.y, view.x + view.width, view.y + view.height};
 }
 
-/// One comparison after the other; one that cannot be made does not hide what others find.
+/// Runs one comparison after the other; if one fails, the others still run.
 class Comparison {
   public:
     Comparison(const GoldenCase& golden, const ComparisonFolders& folders)
@@ -81,7 +81,7 @@ class Comparison {
                !(golden_.colors && render::is_there(baseline_.image));
     }
 
-    /// False where the baseline lacks the file, which the run made.
+    /// False if the baseline lacks the file, which the run made.
     bool has(const fs::path& baseline, const char* what) {
         if (render::is_there(baseline)) return true;
         raise(Verdict::new_output);
@@ -107,7 +107,7 @@ class Comparison {
         }
     }
 
-    /// Nothing where it cannot be read.
+    /// Nothing if it cannot be read.
     std::optional<render::Image> accepted_picture(const fs::path& path) {
         try {
             return render::read_png(path);
@@ -218,7 +218,7 @@ class Comparison {
         result_.picture.difference = name;
     }
 
-    /// Copies a file for the report: its name there, empty where there is none.
+    /// Copies a file for the report. Returns its name there; empty: none.
     std::string copied(const fs::path& from, const std::string& kind) const {
         if (folders_.report.empty() || !render::is_there(from)) return "";
         const std::string file = from.filename().string(),

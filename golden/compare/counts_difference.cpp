@@ -14,7 +14,7 @@ using nlohmann::json;
 
 bool is_container(const json& value) { return value.is_object() || value.is_array(); }
 
-/// An object or a list that has entries to walk.
+/// An object or a list with entries.
 bool is_branch(const json& value) { return is_container(value) && !value.empty(); }
 
 std::optional<std::int64_t> integer_in(const json& leaf) {
@@ -35,7 +35,7 @@ std::string text_of(const json& leaf) {
 
 bool equal_leaves(const json& a, const json& b) {
     if (integer_in(a) || integer_in(b)) return integer_in(a) == integer_in(b);
-    // Texts that are not UTF-8 are printed alike.
+    // Texts that are not UTF-8 would look equal when printed.
     return a.is_string() ? a == b : text_of(a) == text_of(b);
 }
 
@@ -49,7 +49,7 @@ std::string below(const std::string& place, const std::string& key) {
     return path;
 }
 
-/// Frames and depths as numbers, "2" before "10", and before what are none.
+/// Frames and depths are ordered as numbers, "2" before "10", and come before other keys.
 struct NumbersFirst {
     bool operator()(const std::string& a, const std::string& b) const {
         const bool a_counts = is_number(a), b_counts = is_number(b);
@@ -59,7 +59,7 @@ struct NumbersFirst {
     }
 
   private:
-    /// As counts write it: without zeros in front.
+    /// As counts write numbers: without leading zeros.
     static bool is_number(const std::string& key) {
         return !key.empty() && (key[0] != '0' || key.size() == 1) &&
                std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -75,7 +75,7 @@ std::set<std::string, NumbersFirst> keys_of(const json& a, const json& b) {
 
 class Walk {
   public:
-    /// `before` and `after` stand at `place`; null where that side has nothing there.
+    /// `before` and `after` are the values at `place`; null: that side has none.
     void compare(const json* before, const json* after, const std::string& place) {
         const bool alike =
             before && after && is_container(*before) && before->type() == after->type();
@@ -106,7 +106,7 @@ class Walk {
                     i < after.size() ? &after[i] : nullptr, below(place, std::to_string(i)));
     }
 
-    /// Everything at or below a value that the other side does not have.
+    /// Adds all leaves at or below a value that the other side does not have.
     void add_leaves(const json& value, const std::string& place, bool is_before) {
         if (!is_branch(value))
             return is_before ? add(place, &value, nullptr) : add(place, nullptr, &value);

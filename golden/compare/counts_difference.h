@@ -8,27 +8,28 @@
 
 namespace scb::golden {
 
-/// A count that differs: by its place, "frames/100/stages/ball-slab" or "bodies/A/volumes". A place
-/// that only one side has has no value on the other.
+/// A count that differs: by its place, "frames/100/stages/ball-slab" or "bodies/A/volumes". If only
+/// one side has the place, the other has no value.
 struct CountChange {
     std::string place;
     std::optional<std::int64_t> before, after;
-    /// What stands there instead of an integer of 64 bits, as JSON: "0.5", "\"scb\"", "{}". Empty
-    /// where an integer or nothing does.
+    /// A value that is not an integer of 64 bits, as JSON: "0.5", "\"scb\"", "{}". Empty for an
+    /// integer or no value.
     std::string before_text{}, after_text{};
 
     friend bool operator==(const CountChange&, const CountChange&) = default;
 };
 
-/// Whether it is of a hash: that it changed says something, and by how much does not.
+/// Whether it is a hash, whose changes have no meaningful size.
 bool is_hash(const CountChange& change);
 
 /// Every count that differs, in the order of their places, with frames and depths as numbers: "2"
-/// before "10". Both are trees of objects whose leaves are integers; objects and lists are walked
+/// before "10". Both are trees of objects whose leaves are integers; objects and lists are compared
 /// by key and by index. Leaves of other kinds are compared as JSON text: 1.0 is not 1. An object or
-/// list without entries is such a leaf, unless the other side has one of its kind with entries.
-/// Where an object stands against a list or a leaf, everything in either has gone or come. Keys
-/// with '/' or '~' have these as "~1" and "~0" in places, as in a JSON pointer (RFC 6901).
+/// list without entries is such a leaf, unless the other side has one of its kind with entries. If
+/// an object is compared with a list or a leaf, everything in the one is removed, and everything in
+/// the other is added. '/' and '~' in keys are "~1" and "~0" in places, as in a JSON pointer (RFC
+/// 6901).
 ///
 /// The result is empty if and only if the trees are equal.
 std::vector<CountChange> counts_difference(const nlohmann::json& before,

@@ -18,7 +18,7 @@ void add_run(IdChange& change, std::uint32_t id, int left, int right, int y) {
     change.box.add(right - 1, y);
 }
 
-/// Adds the pixels of one row that differ, run by run: neighbors mostly have one owner.
+/// Adds the pixels of one row that differ, run by run, since neighbors mostly have one owner.
 void compare_rows(const std::uint32_t* before, const std::uint32_t* after, int width, int y,
                   IdDifference& difference, ChangesById& changes) {
     for (int left = 0, right = 0; left < width; left = right) {

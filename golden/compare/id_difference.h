@@ -9,18 +9,18 @@
 
 namespace scb::golden {
 
-/// How many pixels a thing of an id picture has, before and after.
+/// The numbers of pixels of one id in an id picture, before and after.
 struct IdChange {
     std::uint32_t id = 0;
-    std::size_t before = 0, after = 0;  ///< 0: it is not there
-    std::size_t moved = 0;              ///< pixels that it has on one side only
+    std::size_t before = 0, after = 0;  ///< 0: the id is not there
+    std::size_t moved = 0;              ///< pixels with this id on one side only
     PixelBox box;                       ///< about these
 
     friend bool operator==(const IdChange&, const IdChange&) = default;
 };
 
 struct IdDifference {
-    std::size_t pixels = 0;         ///< whose owner differs
+    std::size_t pixels = 0;         ///< pixels whose owner differs
     PixelBox box;                   ///< about all of these
     std::vector<IdChange> changes;  ///< things that appeared or vanished first, then by `moved`,
                                     ///< most first; ties by id. Without the background (0).

@@ -7,7 +7,7 @@
 namespace scb::golden {
 namespace {
 
-/// Neighbors in number are far apart in hue.
+/// Consecutive ids are far apart in hue.
 render::Rgba8 color_of(std::uint32_t id) {
     if (id == 0) return {0, 0, 0, 0};
     std::uint32_t h = id * 0x9e3779b1u;

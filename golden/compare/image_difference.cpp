@@ -17,7 +17,7 @@ int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
-/// Okabe and Ito's vermillion, which nothing pale or grey can be taken for.
+/// Okabe and Ito's vermillion, which differs from all pale or grey colors.
 constexpr render::Rgba8 accent{0xD5, 0x5E, 0x00};
 
 /// A share of the accent on white, in 255ths: a difference of 1 has more than a third.
@@ -27,7 +27,7 @@ std::uint8_t between(int from, int to, int share) {
     return static_cast<std::uint8_t>(from + (to - from) * share / 255);
 }
 
-/// Grey from 190 (black) to 255 (white), so that what agrees is recognized but stays behind.
+/// Grey from 190 (black) to 255 (white), so that equal pixels are recognizable but unobtrusive.
 render::Rgba8 pale_grey(render::Rgba8 color) {
     const int luma = (54 * color.r + 183 * color.g + 19 * color.b) / 256;
     const std::uint8_t grey = between(190, 255, luma);
@@ -40,7 +40,8 @@ ImageDifference image_difference(const render::Image& a, const render::Image& b)
     assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
            "pictures of different sizes cannot be compared pixel by pixel");
     ImageDifference difference;
-    // At [d], how many pixels differ by d, which are far fewer steps than one for each threshold.
+    // At [d], the number of pixels that differ by d. This takes far fewer steps than a pass for
+    // each threshold.
     std::array<std::size_t, 256> exactly{};
     const std::size_t row_size = 4 * static_cast<std::size_t>(a.width);
     for (int y = 0; y < a.height; ++y) {

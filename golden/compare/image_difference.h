@@ -9,14 +9,14 @@
 
 namespace scb::golden {
 
-/// By how much two pictures of one size differ.
+/// The difference of two pictures of one size.
 struct ImageDifference {
-    std::size_t pixels = 0;  ///< that differ in any channel
-    PixelBox box;            ///< about all of these; empty where there are none
+    std::size_t pixels = 0;  ///< pixels that differ in any channel
+    PixelBox box;            ///< about all of these; empty if there are none
     int largest = 0;         ///< difference of a channel, 0 to 255
 
-    /// At [d], how many pixels have a channel that differs by more than d: what a tolerance of d a
-    /// channel would still have to allow.
+    /// At [d], the number of pixels with a channel that differs by more than d: with a tolerance of
+    /// d per channel, so many pixels would still differ.
     std::array<std::size_t, 256> beyond{};
 
     friend bool operator==(const ImageDifference&, const ImageDifference&) = default;
@@ -25,15 +25,14 @@ struct ImageDifference {
 /// Compares all channels of all pixels. The sizes must be equal.
 ImageDifference image_difference(const render::Image& a, const render::Image& b);
 
-/// About the pixels of a part of the pictures that differ; empty where none does. The sizes must be
-/// equal, and the part lie within.
+/// The box of the pixels that differ in a part of the pictures; empty if none does. The sizes must
+/// be equal, and the part must lie within.
 PixelBox changed_box(const render::Image& a, const render::Image& b, const PixelBox& part);
 
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 
-/// A picture of the difference: where they agree, `b` in pale grey; where they do not, the accent
-/// color, the stronger the more they differ, but never too faint to be seen. The sizes must be
-/// equal.
+/// A picture of the difference: equal pixels are `b` in pale grey; other pixels have the accent
+/// color, stronger for larger differences, but always visible. The sizes must be equal.
 render::Image difference_picture(const render::Image& a, const render::Image& b);
 
 }  // namespace scb::golden

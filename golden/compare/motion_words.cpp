@@ -15,8 +15,8 @@ constexpr double rounding = 1e-6;
 
 std::string motion_words(const Pose& before, const Pose& after) {
     const Vec3 moved = after.translation - before.translation;
-    // Of two rotations an angle t apart, the matrices are 2 sqrt(2) sin(t / 2) apart. Unlike the
-    // arc cosine of a trace, this is exact for small angles.
+    // The matrices of two rotations an angle t apart are 2 sqrt(2) sin(t / 2) apart. Unlike the arc
+    // cosine of a trace, this is exact for small angles.
     const double apart = (after.rotation - before.rotation).norm();
     const double angle = 2 * std::asin(std::min(1.0, apart / std::sqrt(8.0)));
     const double largest = std::max(moved.cwiseAbs().maxCoeff(), angle);

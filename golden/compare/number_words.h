@@ -5,16 +5,16 @@
 
 #include "golden/compare/pixel_box.h"
 
-/// How messages, lines and pages say numbers and places.
+/// Words for numbers and places in messages, lines and pages.
 namespace scb::golden::words {
 
 /// "20,480"
 std::string grouped(std::uint64_t n);
 
-/// "−20,480"; `minus` is U+2212, unless told.
+/// "−20,480"; `minus` is U+2212 by default.
 std::string grouped_signed(std::int64_t n, const char* minus = "−");
 
-/// "+12", "−3"; of any two numbers, for unsigned differences do not overflow.
+/// "+12", "−3"; for any two numbers, since unsigned differences do not overflow.
 std::string change_of(std::int64_t before, std::int64_t after, const char* minus = "−");
 
 /// "1 case", "20 cases"

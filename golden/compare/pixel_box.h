@@ -2,7 +2,7 @@
 
 namespace scb::golden {
 
-/// Pixels from (left, top) to before (right, bottom); empty where right <= left.
+/// Pixels from (left, top) to before (right, bottom); empty if right <= left.
 struct PixelBox {
     int left = 0, top = 0, right = 0, bottom = 0;
 

@@ -121,7 +121,7 @@ bool has_failed(const SuiteResult& result) {
 }
 
 Json result_json(const SuiteResult& result) {
-    // A list: versions are shown in the order of the result, which an object would not keep.
+    // A list, since an object would not keep the order of the versions.
     const auto version_json = [](const std::pair<std::string, std::string>& version) {
         return Json{{"name", version.first}, {"value", version.second}};
     };

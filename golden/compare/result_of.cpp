@@ -18,7 +18,7 @@ auto list_at(const scenes::JsonPlace& place, Read read) {
     return values;
 }
 
-/// What `read` makes of a value that may be null.
+/// The result of `read` for a value that may be null.
 template <typename Read>
 auto optional_at(const scenes::JsonPlace& place, Read read) {
     std::optional<decltype(read(place))> value;

@@ -14,14 +14,14 @@ struct PixelChange {
     int x = 0, y = 0;  ///< from the left, from the top
     render::Rgba8 before, after;
 
-    /// What was added to red, green, blue, alpha.
+    /// The differences of red, green, blue, alpha.
     std::array<int, 4> by() const;
     /// The largest of them, without its sign.
     int most() const;
 };
 
-/// The pixels of a part of the pictures that differ most, at most `listed`; ties in the order of
-/// rows from the top. Both pictures of one size; of a part beyond them, what is within.
+/// The pixels that differ most in a part of the pictures, at most `listed`; ties in the order of
+/// rows from the top. Both pictures must have one size; the part is cut to them.
 std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
                                       const PixelBox& part, std::size_t listed);
 
