@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_annotations = 10, most_annotated_lines = 16, most_summary_lines = 30;
 
-/// No sentence and no line is meant to be longer; names and sentences are shorter in a summary.
+/// Longer sentences and lines are cut; in a summary, names and sentences have smaller limits.
 constexpr std::size_t longest_text = 2000, longest_name = 100, longest_sentence = 300;
 
 using Cases = std::vector<const CaseResult*>;
@@ -29,7 +29,7 @@ Cases failing_cases(const SuiteResult& result) {
 
 std::string cases_text(std::size_t count) { return words::counted(count, "case", "cases"); }
 
-/// The text, cut before a character where it is long.
+/// The text, cut between characters if it is too long.
 std::string shortened(std::string_view text, std::size_t most = longest_text) {
     if (text.size() <= most) return std::string(text);
     std::size_t size = most;
@@ -61,7 +61,7 @@ std::string annotation(const std::string& title, const std::string& message) {
            "::" + command_data(message) + "\n";
 }
 
-/// At most that many of the lines of a case, each behind a line end, and how many more there are.
+/// At most `most` lines of a case, each behind a line end, and the number of further lines.
 std::string lines_text(const CaseResult& result, std::size_t most) {
     const std::vector<std::string> lines = result_lines(result);
     std::string text;
@@ -77,7 +77,7 @@ std::string annotation_of(const CaseResult& result) {
         shortened(plain_text(first_words(result))) + lines_text(result, most_annotated_lines));
 }
 
-/// Text that Markdown shows as it is, on one line, cut where it is long.
+/// Text that Markdown shows literally, on one line, cut if it is too long.
 std::string markdown(std::string_view text, std::size_t most) {
     std::string result;
     for (const char c : shortened(plain_text(text), most)) {

@@ -51,7 +51,7 @@ std::string anchor_of(const std::string& name, std::set<std::string>& taken) {
     return anchor;
 }
 
-/// The update command without the name, for the page to put several names behind it; empty where
+/// The update command without the name, so that the page can put several names behind it; empty if
 /// there is none.
 std::string update_prefix(const CaseResult& result) {
     const std::string name = " " + shell_word(result.name);
@@ -61,7 +61,7 @@ std::string update_prefix(const CaseResult& result) {
 
 std::string seconds_text(double seconds) { return format("%.*f s", seconds < 10 ? 2 : 0, seconds); }
 
-/// What the traces say is first; many things of which each has some other pixels are folded away.
+/// Lines from traces are first; if many things have changed pixels, their lines are folded away.
 void set_lines(data& values, const std::vector<std::string>& all) {
     data lines(data::type::list), more(data::type::list);
     const std::size_t open = all.size() <= most_open_lines + 2 ? all.size() : most_open_lines;

@@ -17,7 +17,7 @@ namespace {
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 
-/// With a point, whatever the locale.
+/// With a point, in any locale.
 std::string junit_seconds(double seconds) {
     std::array<char, 400> buffer{};  // the largest double has 309 digits
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), seconds,

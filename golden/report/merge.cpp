@@ -26,7 +26,7 @@ std::string text_of(const Shard& shard) {
     return std::to_string(shard.k) + "/" + std::to_string(shard.n);
 }
 
-/// The parts in the order of their shards. Refuses what is not of one run.
+/// The parts in the order of their shards. Throws InputError if they are not of one run.
 std::vector<const ResultPart*> in_order(const std::vector<ResultPart>& parts) {
     std::vector<const ResultPart*> order;
     std::set<std::size_t> shards;
@@ -60,7 +60,7 @@ std::vector<const ResultPart*> in_order(const std::vector<ResultPart>& parts) {
     return order;
 }
 
-/// Cases were dealt to the shards in turn, see scenes::in_shard.
+/// The shards received cases in turn, see scenes::in_shard.
 std::vector<CaseResult> cases_in_turn(const std::vector<const ResultPart*>& order) {
     std::vector<CaseResult> cases;
     std::size_t longest = 0;
@@ -84,7 +84,7 @@ std::string missing_shards(const std::vector<const ResultPart*>& order, std::siz
     return "These shards are missing: " + missing + "; see why, and give their results.json too.";
 }
 
-/// Shards have as many cases as each other, or the first ones one more.
+/// Shards have equal numbers of cases, or the first ones have one more.
 std::string uneven_shards(const std::vector<const ResultPart*>& order) {
     std::size_t most = 0;
     for (const ResultPart* part : order) most = std::max(most, part->result.cases.size());
@@ -102,7 +102,7 @@ std::string uneven_shards(const std::vector<const ResultPart*>& order) {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-/// Each version as it is where all parts have the same, else with the parts that have it.
+/// Each version: alone if all parts have the same, else with the parts that have it.
 Environment merged_environment(const std::vector<const ResultPart*>& order) {
     std::vector<std::string> names;
     std::map<std::string, std::vector<std::pair<std::string, std::vector<std::string>>>> versions;

@@ -18,8 +18,8 @@ unsigned code_point(std::string_view character) {
     return code;
 }
 
-/// Control characters (Unicode 15, section 23.1), line and paragraph separators, and what embeds or
-/// overrides a direction (section 23.2).
+/// Control characters (Unicode 15, section 23.1), line and paragraph separators, and characters
+/// that embed or override a direction (section 23.2).
 bool is_control(unsigned code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
            (code >= 0x2066 && code <= 0x2069);
@@ -38,7 +38,7 @@ std::string escaped(unsigned code) {
 
 std::string plain_text(std::string_view text) {
     std::string plain;
-    // A command may have any blanks in front, those of Unicode too.
+    // A command may have any blanks in front, also Unicode blanks.
     bool in_front = true;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = scenes::utf8_length(text.substr(at));

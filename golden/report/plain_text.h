@@ -5,9 +5,10 @@
 
 namespace scb::golden {
 
-/// Text from a file, fit for a line of a terminal or of a log of CI: control characters and those
-/// that turn the direction of writing become "\n", "\x1b", "\u202e", what is not UTF-8 '?', and
-/// neither form of a command of GitHub Actions, "::" in front or "##[" anywhere, is left.
+/// Text from a file, made safe for a line of a terminal or of a log of CI: control characters and
+/// characters that change the direction of writing become "\n", "\x1b", "\u202e"; bytes that are
+/// not UTF-8 become '?'. Neither form of a command of GitHub Actions, "::" in front or "##["
+/// anywhere, is left.
 std::string plain_text(std::string_view text);
 
 }  // namespace scb::golden

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The place of a file of the report. Not a pipe: it would wait for a reader.
+/// The path of a file of the report. Refuses a pipe, which would wait for a reader.
 fs::path place_of(const fs::path& folder, const fs::path& name) {
     const fs::path place = folder / name;
     scenes::refuse_input(place, "--report " + folder.string());
@@ -36,7 +36,7 @@ void clear_report(const fs::path& folder) {
         old = result_of(
             scenes::parse_json(scenes::read_text_file(list, std::size_t{1} << 30), list), list);
     } catch (const InputError&) {
-        return;  // whatever it is, it does not say which files are a report's
+        return;  // it is not a list of a report's files
     }
     for (const CaseResult& c : old.cases)
         for (const std::string& name : files_of(c))

@@ -6,9 +6,9 @@
 
 namespace scb::golden {
 
-/// Writes report.html and results.json into the folder, and beside them the pictures and traces
-/// that are in `work`. What an earlier report has left there, by its results.json, is removed
-/// first, so that no picture of it is taken for one of this; other files stay. Throws OutputError.
+/// Writes report.html and results.json into the folder, and beside them the pictures and traces in
+/// `work`. The files of an earlier report, as listed in its results.json, are removed first, so
+/// that none of its pictures seems to belong to this report; other files stay. Throws OutputError.
 void write_report_folder(const SuiteResult& result, const std::filesystem::path& folder,
                          const std::filesystem::path& work);
 

@@ -26,13 +26,13 @@ struct Png {
     int width = 0, height = 0;
 };
 
-/// The bytes of a PNG file, or nothing where the file is no PNG.
+/// The bytes of a PNG file, or nothing if the file is not a PNG.
 std::optional<Png> png_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     Png png;
     png.bytes.assign(std::istreambuf_iterator<char>(file), {});
     constexpr std::string_view start("\x89PNG\r\n\x1a\n", 8);
-    // The size stands in the first chunk, which has a fixed place.
+    // The size is in the first chunk, which has a fixed place.
     if (png.bytes.size() < 24 ||
         !std::equal(start.begin(), start.end(), png.bytes.begin(),
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }))
@@ -54,7 +54,7 @@ Png png_of(const render::Image& image) {
 
 struct Pane {
     const char* kind;   ///< also of the styles and the script
-    const char* title;  ///< what people read
+    const char* title;  ///< for people
     std::string path;   ///< empty: there is none
     std::optional<Png> png;
 };
@@ -112,7 +112,7 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
         figure["path"] = pane.path;
         figure["alt"] =
             std::string(ids ? "who owns each pixel of " : "") + result.name + ", " + pane.title;
-        // Every version is drawn at one scale, also where the sizes differ.
+        // Every version is drawn at one scale, also if the sizes differ.
         if (pane.png) {
             figure["url"] = "data:image/png;base64," + render::base64(pane.png->bytes);
             figure["width"] = std::to_string(pane.png->width);

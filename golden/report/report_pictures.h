@@ -7,8 +7,8 @@
 
 namespace scb::golden::report {
 
-/// The case's picture and id picture, each in its versions, as the report's template wants them.
-/// Read from `folder`, that of results.json; one that is not there or is not a PNG file is named in
+/// The case's picture and id picture, each in its versions, for the report's template. Read from
+/// `folder`, the folder of results.json; a picture that is missing or not a PNG file is named in
 /// its place.
 kainjow::mustache::data pictures_of(const CaseResult& result, const std::filesystem::path& folder);
 

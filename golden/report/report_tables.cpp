@@ -28,7 +28,7 @@ using words::grouped_signed;
 
 /// Rows that a table shows at once; the rest is folded away.
 constexpr std::size_t shown_rows = 24;
-/// More rows make a page that nobody reads; results.json has them.
+/// A page with more rows would be too long to read; results.json has all.
 constexpr std::size_t most_rows = 1000;
 constexpr std::size_t shown_pixels = 6;
 
@@ -36,7 +36,7 @@ constexpr std::size_t shown_pixels = 6;
 template <class Row, class Fill>
 void set_rows(data& values, const std::string& name, const std::vector<Row>& rows, Fill fill) {
     data shown(data::type::list), more(data::type::list);
-    // A fold that hides two rows is in the way.
+    // A fold that hides only a few rows is not useful.
     const std::size_t split = rows.size() <= shown_rows + 4 ? rows.size() : shown_rows;
     for (std::size_t i = 0; i < rows.size() && i < most_rows; ++i) {
         data row;
@@ -62,7 +62,7 @@ void fill_count(const CountChange& change, data& row) {
     };
     const bool was = change.before || !change.before_text.empty(),
                is = change.after || !change.after_text.empty();
-    // Long places may break behind a slash.
+    // Long places may break after a slash.
     data parts(data::type::list);
     for (std::size_t at = 0; at <= change.place.size();) {
         const std::size_t end = std::min(change.place.find('/', at), change.place.size());
@@ -128,7 +128,7 @@ void set_colors(data& values, const CaseResult& result) {
              });
 }
 
-/// Counts of the baseline, and those that only traces have, which are more of a hint.
+/// Counts of the baseline, and counts that only traces have, which are only hints.
 void set_counts(data& values, const CaseResult& result) {
     std::vector<CountChange> counts, depths;
     for (const CountChange& change : result.counts)
@@ -158,7 +158,7 @@ std::string hex_color(render::Rgba8 color) {
     return text.data();
 }
 
-/// None where a picture cannot be read.
+/// None if a picture cannot be read.
 std::vector<PixelChange> worst_pixels_of(const CaseResult& result, const fs::path& folder) {
     const ResultPictures& picture = result.picture;
     if (!result.colors || picture.baseline.empty() || picture.candidate.empty()) return {};

@@ -8,7 +8,7 @@
 /// Values of the report's template.
 namespace scb::golden::report {
 
-/// In templates a key that is absent is looked up further out, so every flag is always set.
+/// Templates look up an absent key in outer scopes, so every flag is always set.
 kainjow::mustache::data flag(bool value);
 
 /// Without the sign.

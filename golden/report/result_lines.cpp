@@ -6,7 +6,7 @@
 namespace scb::golden {
 namespace {
 
-// Logs are read with tools that know ASCII best.
+// Logs are read with tools that often support only ASCII.
 constexpr const char* minus = "-";
 
 std::string value_of(const std::optional<std::int64_t>& count, const std::string& text) {

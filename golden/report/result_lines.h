@@ -8,11 +8,11 @@
 namespace scb::golden {
 
 /// The first counts that differ, with their values, a line each: "frames/100/n_v: 20,627 -> 20,630
-/// (+3)"; then one that says how many more there are.
+/// (+3)"; then a line with the number of further counts.
 std::vector<std::string> count_lines(const CaseResult& result, std::size_t most = 10);
 
-/// What a case has to say below its message, in a terminal as in the logs of CI: the first counts
-/// that differ, then its lines. All as plain_text.
+/// The lines below the message of a case, for terminals and logs of CI: the first counts that
+/// differ, then its lines. All as plain_text.
 std::vector<std::string> result_lines(const CaseResult& result);
 
 }  // namespace scb::golden

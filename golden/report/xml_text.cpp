@@ -8,8 +8,8 @@
 namespace scb::golden {
 namespace {
 
-/// How many bytes of the text's start are one character that XML allows (section 2.2 of the
-/// recommendation); 0 where they are none.
+/// The number of bytes of the text's first character; 0 if XML does not allow it (section 2.2 of
+/// the recommendation).
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     if (lead < 0x20) return lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
