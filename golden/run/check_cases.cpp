@@ -38,8 +38,7 @@ struct CheckedCase {
     bool lacked_gl = false;
 };
 
-/// What went wrong with one case is no reason to leave the others unchecked; but where nothing can
-/// be written, nothing can be told of them either.
+/// An error of one case does not end the check of the others, unless nothing can be written.
 CaseResult compared(const GoldenCase& golden, const ComparisonFolders& folders) {
     try {
         return compare_case(golden, folders);
@@ -55,7 +54,7 @@ CaseResult compared(const GoldenCase& golden, const ComparisonFolders& folders) 
     }
 }
 
-/// Nothing where it was stopped.
+/// Nothing if it was stopped.
 std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenCheck& check) {
     const GoldenRunEnd run = run_case(golden, check.settings, check.folders.candidates);
     if (run.stopped) return std::nullopt;
@@ -83,7 +82,7 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     return checked;
 }
 
-/// In which order cases run: a worker has the hierarchies of the scene that it ran last.
+/// The order in which cases run: a worker keeps the hierarchies of the scene that it ran last.
 class CaseOrder {
   public:
     explicit CaseOrder(const std::vector<GoldenCase>& cases) : cases_(cases), left_(cases.size()) {

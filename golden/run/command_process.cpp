@@ -22,7 +22,8 @@ void note_inputs_of(const render::UnnamedFile& inputs) {
 }
 
 CommandEnd run_process(const GoldenRunSettings& settings, const std::vector<std::string>& program) {
-    // Held until `work` knows of it: else nobody would end it if this program is killed by then.
+    // The process waits until `work` knows of it. Otherwise, if this program is killed meanwhile,
+    // the process would never be ended.
     std::vector<std::string> words = {"/bin/sh", "-c", "read -r _ && exec \"$@\"", "scb"};
     words.insert(words.end(), program.begin(), program.end());
     const render::UnnamedFile inputs;

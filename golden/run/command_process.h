@@ -15,12 +15,12 @@ struct GoldenRunSettings;
 
 /// How a command ended, and what it printed.
 struct CommandEnd {
-    std::optional<render::ProcessEnd> end;  ///< nothing where it took too long or was stopped
+    std::optional<render::ProcessEnd> end;  ///< nothing if it took too long or was stopped
     bool stopped = false;
     std::string printed, last_line;
 };
 
-/// A group of processes that is to end with golden.
+/// A group of processes that must end with this program.
 class RunningGroup {
   public:
     RunningGroup(const GoldenWork* work, pid_t group);

@@ -21,8 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A command is the number of its bytes, and then its words, each with a zero behind it. The answer
-// is the exit status.
+// A command is sent as the number of its bytes and then its words, each with a zero behind it. The
+// answer is the exit status.
 using Length = std::uint32_t;
 using Status = std::int32_t;
 
@@ -36,7 +36,7 @@ bool read_whole(int file, std::span<char> bytes) {
     return true;
 }
 
-/// False where there is no more.
+/// False if there is no further command.
 bool read_command(int file, std::vector<std::string>& words) {
     Length length = 0;
     if (!read_whole(file, {reinterpret_cast<char*>(&length), sizeof length})) return false;
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> command_bytes(const std::vector<std::string>& words) {
 }  // namespace
 
 int run_commands(const std::function<int(const std::vector<std::string>&)>& run) {
-    // Behind the descriptors that the command has.
+    // After the descriptors that the command uses.
     const int socket = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 2),
               nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
     ::dup2(nothing, STDIN_FILENO);

@@ -23,7 +23,7 @@ class CommandWorker {
     /// Starts the process. Throws OutputError.
     explicit CommandWorker(const GoldenRunSettings& settings);
 
-    /// Runs a command. The process has ended where the command did not return. Throws OutputError.
+    /// Runs a command. If the command did not return, the process has ended. Throws OutputError.
     CommandEnd run(const GoldenRunSettings& settings, const std::vector<std::string>& words);
 
     bool is_running() const { return child_.id() >= 0; }

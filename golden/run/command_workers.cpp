@@ -27,7 +27,7 @@ CommandWorkers::~CommandWorkers() = default;
 std::unique_ptr<CommandWorker> CommandWorkers::take() {
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) return nullptr;
-    // Its own, which may have the hierarchies that the command needs.
+    // The thread's own last worker, which may have the hierarchies that the command needs.
     auto own = std::find_if(idle_.begin(), idle_.end(), [](const auto& idle) {
         return idle->user() == std::this_thread::get_id();
     });

@@ -21,9 +21,9 @@ class CommandWorkers {
     CommandWorkers(const CommandWorkers&) = delete;
     CommandWorkers& operator=(const CommandWorkers&) = delete;
 
-    /// Runs the command as a process of its own would run it. Any thread may call this; commands
-    /// that run at the same time have different workers. A worker ends with a command that crashes,
-    /// takes too long or is stopped. Throws OutputError.
+    /// Runs the command with the same results as in a process of its own. Any thread may call this;
+    /// commands that run at the same time have different workers. A worker ends with a command that
+    /// crashes, takes too long or is stopped. Throws OutputError.
     CommandEnd run(const GoldenRunSettings& settings, const std::vector<std::string>& words);
 
   private:

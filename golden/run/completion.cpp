@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies a picture that the run made for the report, where it is not there yet.
+/// Copies a picture of the run for the report, if it is not there yet.
 void show(std::string& candidate, const fs::path& made, const fs::path& report,
           const std::string& name) {
     if (!candidate.empty() || report.empty() || !render::is_there(made)) return;

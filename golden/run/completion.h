@@ -4,10 +4,10 @@
 
 namespace scb::golden {
 
-/// Adds to what the comparison found what a person needs to judge it: where the baseline lacks or
-/// has broken files, the pictures and the counts that the run made instead, and what to do; and
-/// where colors pass only because the case declares a tolerance, by how much they differ. Throws
-/// InputError, OutputError.
+/// Adds to the result of the comparison the facts that a person needs to judge it. If files of the
+/// baseline are missing or broken: the pictures and the counts of the run instead, and what to do.
+/// If colors pass only because of the case's tolerance: by how much they differ. Throws InputError,
+/// OutputError.
 void complete_result(CaseResult& result, const GoldenCase& golden,
                      const ComparisonFolders& folders);
 

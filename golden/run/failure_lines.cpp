@@ -14,12 +14,12 @@
 namespace scb::golden {
 namespace {
 
-/// More do not help a reader.
+/// More things do not help a reader.
 constexpr std::size_t most_things = 10;
 
 std::string pixels(std::size_t count) { return words::counted(count, "pixel", "pixels"); }
 
-/// "Node 412 of A, level 7 (id 413),", as the tables call it too.
+/// "Node 412 of A, level 7 (id 413),", as in the tables.
 std::string subject(const std::string& name, std::uint32_t id) {
     if (name.empty()) return "Id " + std::to_string(id);
     std::string text = name;
@@ -31,7 +31,7 @@ std::string line_of(const IdChange& change, const std::string& name) {
     const std::string who = subject(name, change.id);
     if (change.after == 0) return who + " is missing: " + pixels(change.before) + ".";
     if (change.before == 0) return who + " is new: " + pixels(change.after) + ".";
-    // As many as it lost it has got elsewhere.
+    // It has lost and gained equal numbers of pixels.
     if (change.before == change.after)
         return who + " has " + pixels(change.after) + " as before, " +
                words::grouped(change.moved / 2) + " of them elsewhere.";
@@ -50,7 +50,7 @@ void add_id_lines(CaseResult& result, const Owners& owners) {
                                               "more things have other pixels."));
 }
 
-/// Things whose pixels have other colors where the ids are the same.
+/// Adds the things whose pixels have other colors although the ids are the same.
 void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const Owners& owners) {
     const CaseFiles made = case_files(folders.candidates, result.name);
     const std::vector<std::filesystem::path> accepted =
@@ -79,7 +79,8 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
                                               "more things have other colors."));
 }
 
-/// What a case that is the same has to say: it would be too late where it differs.
+/// Checks that the record of the baseline can be read also if the case is the same: when the case
+/// differs, an error would come too late.
 void check_record(CaseResult& result, const ComparisonFolders& folders) {
     try {
         read_record(case_files(folders.baselines, result.name).meta);
@@ -91,7 +92,7 @@ void check_record(CaseResult& result, const ComparisonFolders& folders) {
     }
 }
 
-/// Finds out why it may differ, by what is recorded of both.
+/// Finds out why it may differ, from the records of both.
 Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
     try {
         Cause cause = cause_of(read_record(case_files(folders.baselines, result.name).meta),
@@ -99,7 +100,7 @@ Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
         result.cause = cause.sentences;
         return cause;
     } catch (const InputError& error) {
-        // Of a file that is not compared: the others still tell.
+        // An error of a file that is not compared does not hide the other lines.
         result.lines.push_back(error.what());
         return {};
     }

@@ -9,9 +9,9 @@
 
 namespace scb::golden {
 
-/// What changed in the terms of the field, a sentence each: what the traces tell; then the nodes,
-/// triangles and pairs that appeared, vanished, or have other pixels or colors. Also gives the
-/// things of its ids their names, and says why it may differ, also where pictures have two sizes.
+/// Adds the changes in the terms of the field, a sentence each: first from the traces; then the
+/// nodes, triangles and pairs that appeared, vanished, or have other pixels or colors. Also names
+/// the owners of its ids, and adds the cause, also if pictures have two sizes.
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders);
 

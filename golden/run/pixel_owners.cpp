@@ -28,7 +28,7 @@ Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
             depths_[body.name] = node_depths(*topologies[body.mesh].topology);
         add_ranges(document);
     } catch (const InputError&) {
-        // Then things have numbers only.
+        // Then things have only numbers.
     } catch (const scenes::MeshReaderError&) {
     } catch (const Json::exception&) {
     }

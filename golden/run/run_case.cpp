@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-/// A worker runs the command. Where there is a runner, a process of its own does.
+/// A worker runs the command; if there is a runner, a process of its own.
 CommandEnd run_command(const GoldenRunSettings& settings, const std::vector<std::string>& command) {
     std::vector<std::string> words = {"--quiet", "--no-config", "--tell-inputs"};
     words.insert(words.end(), command.begin(), command.end());
@@ -36,8 +36,8 @@ CommandEnd run_command(const GoldenRunSettings& settings, const std::vector<std:
 
 std::string ended_with(int status) { return "It ended with status " + std::to_string(status); }
 
-/// Why it did not do what it should; empty where it did. `inspect` ends with 1 where it has found
-/// wrong rejections, which are what the case is about.
+/// Why the command failed; empty if it did not. `inspect` ends with 1 if it has found wrong
+/// rejections, which may be the purpose of the case.
 std::string trouble(const CommandEnd& child, const GoldenRunSettings& settings, bool is_inspect) {
     if (child.stopped) return "It was interrupted.";
     if (!child.end)
@@ -67,8 +67,8 @@ void move_file(const fs::path& from, const fs::path& to) {
                                   "); see that the disk has room.");
 }
 
-/// The picture of a case among those that index.json has: of `inspect` the summary, behind which
-/// those of pairs of nodes follow; of others there must be no more than one.
+/// The picture of a case among those that index.json has: for `inspect` the summary, which is
+/// followed by pictures of pairs of nodes; for others there must be only one.
 const Json& only_picture(const GoldenCase& golden, const Json& index) {
     const Json& drawn = index.at("files");
     if (golden.run == GoldenRun::inspect) return drawn.at(0);
@@ -81,12 +81,12 @@ const Json& only_picture(const GoldenCase& golden, const Json& index) {
     return drawn.at(0);
 }
 
-/// Whether it is of another engine's tests, of which there is no trace of one's own.
+/// Whether it is about another engine's tests, for which this program records no trace.
 bool of_recording(const GoldenCase& golden) {
     return golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
 }
 
-/// Takes over what the command has left in `made`.
+/// Takes over the files that the command has left in `made`.
 void take_over(const GoldenCase& golden, const CommandEnd& child, const fs::path& made,
                const fs::path& folder) {
     const CaseFiles files = case_files(folder, golden.name);

@@ -29,7 +29,7 @@ Json tests_by_depth(const std::filesystem::path& trace) {
     return counts;
 }
 
-/// Lines of a text as one.
+/// The lines of a text joined to one.
 std::string joined(const std::string& text) {
     std::string line;
     for (const char c : text)
@@ -51,7 +51,7 @@ std::vector<std::string> conclusions(const TraceDiff& d, const Cause& cause) {
     return lines;
 }
 
-/// What a page with both shows of where they part.
+/// The place of the first difference, for a page with both.
 std::string place_of(const TraceDiff& d) {
     if (d.first) {
         const std::optional<TracedTest>& parted = d.first->a ? d.first->a : d.first->b;

@@ -5,10 +5,10 @@
 
 namespace scb::golden {
 
-/// What the traces of the baseline and of the run tell, where there are both: lines for what was
-/// asked of only one of them (as far as the cause does not say it), for the pairs that only one
-/// found, and for the first test at which they part; all of it as text; and the counts of tests per
-/// depth that differ. Returns whether both are of the same meshes, as far as traces tell. Throws
+/// Adds the differences of the traces of the baseline and of the run, if both exist: lines for
+/// settings that differ (if the cause does not name them), for the pairs that only one found, and
+/// for the first test that differs; the whole difference as text; and the counts of tests per depth
+/// that differ. Returns whether both have the same meshes, as far as traces show. Throws
 /// InputError.
 bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, const Cause& cause);
 

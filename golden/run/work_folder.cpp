@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Hears of process groups until the other end of the pipe is closed; then ends those that are
+/// Receives process groups until the other end of the pipe is closed; then ends the groups that are
 /// left, and removes the folder.
 [[noreturn]] void remove_at_end(int pipe, const fs::path& folder) {
-    // What ends the program, its terminal or its group of processes must be outlived.
+    // It must survive when the program, its terminal or its group of processes is ended.
     ::setsid();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
-    // Whoever reads what the program prints waits until nobody can print any more.
+    // A reader of the program's output waits until all its writers are closed.
     ::dup2(pipe, STDIN_FILENO);
     ::closefrom(STDIN_FILENO + 1);
     std::set<pid_t> groups;
@@ -70,15 +70,15 @@ GoldenWork::~GoldenWork() {
 }
 
 void GoldenWork::tell(pid_t group) const {
-    // So few bytes are written whole. Without a remover nobody hears them.
+    // So few bytes are written whole. Without a remover, nothing is sent.
     if (remover_ >= 0)
         while (::send(lifeline_, &group, sizeof group, MSG_NOSIGNAL) < 0 && errno == EINTR)
             continue;
 }
 
-// A handler of signals must not remove a folder, and of SIGKILL there is none.
+// A signal handler must not remove a folder, and SIGKILL has no handler.
 void GoldenWork::start_remover() {
-    // A socket, since writing to a pipe that nobody reads any more is a signal.
+    // A socket, since writing to a pipe without a reader raises a signal.
     int pipe[2];
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pipe) != 0) return;
     remover_ = ::fork();

@@ -6,17 +6,17 @@
 
 namespace scb::golden {
 
-/// A folder for what a run makes, which is gone at the end, also where a signal ends the program,
-/// as are the processes that make it: `candidates` and `report`.
+/// A folder for the files of a run, with `candidates` and `report`. It is removed at the end, also
+/// if a signal ends the program, and so are the processes that write to it.
 class GoldenWork {
   public:
-    /// Not while there are other threads. Throws OutputError.
+    /// Must not be called while there are other threads. Throws OutputError.
     GoldenWork();
     ~GoldenWork();
     GoldenWork(const GoldenWork&) = delete;
     GoldenWork& operator=(const GoldenWork&) = delete;
 
-    /// Says that a process group makes something here, until that has ended. Any thread may.
+    /// Reports that a process group writes here, until has_ended. Any thread may call this.
     void has_started(pid_t group) const { tell(group); }
     void has_ended(pid_t group) const { tell(-group); }
 
@@ -28,8 +28,8 @@ class GoldenWork {
     void tell(pid_t group) const;
 
     std::filesystem::path path_;
-    int lifeline_ = -1;   ///< a socket, which is closed when this program ends, however it does
-    pid_t remover_ = -1;  ///< who waits for that
+    int lifeline_ = -1;   ///< a socket, which is closed when this program ends, in any way
+    pid_t remover_ = -1;  ///< the process that waits for that
 };
 
 }  // namespace scb::golden
