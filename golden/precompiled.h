@@ -1,4 +1,4 @@
-// What nearly every file of golden includes.
+// The headers that nearly every file of golden includes.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>

@@ -21,7 +21,8 @@ std::string variant_name(const std::string& name, int variant) {
     return variant == 1 ? name + ".png" : name + "." + std::to_string(variant) + ".png";
 }
 
-/// The case that a file of a baseline is named after; empty where the file is not of a baseline.
+/// The case that a file of a baseline is named after; empty if the file does not belong to a
+/// baseline.
 std::string case_of(std::string file) {
     for (const std::string_view ending :
          {".counts.json", ".meta.json", ".ids.png", ".scbtrace", ".png"})

@@ -6,14 +6,14 @@
 
 namespace scb::golden {
 
-/// The folder of baselines while it is updated: one update at a time.
+/// A lock on the folder of baselines: one update at a time.
 class BaselineLock {
   public:
-    /// Makes the folder where there is none. Throws OutputError where that cannot be, and where
-    /// another update has the folder.
+    /// Makes the folder if there is none. Throws OutputError if that fails, and if another update
+    /// has the folder.
     explicit BaselineLock(const std::filesystem::path& baselines);
 
-    /// False where the file system knows no locks: then there may be others.
+    /// False if the file system has no locks: then there may be other updates.
     bool held() const { return lock_.state() == render::FolderLock::State::held; }
 
   private:

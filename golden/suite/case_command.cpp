@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What of a query a trace records; each has a value.
+/// The arguments of a query that a trace records; each has a value.
 constexpr std::string_view recorded_arguments[] = {"--pose",      "--growth",  "--margin",
                                                    "--threshold", "--descent", "--bodies",
                                                    "--max-pairs", "--level"};
@@ -37,7 +37,7 @@ std::string scene_from_here(const std::string& name, const fs::path& folder,
     return in_folder(in_models ? models : folder, name);
 }
 
-/// Arguments may name a file too, a camera.
+/// Arguments may also name a file, a camera.
 std::string argument_from_here(const std::string& word, const fs::path& folder) {
     const std::size_t start = word.starts_with("--") ? word.find('=') + 1 : 0;
     const std::string file = word.substr(start);

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What the elements of a list are called after; empty where they have no names.
+/// The name of an element of a list; empty if it has none.
 std::string name_of(const Json& element) {
     for (const char* key : {"frame", "body", "depth"})
         if (element.contains(key))
@@ -23,13 +23,13 @@ std::string name_of(const Json& element) {
     return element.contains("threshold") ? test + " " + element["threshold"].dump() : test;
 }
 
-/// Where pixels' ids begin, and what else are numbers but no counts.
+/// Numbers that are not counts, such as the first ids of pixels.
 bool is_no_count(const std::string& key) {
     constexpr std::string_view keys[] = {"first_id", "pair_ids", "frame", "depth_of_pair", "test"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 
-/// Nothing where there are no counts in it, as in all but objects, lists, integers and truths.
+/// Nothing if it has no counts; only objects, lists, integers and booleans may have.
 std::optional<Json> counts_in(const Json& value, const std::string& place);
 
 std::int64_t hash_count(const Json& hash, const std::string& place) {

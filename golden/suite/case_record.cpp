@@ -87,7 +87,7 @@ Json record_json(const std::string& command, const Json& document) {
         for (const auto& [frame, bodies] : document["poses"].items())
             for (const auto& [body, numbers] : bodies.items())
                 record["poses"][frame][body] = pose_text(numbers);
-    // Of levels they are among the options.
+    // For levels, they are among the options.
     for (const RecordedSetting& setting : recorded_settings)
         if (document.contains(setting.key))
             record["settings"][setting.key] = setting_text(document[setting.key]);

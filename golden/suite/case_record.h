@@ -10,7 +10,7 @@
 
 namespace scb::golden {
 
-/// What tells the mesh of a body from others.
+/// The identification of the mesh of a body.
 struct RecordedMesh {
     std::int64_t triangles = 0, vertices = 0;
     std::string hash;
@@ -18,8 +18,8 @@ struct RecordedMesh {
     friend bool operator==(const RecordedMesh&, const RecordedMesh&) = default;
 };
 
-/// What a case was made of: NAME.meta.json, which is not compared but tells why counts differ. What
-/// a record does not say, as those of older versions, is empty.
+/// The inputs of a case: NAME.meta.json, which is not compared but shows why counts differ. Values
+/// that a record does not have, as in older versions, are empty.
 struct CaseRecord {
     std::string command;
     std::map<std::string, RecordedMesh> meshes;        ///< by body
@@ -27,7 +27,7 @@ struct CaseRecord {
     std::map<std::string, std::string> settings;       ///< "test": "symmetric", ...
 };
 
-/// The settings that a record keeps, and how people call them, in the order to name them in.
+/// The settings that a record keeps, and their names for people, in the order of messages.
 struct RecordedSetting {
     const char* key;
     const char* name;
@@ -40,11 +40,11 @@ inline constexpr RecordedSetting recorded_settings[] = {
     {"max_pairs", "most pairs"}, {"level", "level to stop at"},
 };
 
-/// The record of a run as JSON, by the index.json or the JSON that it made. A pose is one text of
-/// twelve numbers, [R|t] row by row, so that it is one line of the file.
+/// The record of a run as JSON, from its index.json or the JSON that it printed. A pose is one text
+/// of twelve numbers, [R|t] row by row, so that it is one line of the file.
 nlohmann::json record_json(const std::string& command, const nlohmann::json& document);
 
-/// Reads NAME.meta.json; an empty record where there is none. Throws InputError.
+/// Reads NAME.meta.json; an empty record if there is none. Throws InputError.
 CaseRecord read_record(const std::filesystem::path& file);
 
 }  // namespace scb::golden

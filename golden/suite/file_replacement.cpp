@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder beside the files that it is to replace, which is gone at the end.
+/// A temporary folder beside the files to replace, removed at the end.
 class StagingFolder {
   public:
     explicit StagingFolder(const fs::path& beside) {
@@ -34,7 +34,7 @@ class StagingFolder {
     StagingFolder& operator=(const StagingFolder&) = delete;
 
     const fs::path& path() const { return path_; }
-    /// Leaves it: it has the only copy of something.
+    /// Keeps the folder: it has the only copy of a file.
     void keep() { kept_ = true; }
 
   private:
@@ -42,15 +42,15 @@ class StagingFolder {
     bool kept_ = false;
 };
 
-/// Files that come to their places, or go, all of them or none.
+/// Puts files into their places and removes files: all of them or none.
 class Replacement {
   public:
     explicit Replacement(const fs::path& folder) : staging_(folder) {}
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
 
-    /// Puts files of those contents into these places, and removes the others. Throws OutputError,
-    /// InputError; then nothing has changed.
+    /// Puts files with these contents into these places, and removes the others. Throws
+    /// OutputError, InputError; then nothing has changed.
     void run(const std::vector<std::pair<fs::path, fs::path>>& changed,
              const std::vector<fs::path>& gone) {
         for (const auto& [source, target] : changed) scenes::refuse_input(target, "the update");
@@ -74,7 +74,7 @@ class Replacement {
 
     void put(const fs::path& target) {
         std::error_code error;
-        // A second name, not another one: the target is never missing.
+        // A second name, so that the target is never missing.
         if (render::is_there(target)) fs::create_hard_link(target, backup(target), error);
         if (error) fs::copy_file(target, backup(target), error);
         if (!error) fs::rename(staged(target), target, error);
@@ -93,7 +93,7 @@ class Replacement {
         done_.push_back(target);
     }
 
-    /// Says what could not be put back, a sentence each; empty where all was.
+    /// Names the files that could not be restored, a sentence each; empty if all were.
     std::string undo() {
         std::string lost;
         for (; !done_.empty(); done_.pop_back()) {

@@ -4,7 +4,7 @@
 
 namespace scb::golden {
 
-/// The text as one word of a POSIX shell: in single quotes where it needs them.
+/// The text as one word of a POSIX shell: in single quotes if it needs them.
 std::string shell_word(const std::string& text);
 
 }  // namespace scb::golden

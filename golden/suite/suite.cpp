@@ -20,12 +20,12 @@ namespace {
 /// Larger pictures make large repositories.
 constexpr int largest_side = 512;
 
-/// The versions of the format. In the first, pictures have a panel unless told; since the second,
-/// those of scenes have none, and others are large enough that no text is cut.
+/// The versions of the format. In the first, pictures have a panel by default. Since the second,
+/// pictures of scenes have none by default, and others are large enough that no text is cut.
 constexpr int first_version = 1, latest_version = 2;
 constexpr const char *size_of_view = "240x180", *size_with_panel = "512x384";
 
-/// That follow each other.
+/// The longest chain of presets.
 constexpr std::size_t most_presets = 16;
 
 constexpr std::string_view refused_arguments[] = {
@@ -152,7 +152,7 @@ class Reader {
     Suite take() { return std::move(suite_); }
 
   private:
-    /// The fields that a case has, also by its presets, and where.
+    /// The fields that a case has, also by its presets, and their places.
     using Given = std::map<std::string, scenes::JsonPlace>;
 
     void add_preset(const std::string& name, const scenes::JsonPlace& place) {
@@ -199,7 +199,7 @@ class Reader {
             seen_from_here(std::move(golden), suite_.file.parent_path(), std::filesystem::path()));
     }
 
-    /// What the run cannot make is not compared, and must not be asked for.
+    /// Outputs that the run cannot make are not compared, and must not be requested.
     static void check_what_is_made(const scenes::JsonPlace& place, GoldenCase& golden,
                                    const Given& given) {
         const std::string run(golden_run_names[golden.run]);
@@ -236,7 +236,7 @@ class Reader {
                                "a case of its own.");
     }
 
-    /// How small a picture may be depends on its panel.
+    /// The least size of a picture depends on its panel.
     void set_size(GoldenCase& golden, const Given& given) const {
         if (!has_ids(golden.run))
             golden.panel = true;

@@ -10,39 +10,39 @@
 
 namespace scb::golden {
 
-/// What a case makes: the commands of scb; `external` the counts of another engine's recording, of
-/// `scb trace`.
+/// The outputs of a case, by the command of scb; `external`: the counts of another engine's
+/// recording, by `scb trace`.
 enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide, external };
 
 inline constexpr EnumNames<GoldenRun, 7> golden_run_names = {
     "levels", "pairs", "rejections", "traversal", "inspect", "collide", "external"};
 
-/// Whether it makes a picture; whether that has ids.
+/// Whether it makes a picture, and whether that has ids.
 bool has_picture(GoldenRun run);
 bool has_ids(GoldenRun run);
 
-/// One thing that must not change.
+/// One output that must not change.
 struct GoldenCase {
     std::string name;  ///< letters, digits, '_' and '-'; baselines are named after it
     GoldenRun run = GoldenRun::levels;
     std::vector<std::string> scene;  ///< a built-in scene, a scene file, two mesh files, or a
                                      ///< recording
-    /// Words of a command that makes the recording which is the scene, see recording_here; empty:
+    /// The words of a command that makes the recording of the scene, see recording_here; empty:
     /// none. It runs in the suite's folder.
     std::vector<std::string> command;
     std::string frames;                  ///< --frames; empty: none
     std::string volume, test;            ///< --volume, --test; empty: none
     std::string size = "320x240";        ///< of pictures, WIDTHxHEIGHT
-    bool panel = true;                   ///< of pictures of a scene; else the view alone
-    std::vector<std::string> arguments;  ///< more of the command line
-    /// The scene and arguments as the suite has them: files are relative to its folder, while those
-    /// above can be opened from here.
+    bool panel = true;                   ///< for pictures of a scene; false: the view alone
+    std::vector<std::string> arguments;  ///< further arguments of the command line
+    /// The scene and arguments as in the suite: files are relative to its folder, while the paths
+    /// above are valid from here.
     std::vector<std::string> own_scene, own_arguments;
     bool counts = true, ids = true, colors = true;  ///< what is compared
     ColorTolerance tolerance;
 };
 
-/// Stands in GoldenCase::command for the file to be written.
+/// Stands in GoldenCase::command for the output file.
 inline constexpr const char* recording_here = "{}";
 
 /// The cases of a file, in its order.
@@ -51,10 +51,10 @@ struct Suite {
     std::vector<GoldenCase> cases;
 };
 
-/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for whatever is
-/// unknown, missing or out of range, for a name or a preset that is there twice, for no cases, for
-/// arguments that a case must not have (where it writes, what it prints), for a picture of several
-/// frames or volumes, and for a comparison or a tolerance of what the run does not make.
+/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for anything
+/// unknown, missing or out of range, for a name or a preset that occurs twice, for no cases, for
+/// arguments that a case must not have (of its outputs), for a picture of several frames or
+/// volumes, and for a comparison or a tolerance of outputs that the run does not make.
 Suite load_suite(const std::filesystem::path& file);
 
 }  // namespace scb::golden
