@@ -49,7 +49,7 @@ std::string file_bytes(const std::string& path, std::size_t most) {
     if (!ignored) bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(size, most)) + 1);
     constexpr std::size_t block = std::size_t{1} << 20;
     while (bytes.size() < most && stream) {
-        // Growth doubles what is held, so what is reserved is filled first.
+        // Growth doubles the memory, so reserved memory is filled first.
         const std::size_t before = bytes.size(), room = bytes.capacity() - before,
                           wanted = std::min({block, most - before, room > 0 ? room : block});
         bytes.resize(before + wanted);

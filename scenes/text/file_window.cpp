@@ -17,7 +17,7 @@ constexpr std::size_t window_size = std::size_t{1} << 20;
 FileWindow::FileWindow(const std::string& path)
     : name_(path), window_(std::make_unique_for_overwrite<char[]>(window_size)) {
     check_is_file(path);
-    // The window is the buffer.
+    // Without a buffer: the window is one.
     stream_.rdbuf()->pubsetbuf(nullptr, 0);
     stream_.open(path, std::ios::binary);
     if (!stream_) refuse_to_open(path, errno);

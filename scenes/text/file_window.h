@@ -9,28 +9,28 @@
 
 namespace scb::scenes {
 
-/// A file that is read from front to back through a window of 1 MiB, so that its size costs no
-/// memory.
+/// A file that is read from front to back through a window of 1 MiB, so that memory does not depend
+/// on its size.
 class FileWindow {
   public:
-    /// Throws InputError, naming the file, where check_is_file does, and where it cannot be opened.
+    /// Throws InputError, naming the file, as check_is_file does, and if it cannot be opened.
     explicit FileWindow(const std::string& path);
 
     const std::string& name() const { return name_; }
 
-    /// All that the window holds of what is next: at least `count` bytes, which are at most 1 MiB,
-    /// or all up to the end of the file. Valid until the next call. Throws InputError where the
-    /// file cannot be read.
+    /// The next bytes in the window: at least `count` of them, which is at most 1 MiB, or all up to
+    /// the end of the file. Valid until the next call. Throws InputError if the file cannot be
+    /// read.
     std::string_view ahead(std::size_t count) {
         if (count > end_ - at_) fill(count);
         return {window_.get() + at_, end_ - at_};
     }
-    /// Goes on behind bytes that were seen ahead.
+    /// Skips bytes that ahead() returned.
     void skip(std::size_t count) { at_ += count; }
-    /// Goes on behind any number of bytes. False where the file ends before that.
+    /// Skips any number of bytes. False if the file ends before.
     bool skip_far(std::uint64_t count);
 
-    /// How many bytes of the file are next, as far as its size says.
+    /// The number of bytes left in the file, by its size.
     std::uint64_t left() const { return size_ - position(); }
     std::uint64_t position() const { return read_ - (end_ - at_); }
     void go_to(std::uint64_t position);
@@ -41,7 +41,7 @@ class FileWindow {
     std::string name_;
     std::ifstream stream_;
     std::unique_ptr<char[]> window_;
-    std::size_t at_ = 0, end_ = 0;  ///< what is next, within the window
+    std::size_t at_ = 0, end_ = 0;  ///< the range of the next bytes in the window
     std::uint64_t read_ = 0, size_ = 0;
 };
 

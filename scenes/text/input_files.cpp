@@ -15,7 +15,7 @@
 namespace scb::scenes {
 namespace {
 
-/// A file whatever it is called.
+/// The identity of a file, under any name.
 using Identity = std::pair<dev_t, ino_t>;
 
 std::optional<struct stat> status_of(const std::filesystem::path& file) {
@@ -30,7 +30,7 @@ std::optional<Identity> identity_of(const std::filesystem::path& file) {
     return Identity(status->st_dev, status->st_ino);
 }
 
-/// What differs once somebody has written to a file, or put another one in its place.
+/// A text that changes when a file is written or replaced.
 std::string version_of(const std::filesystem::path& file) {
     const auto status = status_of(file);
     if (!status) return "";
@@ -41,7 +41,8 @@ std::string version_of(const std::filesystem::path& file) {
 struct InputFiles {
     std::mutex mutex;
     std::set<Identity> noted;
-    std::map<std::filesystem::path, std::string> versions;  ///< of regular files, when noted first
+    std::map<std::filesystem::path, std::string> versions;  ///< of regular files, at their first
+                                                            ///< note
     std::string last;
 };
 

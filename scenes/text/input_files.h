@@ -7,34 +7,33 @@
 
 namespace scb::scenes {
 
-/// Notes that this process reads a file for its user, which nothing that it writes may replace.
-/// Whatever reads scenes, meshes, traces, cameras, pairs and suites notes them; the files that this
-/// program keeps for itself, such as baselines, are not noted. Any thread may call this. No effect
-/// where there is no such file.
+/// Notes that this process reads a file for its user; the process must not overwrite such files.
+/// All readers of scenes, meshes, traces, cameras, pairs and suites note their files. The program's
+/// own files, such as baselines, are not noted. Any thread may call this. No effect if there is no
+/// such file.
 void note_input(const std::filesystem::path& file);
 
-/// The name of the file that was noted last, or of none; for a process that ends for want of
-/// memory, and therefore takes none.
+/// The name of the file that was noted last, or an empty name. Allocates nothing, for a process
+/// that ends for lack of memory.
 const char* last_input() noexcept;
 
-/// Forgets all files that were noted; for a process that runs the program several times.
+/// Forgets all noted files; for a process that runs the program several times.
 void forget_inputs();
 
-/// The regular files that this process noted, each with words for its contents when it was noted
-/// first: they are others once somebody has written to it or put another file in its place.
+/// The regular files that this process noted, each with a text for its contents at the first note.
+/// The text changes when the file is written or replaced.
 std::map<std::filesystem::path, std::string> input_versions();
-/// The same files as they are now.
+/// The same files with the texts for their present contents.
 std::map<std::filesystem::path, std::string> present_versions(
     const std::map<std::filesystem::path, std::string>& files);
 
-/// The files that were noted, as text that another process's note_inputs understands.
+/// The noted files, as a text for note_inputs in another process.
 std::string noted_inputs();
-/// Notes the files that another process has noted; what is no such text has no effect.
+/// Notes the files that another process has noted; other texts have no effect.
 void note_inputs(std::string_view noted);
 
-/// Throws InputError where the path leads to a file that was noted, by whatever name. `option` is
-/// the one that says where to write. To be called when all has been read, and before anything is
-/// written or removed.
+/// Throws InputError if the path leads to a noted file, under any name. `option` is the option for
+/// the output. Call this after everything is read, and before anything is written or removed.
 void refuse_input(const std::filesystem::path& output, const std::string& option);
 
 }  // namespace scb::scenes

@@ -40,7 +40,7 @@ std::string plain_reason(const char* what) {
     return plain;
 }
 
-/// The value as it stands in the file, cut where it is long.
+/// The value as in the file, cut if it is long.
 std::string shown(const json& value) {
     if (value.is_object()) return "an object";
     std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -48,7 +48,7 @@ std::string shown(const json& value) {
     return text;
 }
 
-/// Characters that say how far they were read.
+/// An iterator over characters that knows how far it has read.
 class Cursor {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -71,9 +71,9 @@ class Cursor {
     std::size_t* read_;
 };
 
-/// Refuses what is not JSON, values that are nested too deeply, and fields that stand twice in one
-/// object. A pass of its own, since json::parse with a callback takes quadratic time, and says of
-/// a number that is too large not where it stands.
+/// Refuses texts that are not JSON, values that are nested too deeply, and fields that occur twice
+/// in one object. A pass of its own, since json::parse with a callback takes quadratic time, and
+/// does not report the place of a number that is too large.
 class StrictReader : public nlohmann::json_sax<json> {
   public:
     StrictReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -106,7 +106,7 @@ class StrictReader : public nlohmann::json_sax<json> {
 
   private:
     bool open() {
-        // Printing a value takes stack for every level.
+        // Printing a value needs stack for every level.
         if (fields_.size() >= max_json_depth)
             refuse("values are nested more than " + std::to_string(max_json_depth) +
                    " deep; no file here needs that.");
@@ -125,12 +125,12 @@ class StrictReader : public nlohmann::json_sax<json> {
     std::string_view text_;
     const std::string& file_;
     std::size_t read_ = 0;
-    std::vector<std::set<std::string>> fields_;  ///< of the objects and arrays that are open
+    std::vector<std::set<std::string>> fields_;  ///< of the open objects and arrays
 };
 
 template <class Json>
 Json parsed(std::string_view text, const std::string& file) {
-    // The parser takes one for the end.
+    // The parser would treat a zero byte as the end.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
         throw InputError(file + ": " + line_and_column(text, zero + 1) +
                          ": not valid JSON: a zero byte; correct it there.");
@@ -205,8 +205,8 @@ std::int64_t read_integer(const JsonPlace& place, std::int64_t low, std::int64_t
     } else if (value.is_number_integer()) {
         number = value.get<std::int64_t>();
     } else if (value.is_number_float()) {
-        // A number such as 1e3 is whole too, though JSON libraries hold it as a double. All doubles
-        // below 2^63 are in range, and 2^63 itself is the first that is not.
+        // A number such as 1e3 is an integer too, although JSON libraries store it as a double. All
+        // doubles below 2^63 are in range, and 2^63 itself is the first that is not.
         const double real = value.get<double>();
         if (real >= -0x1p63 && real < 0x1p63 && real == std::floor(real))
             number = static_cast<std::int64_t>(real);

@@ -10,7 +10,7 @@
 
 namespace scb::scenes {
 
-/// The words of a text, one after the other, parted by blanks and line ends.
+/// The words of a text, one after the other, separated by blanks and line ends.
 struct Words {
     std::string_view rest;
 
@@ -30,7 +30,7 @@ struct Words {
     }
 };
 
-/// The number that a whole word spells ("nan" and "inf" included), if it does.
+/// The number that a whole word spells ("nan" and "inf" included), if any.
 inline std::optional<double> number_in(std::string_view word) {
     if (!word.empty() && word[0] == '+') word.remove_prefix(1);
     double value = 0;
@@ -45,7 +45,7 @@ inline std::optional<double> number_in(std::string_view word) {
     return value;
 }
 
-/// At most 40 characters of a text from outside, fit for a message.
+/// At most 40 characters of a text from outside, safe for a message.
 inline std::string excerpt(std::string_view text) {
     std::string plain(text.substr(0, 40));
     for (char& c : plain)

@@ -34,8 +34,8 @@ std::string printable(std::string text) {
     text = as_utf8(std::move(text));
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    // Of two bytes C2 80 to C2 9F, which terminals obey as well; of three those that turn the
-    // direction of what follows.
+    // Two bytes: C2 80 to C2 9F, which terminals also obey. Three bytes: characters that change the
+    // direction of the following text.
     const auto is = [&text](std::size_t i, unsigned char lowest, unsigned char highest) {
         const auto byte = static_cast<unsigned char>(text[i]);
         return byte >= lowest && byte <= highest;
