@@ -11,8 +11,8 @@ Mesh box_mesh(const BoxShape& shape) {
     require_between("subdivisions", shape.subdivisions, 1, 512);
     const int n = shape.subdivisions;
 
-    // A lattice point on the surface is known by its three integer coordinates, whichever side asks
-    // for it.
+    // Three integer coordinates identify a lattice point on the surface, for all sides that share
+    // it.
     using Lattice = std::array<int, 3>;
     std::vector<Lattice> points;
     for (int z = 0; z <= n; ++z)
@@ -28,7 +28,7 @@ Mesh box_mesh(const BoxShape& shape) {
     Mesh mesh;
     mesh.vertices.reserve(points.size());
     for (const auto& [z, y, x] : points) {
-        // Opposite sides come out as exact mirror images.
+        // This makes opposite sides exact mirror images.
         const Vec3 unit(2 * x - n, 2 * y - n, 2 * z - n);
         mesh.vertices.push_back((shape.size.array() * unit.array() / (2 * n)).matrix());
     }

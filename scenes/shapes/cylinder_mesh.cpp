@@ -20,7 +20,7 @@ void add_circle(Mesh& mesh, double radius, double z, int sides) {
     }
 }
 
-/// The quads between the circle that starts at vertex `lower` and the one right above it.
+/// The quads between the circle that starts at vertex `lower` and the next circle above it.
 void add_belt(Mesh& mesh, std::uint32_t lower, std::uint32_t sides) {
     for (std::uint32_t i = 0; i < sides; ++i) {
         const std::uint32_t a = lower + i, b = lower + (i + 1) % sides;

@@ -22,7 +22,7 @@ Mesh icosahedron() {
     return mesh;
 }
 
-/// The middle vertices of edges, found again through the edge's lower end: a vertex here has at
+/// The middle vertices of edges, stored with the edge's end of lower index: a vertex here has at
 /// most six edges.
 struct EdgeMiddles {
     struct Entry {

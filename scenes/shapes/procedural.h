@@ -9,7 +9,7 @@ namespace scb::scenes {
 /// Meshes made by formula. Lengths are scene units, every mesh is centered on the origin of its
 /// body frame, and triangles are counterclockwise seen from outside. The order of vertices and
 /// triangles and every coordinate are the same on every compiler and CPU. Each function throws
-/// InputError, naming the parameter, where one is out of its range.
+/// InputError, naming the parameter, if one is out of its range.
 
 /// The most triangles that one procedural mesh may have.
 inline constexpr std::int64_t max_procedural_triangles = std::int64_t{1} << 23;
@@ -59,9 +59,9 @@ struct ConeShape {
 };
 Mesh cone_mesh(const ConeShape& shape);
 
-/// Triangles that have nothing to do with each other: centers uniform in a cube of side `size`,
-/// corners uniform in a cube of side `triangle_size` about the center. Each has its own three
-/// vertices. Equal seeds give equal soups.
+/// Independent triangles: centers uniform in a cube of side `size`, corners uniform in a cube of
+/// side `triangle_size` about the center. Each has its own three vertices. Equal seeds give equal
+/// soups.
 struct SoupShape {
     int count = 1000;
     double size = 1;

@@ -11,7 +11,7 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(squared_norm(v)); }
 
-/// The change of the unit vector v / |v| where v changes at the rate dv.
+/// The rate of change of the unit vector v / |v| if v changes at the rate dv.
 Vec3 unit_rate(const Vec3& v, const Vec3& dv) {
     const double inverse = 1 / length(v);
     const Vec3 unit = v * inverse;
