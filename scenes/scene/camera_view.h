@@ -11,16 +11,17 @@
 
 namespace scb::scenes {
 
-/// A detail of the scene that pictures may magnify: what is within `radius` of `center`, in world
-/// coordinates.
+/// A detail of the scene that pictures may magnify: the ball about `center` with this radius, in
+/// world coordinates.
 struct Inset {
     Vec3 center = Vec3::Zero();
     double radius = 1;
 };
 
-/// How a scene wishes to be looked at. What is left open is fitted to what the picture shows.
+/// The view that a scene prefers. Values that are left open are fitted to the content of the
+/// picture.
 ///
-/// The camera orbits the target with z up: seen from the target it lies in the direction
+/// The camera orbits the target with z up: seen from the target, the camera is in the direction
 ///     (cos(elevation) sin(azimuth), -cos(elevation) cos(azimuth), sin(elevation)),
 /// so azimuth 0 looks along +y with x to the right, and elevation 90 looks straight down.
 struct CameraView {
@@ -28,7 +29,7 @@ struct CameraView {
     double elevation = 20;           ///< degrees, -90 to 90
     std::optional<double> distance;  ///< scene units from the target
     std::optional<Vec3> target;      ///< world coordinates
-    std::optional<Vec3> up;          ///< world direction; z where left open
+    std::optional<Vec3> up;          ///< world direction; z if left open
     double field_of_view = 35;       ///< degrees, vertical, 1 to 170
     std::optional<bool> orthographic;
     std::optional<double> view_height;  ///< orthographic: scene units from bottom to top
@@ -38,9 +39,9 @@ struct CameraView {
     std::optional<FacePlane> clip;
 };
 
-/// What `--camera` takes: `fit` (all fitted, default angles),
+/// Parses the value of `--camera`: `fit` (all fitted, default angles),
 /// `orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]]`, where X,Y,Z is the target, or the path of a JSON
-/// file as parse_camera_json takes it. Throws InputError, naming the option, file and place.
+/// file for parse_camera_json. Throws InputError, naming the option, file and place.
 CameraView parse_camera(std::string_view text);
 
 /// The camera object of a scene file, from its JSON text; or the field `camera` of an object that
@@ -48,11 +49,11 @@ CameraView parse_camera(std::string_view text);
 /// (InputError).
 CameraView parse_camera_json(std::string_view json_text, const std::string& file);
 
-/// The camera object of a scene file, as JSON: what parse_camera_json reads back to the same
+/// The camera object of a scene file, as JSON, which parse_camera_json reads back to the same
 /// values.
 nlohmann::ordered_json camera_json(const CameraView& camera);
 
-/// The camera object that stands at `place`. Throws InputError, naming file and place.
+/// The camera object at `place`. Throws InputError, naming file and place.
 CameraView read_camera(const JsonPlace& place);
 
 }  // namespace scb::scenes

@@ -6,7 +6,7 @@
 namespace scb::scenes {
 namespace {
 
-/// More than all volumes of a mesh of 20,000 triangles take.
+/// Enough for all kinds of volumes of a mesh of 20,000 triangles.
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
 template <class T>

@@ -11,23 +11,23 @@
 
 namespace scb::scenes {
 
-/// From now on this process keeps what build_topologies and fit_meshes build of the latest scene,
-/// and they copy it where a command asks for the same: for a process that runs several commands.
+/// From now on this process keeps the results of build_topologies and fit_meshes for the latest
+/// scene, which copy them for equal requests. For a process that runs several commands.
 void keep_hierarchies();
 
-/// What was built of the meshes of the latest scene, for commands that build the same again. Any
-/// thread may call its functions.
+/// The topologies and hierarchies of the latest scene, for commands that would build the same
+/// again. Any thread may call its functions.
 class KeptHierarchies {
   public:
-    /// Nothing where these meshes are no longer, or not yet, the latest.
+    /// Nothing if these meshes are no longer, or not yet, the latest.
     std::vector<MeshTopology> topologies(const Scene& scene, SplitMethod split) const;
-    /// Forgets all of other meshes.
+    /// Forgets everything of other meshes.
     void keep(const Scene& scene, SplitMethod split, const std::vector<MeshTopology>& topologies);
 
-    /// The hierarchies of these very topologies; null where they are not kept.
+    /// The hierarchies of exactly these topologies; null if they are not kept.
     SharedHierarchies hierarchies(const std::vector<MeshTopology>& topologies, VolumeKind kind,
                                   const FitOptions& options, int deepest) const;
-    /// No effect where the topologies are not kept, or too much is.
+    /// No effect if the topologies are not kept, or too much is kept already.
     void keep(const std::vector<MeshTopology>& topologies, VolumeKind kind,
               const FitOptions& options, int deepest, const SharedHierarchies& hierarchies);
 

@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* what_to_name =
     "a built-in scene, a scene file (.json), one mesh file or two mesh files";
 
-/// How many letters must be added, removed or changed to turn one word into the other
-/// (Levenshtein).
+/// The number of letters to add, remove or change to turn one word into the other (Levenshtein).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -36,7 +35,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
     std::string nearest;
-    std::size_t least = 4;  // farther than three letters off is another word
+    std::size_t least = 4;  // a word more than three letters off is another word
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::size_t distance = edit_distance(name, scene.name);
         if (distance < least) {
@@ -50,7 +49,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
                      name_list(builtin_scenes(), &BuiltinScene::name) + ").");
 }
 
-/// What a mesh from this file is called: in tables and on terminals too.
+/// The name of a mesh from this file, also for tables and terminals.
 std::string stem(const std::string& path) {
     const std::string name = fs::path(path).stem().string();
     return printable(name.empty() ? path : name);
@@ -58,15 +57,15 @@ std::string stem(const std::string& path) {
 
 bool is_scene_file(const std::string& name) { return fs::path(name).extension() == ".json"; }
 
-/// A word without a folder and an extension is meant as a built-in name.
+/// A word without a folder or an extension is meant as a built-in name.
 bool looks_like_path(const std::string& name) {
     return name.find('/') != std::string::npos || !fs::path(name).extension().empty();
 }
 
-/// The file that a name on the command line means.
+/// The file for a name on the command line.
 fs::path find_mesh(const std::string& name, const fs::path& models_dir) {
     const fs::path path = name;
-    // What cannot be reached may be there: whoever opens it says what is wrong.
+    // A file that cannot be reached may exist: the code that opens it reports the error.
     const auto may_exist = [](const fs::path& file) {
         std::error_code ignored;
         return fs::status(file, ignored).type() != fs::file_type::not_found;
@@ -103,7 +102,7 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     scene.name = file_name_of(stem(first) + "-" + stem(second));
     scene.file.clear();
     scene.bodies.push_back({stem(second), scene.meshes.size() - 1, {}});
-    // Names tell bodies apart.
+    // Bodies need different names.
     if (scene.bodies[0].name == scene.bodies[1].name) {
         scene.bodies[0].name += "-A";
         scene.bodies[1].name += "-B";

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t most_of_a_mesh = std::int64_t{1} << 28;
 
-/// What a model says of its mesh file.
+/// The expected properties of a model's mesh file.
 struct Expected {
     std::optional<std::size_t> vertices, triangles;
     std::string published;
@@ -32,7 +32,7 @@ std::string count_text(std::size_t count, const std::string& one, const std::str
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// `48485 vertices and 96966 triangles`, or what is known of them; empty where nothing is.
+/// `48485 vertices and 96966 triangles`, or the known part; may be empty.
 std::string counts_text(std::optional<std::size_t> vertices, std::optional<std::size_t> triangles) {
     std::string text;
     if (vertices) text += count_text(*vertices, "vertex", "vertices");
@@ -41,7 +41,7 @@ std::string counts_text(std::optional<std::size_t> vertices, std::optional<std::
     return text;
 }
 
-/// ` (48485 vertices and 96966 triangles; published: Some Archive)`, or what is known of it.
+/// ` (48485 vertices and 96966 triangles; published: Some Archive)`, or the known part.
 std::string remark(const Expected& expected) {
     std::string text = counts_text(expected.vertices, expected.triangles);
     if (!expected.published.empty())

@@ -10,7 +10,7 @@
 namespace scb::scenes {
 namespace {
 
-/// Fields that may be left out; the parameters' own ranges are checked where the mesh is made.
+/// Optional fields; the functions that make meshes check the ranges of their parameters.
 void read_if(const JsonPlace& place, const char* name, int& value) {
     constexpr std::int64_t low = std::numeric_limits<int>::min(),
                            high = std::numeric_limits<int>::max();
@@ -102,7 +102,7 @@ Mesh read_soup(const JsonPlace& place) {
     read_if(place, "count", shape.count);
     read_if(place, "size", shape.size);
     read_if(place, "triangle_size", shape.triangle_size);
-    // Up to 2^53 every reader of JSON agrees on what a number means.
+    // Up to 2^53, all readers of JSON read the same number.
     if (has(place, "seed"))
         shape.seed = static_cast<std::uint64_t>(
             read_integer(field(place, "seed"), 0, std::int64_t{1} << 53));
@@ -161,7 +161,8 @@ NamedMesh read_source(const JsonPlace& place, const SceneContext& context) {
             refuse(field(place, name),
                    "this describes a mesh file, but the model is made by formula; leave it out.");
     const JsonPlace shape = field(place, chosen->field);
-    // The readers refuse with the place in front already, the makers of meshes without.
+    // Errors of readers already begin with the place, but not errors of the functions that make
+    // meshes.
     try {
         return {"", chosen->read(shape)};
     } catch (const InputError& error) {

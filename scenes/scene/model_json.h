@@ -5,8 +5,8 @@
 
 namespace scb::scenes {
 
-/// Makes or loads the model that stands at `place` of a scene file (see parse_scene).
-/// Throws InputError, naming file and place.
+/// Makes or loads the model at `place` of a scene file (see parse_scene). Throws InputError, naming
+/// file and place.
 NamedMesh read_model(const JsonPlace& place, const SceneContext& context);
 
 }  // namespace scb::scenes

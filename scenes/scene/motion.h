@@ -16,14 +16,14 @@ struct Turn {
 };
 
 /// A straight path of the body's origin in the world, in scene units: `from + (to - from) * (frame
-/// / frames)`. It goes on beyond `frames` at the same speed.
+/// / frames)`. It continues beyond `frames` at the same speed.
 struct LinearPath {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
     double frames = 1;  ///< > 0
 };
 
-/// Where a body is from a frame on.
+/// The pose of a body from a frame on.
 struct PoseKey {
     int frame = 0;
     Pose pose;
@@ -36,18 +36,18 @@ struct Motion {
     LinearPath path;
     Mat3 base = Mat3::Identity();
     std::vector<Turn> turns;
-    /// In place of all that, poses that somebody told, ascending by frame; the first holds before
-    /// it too.
+    /// Replaces all other members: given poses, ascending by frame; the first is also valid for
+    /// earlier frames.
     std::vector<PoseKey> told;
 };
 
 /// The rotation by `degrees` about `axis`: Rodrigues' formula, with no function of the C library
-/// whose rounding depends on the machine. Throws InputError where the axis is zero or something is
-/// not finite.
+/// whose rounding depends on the machine. Throws InputError if the axis is zero or a number is not
+/// finite.
 Mat3 rotation_about(const Vec3& axis, double degrees);
 
-/// The pose (body frame to world) at a frame.
-/// Throws InputError where the pose is not rigid and finite, see check_rigid.
+/// The pose (body frame to world) at a frame. Throws InputError if the pose is not rigid and
+/// finite, see check_rigid.
 Pose pose_at(const Motion& motion, int frame);
 
 }  // namespace scb::scenes

@@ -12,9 +12,9 @@
 namespace scb::scenes {
 namespace {
 
-/// What single precision may have left of a unit vector or a rotation.
+/// The largest error of a unit vector or a rotation in single precision.
 constexpr double largest_defect = 1e-6;
-/// Defects of doubles that were rounded are not worth a note.
+/// Rounding of doubles gets no note.
 constexpr double least_noted = 1e-12;
 
 using Notes = std::vector<std::string>;
@@ -32,13 +32,13 @@ Vec3 read_normal(const JsonPlace& place, Notes& notes) {
     if (std::abs(length - 1) > least_noted)
         notes.push_back(place.path + " has the length " + exact_number(length) +
                         " and was made a unit vector.");
-    // Twice, since the first quotient may be off by more than an SCB's normal may.
+    // Twice, since the error of the first quotient may be larger than allowed for an SCB's normal.
     const Vec3 once = v / length;
     return once / length_of(once);
 }
 
-/// The rotation next to a matrix that nearly is one: its columns one after the other, less what
-/// they have of those before.
+/// The rotation near a matrix that is almost a rotation: each column minus its parts along the
+/// columns before, normalized.
 Mat3 made_rotation(const Mat3& m) {
     const Vec3 x = m.col(0) / length_of(m.col(0));
     Vec3 y = m.col(1) - dot(x, Vec3(m.col(1))) * x;
@@ -50,7 +50,7 @@ Mat3 made_rotation(const Mat3& m) {
     return result;
 }
 
-/// `fault`: what it means where the matrix is not a rotation.
+/// `fault`: the message if the matrix is not a rotation.
 Mat3 checked_rotation(const JsonPlace& place, const Mat3& m, const std::string& fault,
                       Notes& notes) {
     const double defect = rigidity_defect({m, Vec3::Zero()});
@@ -89,7 +89,7 @@ double read_length(const JsonPlace& place) {
     return length;
 }
 
-/// Refuses planes that leave nothing of the ball, and moves those beyond it to its poles.
+/// Refuses planes that cut off the whole ball, and moves planes beyond it to its poles.
 void check_planes(const JsonPlace& place, double radius, double& upper, double& lower,
                   Notes& notes) {
     const auto e = [&] { return "e = " + exact_number(upper); };
@@ -185,7 +185,7 @@ void read(const JsonPlace& place, Obb& box, Notes& notes) {
 
 enum class Kind { scb, two_slabs, ball, box };
 
-/// By the fields that only one kind has.
+/// The kind, from the fields that only this kind has.
 Kind kind_of(const JsonPlace& place) {
     check_fields(place, {"center", "radius", "normal", "e", "f", "slabs", "axes", "half"});
     if (has(place, "axes") || has(place, "half")) return Kind::box;
@@ -213,7 +213,7 @@ Vec3 center_of(const Scb2& s) { return s.c; }
 Vec3 center_of(const Ball& ball) { return ball.center; }
 Vec3 center_of(const Obb& box) { return box.center; }
 
-/// Of two points the distance is all that there is.
+/// For two points, only the distance counts.
 template <class V>
 void check_distance(const JsonPlace& place, const RawPair<V>& pair) {
     if (diameter(pair.a) > 0 || diameter(pair.b) > 0) return;

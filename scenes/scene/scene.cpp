@@ -9,7 +9,7 @@ namespace scb::scenes {
 std::string file_name_of(const std::string& text) {
     constexpr std::string_view allowed =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-    constexpr std::size_t longest = 100;  // leaves room for what files add to it
+    constexpr std::size_t longest = 100;  // leaves room for the suffixes of files
     std::string name;
     for (const char c : text) {
         if (name.size() == longest) break;

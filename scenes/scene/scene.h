@@ -19,7 +19,7 @@ inline constexpr int most_frames = 1'000'000;
 struct NamedMesh {
     std::string name;
     Mesh mesh;
-    std::filesystem::path file{};  ///< that it was read from; empty where it was made by formula
+    std::filesystem::path file{};  ///< its file; empty if it was made by formula
 };
 
 /// A mesh that moves.
@@ -29,7 +29,7 @@ struct Body {
     Motion motion;
 };
 
-/// Bodies and how they move, frame by frame: what a command works on. Frames run from 0 to `frames
+/// Bodies and their motion, frame by frame: the input of a command. Frames run from 0 to `frames
 /// - 1`.
 struct Scene {
     std::string name;  ///< fit for a file name: letters, digits, '.', '_' and '-'
@@ -39,13 +39,13 @@ struct Scene {
     int frames = 1;
     std::vector<int> listed{};  ///< of these the frames that were told, ascending; empty: all
     std::optional<CameraView> camera;
-    int default_frame = 0;         ///< the frame to show where none is asked for
-    std::filesystem::path file{};  ///< that it was read from: a scene or its only mesh, else empty
+    int default_frame = 0;         ///< the frame to show by default
+    std::filesystem::path file{};  ///< its source: a scene file or its only mesh; else empty
 };
 
-/// The text with every run of characters that Scene::name does not allow made one '-', cut to 100
-/// characters; "scene" where nothing is left. What tells names apart stays: where letters that are
-/// not ASCII or what is behind the cut are gone, a hash of the text is at the end.
+/// The text with every run of characters that Scene::name does not allow replaced by one '-', cut
+/// to 100 characters; "scene" if nothing is left. Different texts keep different names: if letters
+/// that are not ASCII or characters behind the cut are lost, a hash of the text is appended.
 std::string file_name_of(const std::string& text);
 
 }  // namespace scb::scenes

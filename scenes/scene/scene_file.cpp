@@ -12,10 +12,10 @@
 namespace scb::scenes {
 namespace {
 
-/// Of the meshes that are made by formula, which cost a file a line each.
+/// The limit for meshes that are made by formula, since each takes only a line of a file.
 constexpr std::size_t most_procedural_bytes = std::size_t{1} << 30;
 
-/// Where each name stands in its list.
+/// The index of each name in its list.
 using Names = std::map<std::string, std::size_t>;
 
 LinearPath read_position(const JsonPlace& place) {

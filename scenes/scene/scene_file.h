@@ -8,7 +8,7 @@
 
 namespace scb::scenes {
 
-/// Where a scene file comes from.
+/// The source of a scene file.
 struct SceneContext {
     std::string file;                  ///< its path or name, for messages
     std::filesystem::path folder;      ///< relative mesh paths start here; empty: nowhere

@@ -8,7 +8,7 @@
 
 namespace scb::scenes {
 
-/// Built-in scenes that are measured together, and can be named together where scenes are measured.
+/// Built-in scenes that are measured together, under one name in commands that measure scenes.
 struct SceneGroup {
     std::string_view name;
     std::span<const std::string_view> scenes;
@@ -18,8 +18,8 @@ struct SceneGroup {
 inline constexpr std::string_view table_3_scenes[] = {
     "spheres-l1", "spheres-l2", "knots-l1", "knots-l2", "knots-l3", "horses", "hands"};
 
-/// Two of a CAD model each, which overlap, turn, and draw apart. Most have long thin triangles, for
-/// which the paper names slab cut balls weak (Section 6).
+/// Each has two bodies of a CAD model, which overlap, turn, and separate. Most have long thin
+/// triangles, a weakness of slab cut balls according to the paper (Section 6).
 inline constexpr std::string_view cad_scenes[] = {"aatbase", "tray_bottom", "boeing",    "cheese",
                                                   "tr12j",   "anchor",      "cycloidal", "tube"};
 
@@ -31,15 +31,16 @@ const SceneGroup* find_scene_group(std::string_view name);
 /// Whether the group has a scene of this name.
 bool has_scene(const SceneGroup& group, std::string_view name);
 
-/// What is to be measured.
+/// The scenes to measure.
 struct MeasuredScenes {
-    std::vector<std::string> names;     ///< as load_scene takes them, one scene each; no groups
-    std::vector<std::string> left_out;  ///< a sentence for each scene whose mesh is not there
+    std::vector<std::string> names;     ///< for load_scene, one scene each; no groups
+    std::vector<std::string> left_out;  ///< a sentence for each scene whose mesh is missing
 };
 
-/// The scenes named, those of a group in its place; `defaults` where none is named. A scene of a
-/// group or of `defaults` is left out where the folder of models lacks its mesh; one that is named
-/// itself never is: whoever loads it is told. Throws InputError where all are left out.
+/// The named scenes, with groups replaced by their scenes; `defaults` if none is named. A scene of
+/// a group or of `defaults` is left out if the folder of models lacks its mesh. A scene that is
+/// named itself is never left out: loading it reports the missing mesh. Throws InputError if all
+/// are left out.
 MeasuredScenes measured_scenes(const std::vector<std::string>& names,
                                const std::vector<std::string>& defaults,
                                const std::filesystem::path& models_dir);

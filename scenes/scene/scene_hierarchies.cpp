@@ -10,7 +10,7 @@ namespace scb::scenes {
 
 namespace {
 
-/// Null unless the process keeps them.
+/// Null unless the process keeps hierarchies.
 KeptHierarchies*& kept() {
     static KeptHierarchies* hierarchies = nullptr;
     return hierarchies;
