@@ -38,14 +38,14 @@ struct Followers {
     }
 };
 
-/// For each test, how many of the pairs of triangles that intersect its nodes hold.
+/// For each test, the number of intersecting pairs of triangles below its nodes.
 std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b, QueryKind kind,
                                           const TraceFrame& frame,
                                           std::span<const IndexPair> contacts) {
     const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b);
     const std::vector<Step>& tests = frame.steps.volumes;
     const Followers followers(tests);
-    // Of a self query: per node the step that begins with it and its sibling.
+    // In a self query: per node, the root step of the node and its sibling.
     std::vector<std::uint32_t> roots(kind == QueryKind::self ? a.nodes.size() : 0, none);
     for (std::uint32_t i = 0; i < tests.size() && !roots.empty(); ++i)
         if (tests[i].parent == none) roots[tests[i].nodes.a] = i;
@@ -113,7 +113,7 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
     return pairs;
 }
 
-/// Without what came of it.
+/// A passed pair, without `below` and the members that depend on other tests.
 PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
     PassedPair pair;
     pair.test = test;

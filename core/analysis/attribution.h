@@ -16,58 +16,58 @@ struct PassedPair {
     std::uint32_t test = 0;  ///< index into Steps::volumes
     PassReason reason = PassReason::triangles_meet;
     bool leaves = false;  ///< both nodes are leaves
-    /// Whether the division of a false pair led here, at whatever distance; or that of one that
-    /// passed because of a weak test.
+    /// Whether the pair is below a false pair, at any depth; and whether it is below a pair that a
+    /// weak test passed.
     bool within_false_pair = false, within_weak_test = false;
-    Contact exact = Contact::overlapping;  ///< of the volumes
-    double gap = 0;                        ///< of disjoint volumes, at least; in the scene's unit
-    Work below;                            ///< what came of it: wasted, where the pair is false
+    Contact exact = Contact::overlapping;  ///< exact contact of the volumes
+    double gap = 0;  ///< lower bound of the gap of disjoint volumes, in the scene's unit
+    Work below;      ///< work below the pair; wasted if the pair is false
 };
 
-/// A volume test that rejected volumes which overlap, or which hold triangles that intersect: an
-/// error of the test.
+/// A volume test that was wrong to reject: the volumes overlap, or hold triangles that intersect.
 struct WrongRejection {
-    std::uint32_t test = 0;                ///< index into Steps::volumes
-    std::uint64_t missed = 0;              ///< pairs of triangles below it that intersect
-    Contact exact = Contact::overlapping;  ///< of the volumes; else, `missed` > 0
+    std::uint32_t test = 0;    ///< index into Steps::volumes
+    std::uint64_t missed = 0;  ///< intersecting pairs of triangles below it
+    /// Exact contact of the volumes; if not overlapping, `missed` > 0.
+    Contact exact = Contact::overlapping;
 
     friend bool operator==(const WrongRejection&, const WrongRejection&) = default;
 };
 
-/// What the tests of a query passed on, and why.
+/// The pairs that the tests of a query passed or wrongly rejected, with reasons.
 struct Attribution {
     std::vector<PassedPair> passed;                ///< in the order of the tests
     std::vector<WrongRejection> wrongly_rejected;  ///< in the order of the tests
     PassCounts counts;
 };
 
-/// What is known of the two nodes of a volume test.
+/// Facts about the two nodes of a volume test.
 struct TestedPair {
-    bool known = true;                  ///< else nothing is claimed of it
-    Contact exact = Contact::touching;  ///< of the volumes; touching where it is not known
-    double gap = 0;                     ///< of disjoint ones, at least
-    std::uint64_t contacts = 0;         ///< pairs of triangles below them that intersect
-    bool leaves = false;                ///< both are leaves
+    bool known = true;                  ///< false: nothing is claimed about the pair
+    Contact exact = Contact::touching;  ///< exact contact of the volumes; touching if unknown
+    double gap = 0;                     ///< lower bound of the gap of disjoint volumes
+    std::uint64_t contacts = 0;         ///< intersecting pairs of triangles below them
+    bool leaves = false;                ///< both nodes are leaves
 };
 
-/// Attributes every volume test of a query. `pairs`: one for each test of the frame. Of other
-/// engines no operations are known.
+/// Attributes every volume test of a query. `pairs`: one for each test of the frame. Operations of
+/// other engines are unknown, and count as 0.
 Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
                       std::span<const TestedPair> pairs);
 
-/// Attributes every volume test of a query of two hierarchies of the header's kind, by the exact
-/// verdict on the volumes. `contacts` are all pairs of triangles that intersect, see all_contacts;
-/// sorted or not. O(N_v) verdicts.
+/// Attributes every volume test of a query by the exact verdict on the volumes, with O(N_v)
+/// verdicts. The hierarchies must be of the header's volume kind. `contacts`: all intersecting
+/// pairs of triangles, in any order, see all_contacts.
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const TraceFrame& frame, std::span<const IndexPair> contacts);
 
-/// The query of a frame, asked again with other options.
+/// Repeats the query of a frame with other options.
 Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                       const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
                       const CollideOptions& options);
 
-/// All pairs of triangles that intersect, at the pose of a frame: those that the query found, or,
-/// where it ended before it had them all or its test is not sound, those of another query.
+/// All intersecting pairs of triangles at the pose of a frame. Repeats the query if it is
+/// incomplete, stopped at a level, or used a test that can miss pairs.
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
                                     const AnyHierarchy& b, const Mesh& mesh_b,
                                     const TraceHeader& header, const TraceFrame& frame);

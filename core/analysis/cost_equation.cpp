@@ -25,8 +25,9 @@ double error_of(std::span<const CostSample> samples, const Costs& costs) {
     return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
-// Whether the counts that there are differ enough from sample to sample to tell their costs apart:
-// no column of the matrix of shares is within a twentieth of what the others make up.
+// Whether the counts vary enough from sample to sample to tell their costs apart: no column of the
+// matrix of shares is within a twentieth of the span of the others. Counts that are always 0 are
+// left out.
 bool is_determined(std::span<const CostSample> samples) {
     std::vector<std::size_t> columns;
     for (std::size_t k = 0; k < 3; ++k)
@@ -46,7 +47,7 @@ bool is_determined(std::span<const CostSample> samples) {
     return qr.matrixR().diagonal().cwiseAbs().minCoeff() > 0.05;
 }
 
-// Least squares in the chosen costs alone, bit by bit; the others are 0.
+// Least squares in the costs whose bits are set in `chosen`; the other costs are 0.
 Costs costs_of(std::span<const CostSample> samples, unsigned chosen) {
     std::vector<std::size_t> columns;
     for (std::size_t k = 0; k < 3; ++k)
@@ -79,7 +80,7 @@ CostEquation fit_cost_equation(std::span<const CostSample> all) {
         for (CostSample& sample : samples) sample.n_u = 0;
         result.determined = is_determined(samples);
     }
-    // With three unknowns, the least that is not negative is found by trying which of them are 0.
+    // With three unknowns, non-negative least squares can try every choice of costs that are 0.
     Costs best{};
     result.error = error_of(samples, best);
     for (unsigned chosen = 1; chosen < 8; ++chosen) {

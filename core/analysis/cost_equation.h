@@ -5,7 +5,7 @@
 
 namespace scb {
 
-/// What one query took, and how often it did what it is thought to take time.
+/// The time of one query, and its counts.
 struct CostSample {
     double time = 0;  ///< in any unit, above 0
     double n_v = 0, n_p = 0, n_u = 0;
@@ -16,18 +16,19 @@ struct CostSample {
 struct CostEquation {
     double c_v = 0, c_p = 0, c_u = 0;  ///< in the samples' unit of time, not negative
     bool determined = false;           ///< whether C_v and C_p can be told apart
-    bool moves_apart = false;          ///< whether C_u can be, too; else C_v holds it, and C_u is 0
-    double error = 0;                  ///< root mean square of (predicted - time) / time
+    /// Whether C_u can be told apart, too; else C_v includes it, and C_u is 0.
+    bool moves_apart = false;
+    double error = 0;  ///< root mean square of (predicted - time) / time
     /// The shares of volumes, triangles and moves in the time predicted for all samples.
     double share_v = 0, share_p = 0, share_u = 0;
 };
 
-/// The costs that leave the least relative error, so that a short query counts as much as a long
-/// one; samples of no time are left out. A cost is 0 where the best one would be negative or
-/// nothing of its kind was done. Costs of counts that go together in all samples cannot be told
-/// apart: volumes are mostly moved as often as they are tested, see `moves_apart`; where all poses
-/// are the same, or samples are fewer than the costs, `determined` is false and only the error has
-/// a meaning. All 0 for no samples.
+/// The costs with the least relative error, so that a short query counts as much as a long one.
+/// Samples without time are left out. A cost is 0 if the best one would be negative, or if its
+/// count is always 0. Costs cannot be told apart if their counts are proportional in all samples:
+/// volumes are mostly moved as often as they are tested, see `moves_apart`. If all poses are the
+/// same, or samples are fewer than the costs, `determined` is false and only the error has a
+/// meaning. All 0 for no samples.
 CostEquation fit_cost_equation(std::span<const CostSample> samples);
 
 }  // namespace scb

@@ -14,8 +14,8 @@ namespace scb {
 /// its children together. O(n).
 std::vector<std::uint32_t> subtree_sizes(const Steps& steps);
 
-/// `most` steps of a query, ascending: of `first`, in its order, then the steps from which the most
-/// others followed, equal ones by their order.
+/// At most `most` steps of a query, ascending: the steps of `first`, in its order, then the steps
+/// with the most steps below them, equal ones in order.
 std::vector<std::uint32_t> costly_tests(const Steps& steps, std::span<const std::uint32_t> first,
                                         std::size_t most);
 

@@ -11,13 +11,13 @@ namespace scb {
 /// The volume tests at one depth of A and one of B.
 struct DepthCell {
     std::uint64_t tests = 0;
-    std::uint64_t rejected = 0;  ///< of these, those that did not end with `overlapping`
+    std::uint64_t rejected = 0;  ///< of these, tests that rejected
 
     friend bool operator==(const DepthCell&, const DepthCell&) = default;
 };
 
-/// Where in the two hierarchies a traversal made its volume tests: counts by the depth of the node
-/// of A and that of the node of B, from 0, the roots, to the deepest that were tested.
+/// Counts of a traversal's volume tests by the depths of the nodes of A and B, from 0 (the roots)
+/// to the deepest tested nodes.
 struct DepthMatrix {
     std::size_t depths_a = 0, depths_b = 0;
     std::vector<DepthCell> cells;  ///< depths_a x depths_b, by depth in B, then in A
@@ -27,10 +27,10 @@ struct DepthMatrix {
     }
 };
 
-/// Of a query's events. No events give an empty matrix.
+/// The matrix of a query's steps; empty without steps.
 DepthMatrix depth_matrix(const Steps& steps);
 
-/// The same with `step` depths of both bodies, at least 1, added up in each cell.
+/// The matrix with `step` depths of each body, at least 1, added up in each cell.
 DepthMatrix coarser(const DepthMatrix& matrix, std::size_t step);
 
 }  // namespace scb

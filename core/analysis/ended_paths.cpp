@@ -51,7 +51,7 @@ std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& out
             continue;
         ends.push_back({side == 0 ? test.nodes.a : test.nodes.b, depth, outcome});
     }
-    // Stable, so that first and last are those of the traversal.
+    // Stable, so that `first` and `last` follow the order of the traversal.
     std::stable_sort(ends.begin(), ends.end(),
                      [](const End& x, const End& y) { return x.node < y.node; });
     std::vector<EndedPaths> front;
@@ -67,7 +67,7 @@ std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& out
 }
 
 std::vector<EndedPaths> innermost(const std::vector<EndedPaths>& front, const TreeShape& shape) {
-    std::vector<char> holds(shape.size());  // a node of the front, in itself or below it
+    std::vector<char> holds(shape.size());  // whether the node, or a node below it, is in the front
     for (const EndedPaths& node : front) holds[node.node] = 1;
     std::vector<char> below(shape.size());
     for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i)

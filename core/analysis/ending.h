@@ -20,19 +20,19 @@ std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcom
 /// The same for all depths together.
 EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes);
 
-/// The endings that such queries can have, in order: the stages of the
-/// test, then the others. `triangles_apart` and `triangles_meet` where
-/// triangles were tested, else `found`; `left_over` last.
+/// The endings that queries of this kind can have, in order: the stages of the test; then
+/// `triangles_apart` and `triangles_meet` if triangles are tested, else `found`; `neighbors` in a
+/// self query; `left_over` last.
 std::vector<Stage> endings_of(VolumeKind volume, const CollideOptions& options,
                               QueryKind kind = QueryKind::collide);
 std::vector<Stage> endings_of(const TraceHeader& header);
 
-/// The tests of a frame by how they ended, whoever made them: "overlapping" first, then the stages
-/// in their order, those without a test too.
+/// The number of tests of a frame per stage, for this project's tests and other engines':
+/// "overlapping" first, then all stages in order, also stages without a test.
 std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,
                                                                   const TraceFrame& frame);
 
-/// The one of that name, among endings_of.
+/// The ending of this name among endings_of, if any.
 std::optional<Stage> ending_of(const TraceHeader& header, std::string_view name);
 
 }  // namespace scb

@@ -7,21 +7,21 @@ namespace scb {
 /// The volume tests of pairs at one depth: the depths of both nodes added.
 struct DepthInspection {
     std::uint64_t tests = 0;
-    std::uint64_t wasted = 0;           ///< of these, those that a false pair led to
-    std::uint64_t wasted_by_tests = 0;  ///< of these, those that an exact test would save
-    std::array<std::uint64_t, pass_reason_count> passed{};  ///< by reason
+    std::uint64_t wasted = 0;           ///< of these, tests below a false pair
+    std::uint64_t wasted_by_tests = 0;  ///< of these, tests that an exact test would save
+    std::array<std::uint64_t, pass_reason_count> passed{};  ///< passed pairs by reason
 };
 
-/// What the tests of a query, or of several together, passed on and wasted.
+/// The passed pairs and the wasted work of a query, or of several together.
 struct Inspection {
-    std::uint64_t pairs = 0;  ///< that were found
+    std::uint64_t pairs = 0;  ///< pairs that were found
     PassCounts counts;
     std::vector<DepthInspection> depths;  ///< from 0
 
     Inspection& operator+=(const Inspection& other);
 };
 
-/// That of one query.
+/// The inspection of one query.
 Inspection inspection(const TraceFrame& frame, const Attribution& attribution);
 
 /// One frame of several.
@@ -30,7 +30,7 @@ struct InspectedFrame {
     Inspection found;
 };
 
-/// Puts the frame with the most wasted volume tests first; equal ones by their numbers.
+/// Puts the frame with the most wasted volume tests first; equal frames by number.
 void sort_by_waste(std::vector<InspectedFrame>& frames);
 
 }  // namespace scb

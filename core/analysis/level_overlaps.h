@@ -12,8 +12,8 @@
 
 namespace scb {
 
-/// Calls `use` with what stands for a node on the next level, its children or a leaf itself, as
-/// long as it returns true; returns whether it did.
+/// Calls `use` with each child of a node, or with the node itself if it is a leaf, until `use`
+/// returns false. Returns whether it never did.
 template <class Use>
 bool on_next_level(const TreeShape& shape, std::uint32_t node, const Use& use) {
     if (shape.is_leaf(node)) return use(node);
@@ -23,11 +23,11 @@ bool on_next_level(const TreeShape& shape, std::uint32_t node, const Use& use) {
     return true;
 }
 
-/// Level by level, from the roots down, how many pairs of a volume of A's level and one of B's, as
-/// level_cover has them, overlap; of those only below pairs that overlap on the level above. Ends
-/// with the first level of none, which shows a gap between the two; or with that of all leaves, or
-/// before the first level of more than `most` pairs, or of more than 64 tests for each of these.
-/// `overlap` is asked of two nodes.
+/// Per level, from the roots down, the number of overlapping pairs of a volume of A and a volume of
+/// B. A level has the volumes of its level_cover. Only pairs below overlapping pairs are tested.
+/// Ends with the first level without a pair, which shows a gap between the bodies, or with the
+/// level of all leaves. Ends before a level of more than `most` pairs, or of more than 64 * `most`
+/// tests. `overlap(node_of_a, node_of_b)` tests two nodes.
 template <class Overlap>
 std::vector<std::size_t> level_overlaps(const TreeShape& a, const TreeShape& b,
                                         const Overlap& overlap, std::size_t most) {
@@ -59,7 +59,7 @@ std::vector<std::size_t> level_overlaps(const TreeShape& a, const TreeShape& b,
     return counts;
 }
 
-/// The same of two hierarchies of one type of volumes, by an overlap test. The shapes are theirs.
+/// The same for two hierarchies of one volume type, by an overlap test. The shapes belong to them.
 std::vector<std::size_t> level_overlaps(const AnyHierarchy& a, const TreeShape& shape_a,
                                         const AnyHierarchy& b, const TreeShape& shape_b,
                                         const Pose& b_to_a, const OverlapOptions& test,

@@ -8,45 +8,45 @@
 
 namespace scb {
 
-/// A measure of hierarchies that may tell what a query of them costs: a number without unit, so
-/// that a large mesh does not outweigh a small one.
+/// A measure of hierarchies that may predict the cost of a query. It has no unit, so that a large
+/// mesh does not outweigh a small one.
 struct CostPredictor {
     std::string_view name;   ///< in JSON and CSV
     std::string_view title;  ///< in tables and figures
     double (*of)(const HierarchyMeasures&);
 };
 
-/// SAH cost, area over that of the mesh, volume over that of its hull, overlap of siblings (mean,
-/// and summed over the volume of the hull), EPO, how many leaves a line meets, LCV, looseness (1 -
-/// tightness): all of which promise a cheap query where they are small.
+/// SAH cost, area over the mesh's area, volume over the volume of the mesh's hull, overlap of
+/// siblings (mean, and sum over the volume of the hull), EPO, number of leaves that a line meets,
+/// LCV, looseness (1 - tightness). Small values promise a cheap query.
 std::span<const CostPredictor> cost_predictors();
 
-/// Hierarchies of both bodies of a scene, as they were measured, and what queries of them took.
+/// Measures of the hierarchies of both bodies of a scene, and the costs of their query.
 struct MeasuredQuery {
     std::vector<double> predictors;  ///< per CostPredictor, the mean of both bodies
     double n_v = 0, n_p = 0, ms = 0;
-    std::size_t volume = 0;  ///< those of one scene that have the same differ in their split alone
+    std::size_t volume = 0;  ///< queries of one scene with the same volume differ only in the split
 };
 
-/// The queries of one scene; a correlation within it is of hierarchies of the same meshes.
+/// The queries of one scene, with hierarchies of the same meshes.
 using MeasuredScene = std::vector<MeasuredQuery>;
 
-/// How a measure goes together with what queries took. Ranks are taken within each scene, since
+/// The correlation of a measure with the costs of queries. Ranks are taken within each scene, since
 /// scenes differ in how close the bodies come, which no measure of a hierarchy can know.
 struct CostCorrelation {
-    std::vector<double> of_scene;  ///< Spearman's, NaN where a scene does not vary
-    double mean = 0;               ///< of those that are no NaN
+    std::vector<double> of_scene;  ///< Spearman's; NaN if a scene does not vary
+    double mean = 0;               ///< of the correlations that are not NaN
     double least = 0, most = 0;
     double pooled = 0;  ///< Spearman's over all queries of all scenes together
     std::size_t queries = 0;
-    /// Of the pairs of queries that differ in the split alone and in what they took, the share in
-    /// which the cheaper one has the smaller measure; equal measures count half.
+    /// Among pairs of queries that differ in cost, and otherwise only in the split: the share in
+    /// which the cheaper query has the smaller measure. Equal measures count half.
     double split_agreement = 0;
     std::size_t split_pairs = 0;
 };
 
-/// `took` is what the measure is to predict, such as &MeasuredQuery::n_v. All queries must have as
-/// many predictors.
+/// `took`: the cost to predict, such as &MeasuredQuery::n_v. All queries must have the same number
+/// of predictors.
 CostCorrelation cost_correlation(std::span<const MeasuredScene> scenes, std::size_t predictor,
                                  double MeasuredQuery::*took);
 

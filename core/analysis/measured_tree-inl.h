@@ -22,7 +22,8 @@ namespace measuring {
 inline constexpr double flat = 1e-9;
 inline constexpr std::size_t points_of_level = std::size_t{1} << 18, least_points = 64,
                              most_points = 4096;
-/// What the children of a node share is not asked of more: it is of all pairs of them.
+/// Nodes with more children are left out of sibling overlap, since all pairs would have to be
+/// tested.
 inline constexpr std::size_t most_siblings = 16;
 
 inline Vec3 random_direction(Random& random) {
@@ -33,7 +34,7 @@ inline Vec3 random_direction(Random& random) {
 
 }  // namespace measuring
 
-/// A tree that is being measured, by whomever it was built.
+/// A tree to measure, built by this project or by an engine.
 template <Volume V>
 struct MeasuredTree {
     const TreeShape& shape;
@@ -43,7 +44,7 @@ struct MeasuredTree {
     HierarchyMeasures result{};
     std::vector<double> sizes{};  ///< the volume of each node
 
-    /// `result.levels`, all zero but for their counts.
+    /// Creates `result.levels`, all zero except for their counts.
     void count_nodes() {
         result.levels.resize(static_cast<std::size_t>(depth(shape)) + 1);
         for (std::uint32_t i = 0; i < shape.size(); ++i) {
@@ -59,7 +60,7 @@ struct MeasuredTree {
         std::uint32_t parent = 0, smaller = 0, larger = 0;
     };
 
-    /// All of them, by their parents.
+    /// All pairs of siblings, by their parents.
     std::vector<Siblings> siblings() const {
         std::vector<Siblings> pairs;
         std::vector<std::uint32_t> children;
@@ -78,12 +79,12 @@ struct MeasuredTree {
         return pairs;
     }
 
-    /// Whether both have points in no plane.
+    /// Whether the points of each of the two lie in no plane.
     bool are_solid(const Siblings& s) const {
         return mesh.hulls.solid[s.smaller] != 0 && mesh.hulls.solid[s.larger] != 0;
     }
 
-    /// What siblings share.
+    /// The points that each pair of siblings shares.
     std::vector<SharedPoints> shared(const std::vector<Siblings>& pairs) const {
         const std::vector<Vec3> points = halton_points(measuring::most_points);
         std::vector<SharedPoints> result_of(pairs.size());
@@ -144,8 +145,8 @@ struct MeasuredTree {
             ratio(std::sqrt(level.sibling_overlap_error), level.solid_siblings);
     }
 
-    /// Tests of nodes that have nothing of the samples' triangles, one inner node being 6 and a
-    /// leaf 5: the ratio of their costs in whole numbers, whose sums no order changes.
+    /// Sums the costs of nodes that contain a sample but not its triangle: 6 for an inner node and
+    /// 5 for a leaf. These are the costs as whole numbers, so that sums do not depend on order.
     void add_end_points() {
         const std::size_t samples = mesh.samples.size();
         if (samples == 0) return;
@@ -191,7 +192,7 @@ struct MeasuredTree {
     }
 
     void add_lines() {
-        // Every so many samples, so that these points are spread evenly, too.
+        // Take samples at equal steps, so that these points are spread evenly, too.
         const std::size_t lines = std::min(lcv_lines, mesh.samples.size());
         if (lines == 0) return;
         const std::size_t step = mesh.samples.size() / lines;
@@ -235,7 +236,8 @@ struct MeasuredTree {
         second /= n;
         fourth /= n;
         spread.deviation = std::sqrt(second);
-        // Of the variance sqrt((m4 - m2^2) / n), and half of that over the deviation of its root.
+        // The variance has the standard error sqrt((m4 - m2^2) / n); its root has half of that over
+        // the deviation.
         spread.deviation_error =
             ratio(std::sqrt(std::max(0.0, fourth - second * second) / n), 2 * spread.deviation);
         return spread;

@@ -19,10 +19,10 @@ struct HullBuild {
     int threads;
     std::vector<std::uint32_t> counts;      ///< per node the items below it
     std::vector<std::uint32_t> first_item;  ///< per node, into `items`; one more at the end
-    std::vector<std::uint32_t> items;       ///< by the nodes that hold them
+    std::vector<std::uint32_t> items;       ///< by the nodes that have them
     NodeHulls hulls;
 
-    /// Below so many triangles a node has one thread.
+    /// Nodes with fewer triangles have one thread.
     static constexpr std::uint32_t least_shared = 2048;
 
     void sort_items() {
@@ -36,7 +36,7 @@ struct HullBuild {
             if (shape.holder[item] != no_index) items[next[shape.holder[item]]++] = item;
     }
 
-    /// Fills in all nodes from this one on down; the points on its hull.
+    /// Fills in this node and all nodes below it; returns the points on its hull.
     PointIds build(std::uint32_t node) {
         PointIds ids;
         for (std::uint32_t i = first_item[node]; i < first_item[node + 1]; ++i)

@@ -13,16 +13,17 @@ namespace scb {
 /// can be smaller.
 struct NodeHulls {
     std::vector<double> volumes;
-    /// Whether the points lie in no plane, not even nearly: the hull has more than 1e-9 of the cube
-    /// of the diagonal of their box. The same for all types of volume.
+    /// Whether the points lie in no plane, even nearly: the volume of the hull exceeds 1e-9 of the
+    /// cubed diagonal of their box. The same for all types of volume.
     std::vector<std::uint8_t> solid;
 };
 
-/// Per item of a tree, a triangle, the ids of its corners: equal positions have one id.
+/// Per item (a triangle) of a tree, the ids of its corners: equal positions have one id.
 using ItemCorners = std::vector<std::array<std::uint32_t, 3>>;
 
-/// From the leaves up, since the vertices of a hull are among those of its children's. The same for
-/// any number of threads. O(n log^2 n) where all vertices are on hulls, as of a sphere; else less.
+/// Built from the leaves up, since the vertices of a hull are among the hull vertices of the
+/// children. The same for any number of threads. O(n log^2 n) if all vertices are on hulls, as of a
+/// sphere; else less.
 NodeHulls node_hulls(const TreeShape& shape, const ItemCorners& corners, const PointArrays& points,
                      int threads = 1);
 

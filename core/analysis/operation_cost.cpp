@@ -3,7 +3,8 @@
 namespace scb {
 namespace {
 
-/// After ball-ball, slab-ball, ball-slab, and the two cylinders (also where nothing rejected).
+/// After ball-ball, slab-ball, ball-slab, and the two cylinder stages; the last also if none
+/// rejects.
 std::uint32_t of_cylinder_tests(Stage stage, std::uint32_t first_cylinder,
                                 std::uint32_t second_cylinder) {
     switch (stage) {
@@ -33,8 +34,8 @@ std::uint32_t of_extents(Stage stage) {
     }
 }
 
-/// Where each of the extents is at one of the points in which two planes meet the sphere: five
-/// square roots each.
+/// The worst case: each extent is at a point where two planes meet the sphere, with five square
+/// roots each.
 std::uint32_t of_two_slabs(Stage stage) {
     switch (stage) {
         case Stage::ball_ball:
@@ -54,9 +55,9 @@ std::uint32_t of_two_slabs(Stage stage) {
     }
 }
 
-/// Of oriented boxes 66 for B's center and axes; 27 for each axis of A, with the products of axes
-/// that later ones use. Of boxes along their body's axes 21 for B's center, and 7 for each axis of
-/// A, where no product is needed. For both 12 for each axis of B; 11 for each cross product.
+/// Oriented boxes: 66 for B's center and axes; 27 for each axis of A, with the products of axes
+/// that later stages use. Boxes along their body's axes: 21 for B's center, and 7 for each axis of
+/// A, which needs no product. Both: 12 for each axis of B, and 11 for each cross product.
 std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t axis_a) {
     constexpr std::uint32_t axis_b = 12, crossed = 11;
     if (stage == Stage::overlapping) return transformation + 3 * axis_a + 3 * axis_b + 9 * crossed;
@@ -67,11 +68,11 @@ std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t 
     return transformation + 3 * axis_a + 3 * axis_b + (made - 6) * crossed;
 }
 
-/// Of convex volumes 24 for B's center, and for each direction 46, which is turned into B's frame
-/// and its farthest point back, two farthest points, and from the second on 80 for the closest
-/// point of the simplex. Searches differ in length: it is counted as four directions, for over
-/// queries of horse, tr12j and boeing it had 4.5 for k-DOPs, 3.7 for rectangle swept spheres
-/// and 2.4 for capsules.
+/// Convex volumes: 24 for B's center. Each direction takes 46 to turn it into B's frame and its
+/// farthest point back, two farthest points and, from the second direction on, 80 for the closest
+/// point of the simplex. Searches differ in length, and count as four directions: in queries of
+/// horse, tr12j and boeing they had 4.5 for k-DOPs, 3.7 for rectangle swept spheres and 2.4 for
+/// capsules.
 std::uint32_t of_search(Stage stage, std::uint32_t support) {
     const std::uint32_t direction = 46 + 2 * support;
     return stage == Stage::center_line ? 24 + direction : 24 + 4 * direction + 3 * 80;

@@ -6,11 +6,11 @@
 
 namespace scb {
 
-/// Arithmetic operations (additions, subtractions, multiplications) that a test of two volumes has
-/// made when it ends at the stage, the transformation of B among them: the last column of Table 1
-/// of the paper, as the tests here are written, at most. Comparisons do not count, nor do the up to
-/// five square roots of `extents`. Slab cut balls as counted by running the tests on numbers that
-/// count; balls and boxes counted by hand.
+/// The most arithmetic operations (additions, subtractions, multiplications) of a test of two
+/// volumes until it ends at the stage, with the transformation of B: the last column of Table 1 of
+/// the paper, for the tests as written here. Comparisons do not count, nor do the up to five square
+/// roots of `extents`. Slab cut balls are counted by running the tests on counting numbers; balls
+/// and boxes by hand.
 std::uint32_t operation_cost(VolumeKind kind, const OverlapOptions& options, Stage stage);
 
 /// The operations of all tests of a query.

@@ -8,11 +8,11 @@
 
 namespace scb {
 
-/// For each step of a query its stage, or what followed where the volumes overlap.
+/// For each step of a query its stage or, if the volumes overlap, what followed.
 using Outcomes = std::vector<Stage>;
 
-/// The outcomes of a query's steps. `found_nodes` are its pairs, sorted, where these are pairs of
-/// nodes, otherwise empty. O(n log n).
+/// The outcomes of a query's steps. `found_nodes`: the query's pairs, sorted, if they are pairs of
+/// nodes; else empty. O(n log n).
 Outcomes outcomes_of(const Steps& steps, std::span<const IndexPair> found_nodes);
 
 }  // namespace scb

@@ -20,7 +20,7 @@ inline constexpr std::size_t pass_reason_count = 3;
 inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {"test", "fit",
                                                                                "true"};
 
-/// What a query, or a part of it, did.
+/// The work of a query, or of a part of it.
 struct Work {
     std::uint64_t volume_tests = 0;
     std::uint64_t triangle_tests = 0;
@@ -32,35 +32,34 @@ struct Work {
     friend auto operator<=>(const Work&, const Work&) = default;
 };
 
-/// What the tests of volumes and of triangles cost together, in operations: an estimate of time
-/// that is the same on each machine. A test of two triangles takes as long as some 900 operations
-/// of tests of boxes (190 ns where these take 0.21 ns each).
+/// The cost of the tests of volumes and triangles together, in operations: an estimate of time that
+/// is the same on each machine. A test of two triangles takes as long as some 900 operations of
+/// tests of boxes (190 ns, at 0.21 ns per operation).
 inline std::uint64_t estimated_cost(const Work& work) {
     return work.operations + 900 * work.triangle_tests;
 }
-/// The same, for a reader.
+/// The same in words.
 inline constexpr const char* cost_words =
     "operations of the volume tests and 900 for each triangle test";
 
-/// The passed pairs of a query, or of several, and what came of the false ones.
+/// The passed pairs of a query, or of several, and the work below the false ones.
 ///
-/// A pair is false where it passed although no triangles below it intersect. A test is wasted where
-/// the pair whose division led to it is false; so is the test of two triangles after a false pair
-/// of leaves. The wasted work is that below the false pairs that are not within another one; all
-/// work is that and what is not wasted. An exact overlap test would save the wasted work below
-/// pairs that passed because of a weak test; the rest is due to the fit.
+/// A pair is false if it passed although no triangles below it intersect. A test is wasted if the
+/// pair whose division led to it is false; so is the test of two triangles after a false pair of
+/// leaves. The wasted work is the work below the outermost false pairs. An exact overlap test would
+/// save the wasted work below pairs that a weak test passed; the rest is due to the fit.
 struct PassCounts {
     std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};  ///< passed pairs by reason
     std::uint64_t touching = 0;  ///< passed pairs whose volumes only touch
-    /// Tests that rejected volumes which overlap, or which hold triangles that intersect.
+    /// Tests that rejected volumes which overlap, or hold triangles that intersect.
     std::uint64_t wrongly_rejected = 0;
-    std::uint64_t missed = 0;  ///< pairs of triangles below these that intersect
+    std::uint64_t missed = 0;  ///< intersecting pairs of triangles below these tests
     Work all, wasted;
-    Work wasted_by_tests;  ///< of the wasted work, what an exact test would save
+    Work wasted_by_tests;  ///< wasted work that an exact test would save
 
     std::uint64_t passed() const;
     std::uint64_t passed(PassReason reason) const;
-    /// The wasted work that is not the tests' fault.
+    /// The wasted work that is due to the fit.
     Work wasted_by_fit() const;
     PassCounts& operator+=(const PassCounts& other);
 };

@@ -8,8 +8,8 @@
 
 namespace scb {
 
-/// Calls `reached(node, depth)` for the nodes that `meets(node)` holds of, and of all nodes above
-/// them: those at which a query would go on. `stack` is scratch space.
+/// Calls `reached(node, depth)` for each node if `meets` is true of the node and of all nodes above
+/// it: the nodes that a query would reach. `stack` is scratch space.
 template <class Meets, class Reached>
 void descend(const TreeShape& shape, Meets&& meets, Reached&& reached,
              std::vector<std::pair<std::uint32_t, std::uint32_t>>& stack) {

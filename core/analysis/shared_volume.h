@@ -28,13 +28,13 @@ inline std::vector<Vec3> halton_points(std::size_t count) {
     return points;
 }
 
-/// Of points that are inside of one volume, how many are inside of another, too.
+/// How many points are inside of one volume, and of these inside of another, too.
 struct SharedPoints {
     std::uint32_t inside = 0, shared = 0;
 
     double share() const { return inside == 0 ? 0 : static_cast<double>(shared) / inside; }
-    /// As if the points were independent; evenly spread ones do better. Nothing is certain of a
-    /// share of 0 or 1: there it is that of half a point.
+    /// The variance for independent points; evenly spread points do better. A share of 0 or 1 is
+    /// not certain, and counts as half a point.
     double variance() const {
         if (inside == 0) return 0;
         const double n = inside, p = std::clamp(share(), 0.5 / n, 1 - 0.5 / n);
@@ -42,8 +42,9 @@ struct SharedPoints {
     }
 };
 
-/// The points are of the unit cube, and are shifted at random by `seed` (Cranley and Patterson,
-/// "Randomization of Number Theoretic Methods for Multiple Integration", 1976).
+/// Counts points in a box about `smaller`. `points` are of the unit cube, shifted at random by
+/// `seed` (Cranley and Patterson, "Randomization of Number Theoretic Methods for Multiple
+/// Integration", 1976).
 template <Volume V>
 SharedPoints shared_points(const V& smaller, const V& larger, std::span<const Vec3> points,
                            std::uint64_t seed) {

@@ -120,7 +120,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
         for (std::size_t side = 0; side < 2 && !header.engine->trees.empty(); ++side)
             fields.push_back({side == 0 ? "tree of A" : "tree of B",
                               hash_text(header.engine->trees.begin()->second[side])});
-        // Of what an engine calls as one of these, they tell.
+        // Settings with the name of one of these fields are left out.
         for (const TraceField& setting : header.engine->settings)
             if (std::none_of(fields.begin(), fields.end(), [&setting](const TraceField& field) {
                     return field.name == setting.name;
@@ -131,7 +131,7 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
     if (header.kind == QueryKind::self) fields.push_back({"query", "self"});
     fields.push_back({"split", std::string(split_method_name(header.split))});
     fields.push_back({"volume", std::string(volume_kind_name(header.volume))});
-    // Only what has an effect on these volumes.
+    // Only options that affect these volumes.
     if (has_growth(header.volume))
         fields.push_back({"growth", std::string(ball_growth_name(header.growth))});
     if (has_margin(header.volume)) fields.push_back({"margin", number(header.margin)});

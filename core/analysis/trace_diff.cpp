@@ -23,7 +23,7 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
     std::vector<FieldDifference> result;
     std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
     if (a.engine && b.engine) {
-        // How a file is called is nothing that was asked, and trees are compared frame by frame.
+        // File names are not compared, and trees are compared frame by frame.
         for (std::vector<TraceField>* fields : {&fields_a, &fields_b})
             std::erase_if(*fields, [](const TraceField& field) {
                 return field.name == "scene" || field.name.starts_with("tree of ");
@@ -47,8 +47,7 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
     return result;
 }
 
-/// The names of all stages: this project's, then those that only the engines have, as they told
-/// them.
+/// The names of all stages: this project's, then the engines' own in their order.
 std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b) {
     std::vector<std::string> names = {stage_words(a, Stage::overlapping)};
     const auto add = [&names](std::string name) {
@@ -64,8 +63,8 @@ std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b)
     return names;
 }
 
-/// Index of the volume test at which the queries part: in what they test, in what that gives, or
-/// in what they do next. Nothing where they do not.
+/// Index of the first volume test that differs in its nodes, its outcome or its triangle tests.
+/// Nothing if all are the same.
 std::optional<std::size_t> parting_test(const TraceFrame& a, const Outcomes& outcomes_a,
                                         const TraceFrame& b, const Outcomes& outcomes_b) {
     const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
@@ -107,7 +106,7 @@ bool same_pose(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
 
-/// The volume test from which the pair came: other engines need not tell of one.
+/// The volume test that led to the pair. Other engines may not record it.
 std::optional<std::size_t> test_of(const TraceHeader& header, const TraceFrame& frame,
                                    const Outcomes& outcomes, bool of_nodes, IndexPair pair) {
     if (of_nodes)
@@ -125,7 +124,7 @@ struct AtFrame {
     const Outcomes& outcomes;
 };
 
-/// Looks for the test of `other` that left out the pair which `finder` found.
+/// Looks for the test by which `lost_by` left out the pair that `found` has.
 LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff& d,
                    IndexPair pair) {
     const auto& [finder_header, finder, finder_outcomes] = found;

@@ -12,81 +12,80 @@ namespace scb {
 /// Counts of one query, or of several together.
 struct TraceCounts {
     std::uint64_t pairs = 0, n_v = 0, n_p = 0;
-    std::optional<std::uint64_t> n_u;             ///< other engines do not tell
-    std::map<std::string, std::uint64_t> stages;  ///< by name, see stage_words; those that occur
+    std::optional<std::uint64_t> n_u;             ///< unknown for other engines
+    std::map<std::string, std::uint64_t> stages;  ///< by name, see stage_words; no zeros
 
     void add(const TraceHeader& header, const TraceFrame& frame);
-    /// Where one does not tell N_u, it is not compared.
+    /// N_u is compared only if both have it.
     friend bool operator==(const TraceCounts& a, const TraceCounts& b);
 };
 
-/// Something asked of one trace but not of the other. A value is "-" where it was not asked.
+/// A parameter that differs between two traces. "-" if a trace does not have it.
 struct FieldDifference {
     std::string name, a, b;
 };
 
-/// A frame in both traces that is not the same in them.
+/// A common frame that differs.
 struct FrameDifference {
     int frame = 0;
     bool poses_differ = false;
     TraceCounts a, b;
 };
 
-/// A volume test and what it belongs to, for users: nodes are the numbers that numbers_of has.
+/// A volume test and its context, for users: nodes are numbers, see numbers_of.
 struct TracedTest {
     Step test;
     Stage outcome{};
     std::string stage;  ///< where it ended, see stage_words
-    /// Of two leaves that overlap; of several the first that intersect, else the first.
+    /// The triangle test of two overlapping leaves: the first that hits, else the first.
     std::optional<ItemStep> triangles;
-    std::size_t triangle_tests = 0, intersecting = 0;  ///< how many there are of them
-    std::optional<Step> parent;  ///< of the pair whose division led here; the roots
-                                 ///< have none
+    std::size_t triangle_tests = 0, intersecting = 0;  ///< numbers of triangle tests and of hits
+    std::optional<Step> parent;  ///< the test that led to this one; roots have none
     Stage parent_outcome{};
 };
 
-/// Where two traces part: the same frame and the same test, counted from 0, before which all tests
-/// of the frame, and all frames before it, were the same.
+/// Where two traces part: the first test that differs, counted from 0, in the first frame that
+/// differs.
 struct Parting {
     int frame = 0;
     std::size_t test = 0;
-    std::optional<TracedTest> a, b;  ///< nothing where that query had already ended
+    std::optional<TracedTest> a, b;  ///< nothing if that query had already ended
 };
 
 /// A pair that one of two queries found and the other did not.
 struct LostPair {
     int frame = 0;
-    IndexPair pair;            ///< one of nodes by their numbers, as who found it has them
+    IndexPair pair;            ///< triangles, or numbers of nodes in the query that found it
     bool found_by_a = false;   ///< else by B
-    bool other_ended = false;  ///< the other query had its pairs before it was through
-    /// The test by which the other query left it out, and its number: what that test was about
-    /// contains the pair. Nothing where it had ended before, or has other nodes.
+    bool other_ended = false;  ///< the other query ended before it was complete
+    /// The test by which the other query left out the pair, and its number; its nodes contain the
+    /// pair. Nothing if the query had ended before, or has other nodes.
     std::optional<TracedTest> lost_at;
     std::size_t test = 0;
 };
 
 /// How two traces differ. A and B are the traces here, not the bodies.
 struct TraceDiff {
-    /// So many of the pairs that only one of them found are looked into.
+    /// The number of lost pairs to examine.
     static constexpr std::size_t most_lost = 5;
 
     BodyNames bodies;  ///< as A names them
 
     std::vector<FieldDifference> asked;
     std::vector<int> only_in_a, only_in_b;  ///< frames
-    std::size_t common = 0;                 ///< frames that are in both
-    std::vector<FrameDifference> frames;    ///< of these, those that differ
+    std::size_t common = 0;                 ///< frames in both
+    std::vector<FrameDifference> frames;    ///< of these, frames that differ
     TraceCounts sum_a, sum_b;               ///< over the common frames
-    std::vector<std::string> stages;        ///< all names of these, in order
-    bool nodes_comparable = true;           ///< false where the meshes or the splits differ
+    std::vector<std::string> stages;        ///< all stage names of these, in order
+    bool nodes_comparable = true;           ///< false if the meshes or the splits differ
     bool meshes_differ = false;
     bool of_engines = false;       ///< whether another engine made one of them
-    std::optional<Parting> first;  ///< of tests; nothing where nodes are not comparable
-    bool of_nodes = false;  ///< whether pairs are of nodes: a level to stop at was asked of A
-    bool pairs_comparable = true;  ///< false where meshes, or levels to stop at, or the nodes that
-                                   ///< pairs are of, differ
+    std::optional<Parting> first;  ///< of tests; nothing if nodes are not comparable
+    bool of_nodes = false;         ///< whether A's pairs are pairs of nodes, see pairs_are_nodes
+    /// False if the meshes, the levels to stop at, or the nodes of pairs differ.
+    bool pairs_comparable = true;
     std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;
-    std::vector<LostPair> lost;  ///< of these, the first ones
+    std::vector<LostPair> lost;  ///< the first of these
 
     bool equal() const {
         return asked.empty() && only_in_a.empty() && only_in_b.empty() && frames.empty() &&
@@ -94,21 +93,20 @@ struct TraceDiff {
     }
 };
 
-/// Gives a trace's frames one after the other, ascending by number; nullptr at the end. A frame
-/// need not live longer than until the next call.
+/// Returns the frames of a trace one after the other, ascending by number; nullptr at the end. A
+/// frame is valid until the next call.
 using TraceFrames = std::function<const TraceFrame*()>;
 
-/// Compares what was asked, and then the frames that are in both, also where something else was
-/// asked: two overlap tests on one scene part somewhere, and where is the question. Frames differ
-/// where poses, counts or tests do. Indices of nodes depend on the mesh alone, so tests are
-/// compared for different volumes too, but not for different splits, nor for trees of other engines
-/// that are not alike, where pairs and counts are
-/// compared, nor for different meshes, where counts are. The versions of scb are not compared.
+/// Compares the parameters, and then the common frames, even if parameters differ: for two overlap
+/// tests on one scene, the question is where they part. Frames differ if poses, counts or tests
+/// differ. Node indices do not depend on the volume, so tests are compared for different volumes,
+/// too. For different splits, or different trees of other engines, only pairs and counts are
+/// compared; for different meshes only counts. Versions of scb are not compared.
 TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
                const TraceFrames& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);
 
-/// The volume test `index` of a frame. `tree` is outcomes_of's.
+/// The volume test `index` of a frame. `outcomes`: outcomes_of the frame.
 TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const Outcomes& outcomes,
                        std::size_t index);
 

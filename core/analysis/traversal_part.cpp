@@ -68,7 +68,7 @@ std::vector<std::uint32_t> largest_parts(const Steps& steps, std::size_t most) {
     std::vector<std::uint32_t> parts;
     if (sizes.empty()) return parts;
     const auto small = [&](std::uint32_t i) { return 4 * std::uint64_t{sizes[i]} <= sizes.size(); };
-    // Of another engine there may be several roots.
+    // A query of another engine may have several roots.
     for (std::uint32_t i = 0; i < sizes.size(); ++i) {
         const std::uint32_t parent = steps.volumes[i].parent;
         if (small(i) && (parent == no_step || !small(parent))) parts.push_back(i);

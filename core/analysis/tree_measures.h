@@ -5,8 +5,8 @@
 
 namespace scb {
 
-/// The measures of a tree of whatever builder whose items are the triangles of `mesh`. Nodes
-/// without a volume contain everything, and have no size.
+/// The measures of any builder's tree whose items are the triangles of `mesh`. Nodes without a
+/// volume contain everything, and have no size.
 HierarchyMeasures tree_measures(const Tree& tree, const Mesh& mesh, int threads = 1);
 
 }  // namespace scb

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> triangle_heat(const Steps& steps, const TreeShape& sh
     std::vector<std::uint32_t> tests(shape.size());
     for (std::size_t i = 0; i < steps.volumes.size(); ++i)
         if (of != HeatOf::wasted || wasted[i]) ++tests[index_on_side(steps.volumes[i].nodes)];
-    // What was tested of a node was tested of all below it.
+    // A test of a node counts for all nodes below it.
     for (const std::uint32_t i : shape.order)
         if (shape.parents[i] != no_index) tests[i] += tests[shape.parents[i]];
     for (std::size_t item = 0; item < heat.size(); ++item)

@@ -14,7 +14,7 @@ constexpr bool is_ball(VolumeKind kind) {
     return kind == VolumeKind::ball || kind == VolumeKind::ritter;
 }
 
-/// The larger of two balls is so by any measure.
+/// The larger of two balls is larger by any measure.
 DescentRule effective_descent(const TuneSetting& s) {
     return is_ball(s.volume) && s.descent != DescentRule::alternating ? DescentRule::radius
                                                                       : s.descent;

@@ -21,14 +21,14 @@ struct TuneSetting {
     BallGrowth growth = BallGrowth::ritter;
 };
 
-/// Whether the two make the same queries: what has no effect on their volumes does not count, such
-/// as a threshold of a test that has none.
+/// Whether both make the same queries. Options without effect are not compared, such as the
+/// threshold of a test that has none.
 bool operator==(const TuneSetting& x, const TuneSetting& y);
 
 /// Whether both are queries of the same hierarchies.
 bool same_hierarchies(const TuneSetting& x, const TuneSetting& y);
 
-/// What a setting changes of the base, with which all are compared.
+/// The option in which a setting differs from the base setting.
 enum class Tuned {
     nothing,
     volume,
@@ -45,24 +45,24 @@ inline constexpr EnumNames<Tuned, 8> tuned_names = {"base",      "volume",  "spl
 
 Tuned tuned(const TuneSetting& setting, const TuneSetting& base);
 
-/// The base first; then every volume with every split, and what differs from the base in one other
-/// thing: the other overlap tests, the threshold of `corrected` from 0.1 to 0.95 in steps of 0.05,
-/// the other descent rules, the other growth rule. Each once.
+/// The base; then every volume with every split; then settings that differ from the base in one
+/// other option: the overlap test, the threshold of `corrected` from 0.1 to 0.95 in steps of 0.05,
+/// the descent rule, the growth rule. Each once.
 std::vector<TuneSetting> first_trials(const TuneSetting& base);
 
 /// Every descent rule and growth rule with the volume and the split of `setting`; and, for slab cut
 /// balls, each with the tests `symmetric`, `extents` and `corrected`. Each once.
 std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
-/// Those of the first trials whose volume and split are worth being refined: with the test, descent
-/// and growth of the base, they take at most so many times the least N_v, or the least estimated
-/// cost, of all that have these. By their first places.
+/// The indices of first trials whose volume and split should be refined. With the test, descent and
+/// growth of the base, they take at most `worth_refining` times the least N_v, or the least
+/// estimated cost, of all such trials.
 inline constexpr double worth_refining = 1.3;
 std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
                                            std::span<const Work> counts);
 
-/// The places of the settings, the one with the least estimated cost first; of equal costs by the
-/// order of Work, of equal counts the first.
+/// The indices of the settings, least estimated cost first; equal costs in the order of Work, equal
+/// counts in order.
 std::vector<std::size_t> best_first(std::span<const Work> counts);
 
 /// A time that was measured several times.
@@ -71,11 +71,11 @@ struct TimeInterval {
 };
 TimeInterval time_interval(std::vector<double> runs);
 
-/// Whether no run of one took as long as a run of the other.
+/// Whether no run of one took as long as a run of the other: the intervals do not meet.
 bool apart(const TimeInterval& x, const TimeInterval& y);
 
-/// Of the times that lie wholly below `base` and that no other of them is wholly below, the place
-/// of the one with the least memory, the first of equals. Nothing where none is below.
+/// Among the times that lie wholly below `base`, and above no other time wholly: the index of the
+/// one with the least memory, the first of equals. Nothing if none is below.
 std::optional<std::size_t> quickest_with_least_memory(std::span<const TimeInterval> times,
                                                       std::span<const double> bytes,
                                                       const TimeInterval& base);

@@ -14,7 +14,8 @@ namespace {
 constexpr double cosine_of_ten_degrees = 0.98480775301220806;
 constexpr double unequal_sizes = 10;
 
-/// A unit vector, or zero of a degenerate triangle. Scaled first: powers of lengths may overflow.
+/// The unit normal, or zero for a degenerate triangle. Scales first: powers of lengths may
+/// overflow.
 Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
     const TriangleCorners t = corners(mesh, triangle);
     Vec3 u = t[1] - t[0], v = t[2] - t[0];

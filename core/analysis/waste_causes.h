@@ -11,32 +11,32 @@ namespace scb {
 /// Tests of two triangles that do not intersect.
 struct VainTests {
     std::uint64_t tests = 0;
-    std::uint64_t parallel = 0;  ///< of these, those of planes less than ten degrees from parallel
+    std::uint64_t parallel = 0;  ///< of these, tests of planes less than ten degrees from parallel
 
     VainTests& operator+=(const VainTests& other);
 };
 
-/// Those of one query. Degenerate triangles are parallel to none.
+/// The vain tests of one query. Degenerate triangles are parallel to none.
 VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame);
 
-/// What of a mesh is known to make volumes loose, or the tree poor.
+/// Properties of a body that are known to make volumes loose, or the tree poor.
 struct BodyCauses {
     MeshFacts facts;
     int depth = 0;            ///< of its hierarchy
-    bool slender = false;     ///< every twentieth triangle or more has a slenderness of 16 and more
-    bool duplicated = false;  ///< every hundredth triangle or more is there twice
-    bool soup = false;        ///< every tenth triangle or more is a part of its own
-    bool deep = false;        ///< deeper than twice the logarithm of the triangles to base 2
+    bool slender = false;     ///< at least 5 % of the triangles have a slenderness of 16 or more
+    bool duplicated = false;  ///< at least 1 % of the triangles are duplicates
+    bool soup = false;        ///< several parts, at least one per ten triangles
+    bool deep = false;        ///< deeper than twice the base-2 logarithm of the number of triangles
 };
 
-/// Why the tests of queries of two bodies are wasted.
+/// Why tests in queries of two bodies are wasted.
 struct WasteCauses {
     std::array<BodyCauses, 2> bodies;
     bool alike = false;  ///< both have the same mesh
     VainTests vain;
-    double larger = 1;      ///< the diagonal of A's box over that of B's; 0 or infinity of points
+    double larger = 1;      ///< diagonal of A's box over B's diagonal; 0 or infinity for points
     bool unequal = false;   ///< one is ten times the other, or more
-    bool parallel = false;  ///< half of the vain tests or more are of nearly parallel triangles
+    bool parallel = false;  ///< at least half of the vain tests are of nearly parallel triangles
 };
 
 WasteCauses waste_causes(const Topology& a, const Mesh& mesh_a, const Topology& b,

@@ -26,7 +26,7 @@ bool misses_more(const WronglyRejectedPair& x, const WronglyRejectedPair& y) {
     return std::pair(x.frame, x.rejection.test) < std::pair(y.frame, y.rejection.test);
 }
 
-/// Keeps the first of those with the same nodes, and at most that many.
+/// Keeps at most `most` pairs; of pairs with the same nodes, the first.
 template <class P>
 void keep_worst(std::vector<P>& sorted, std::size_t most) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> seen;

@@ -9,11 +9,11 @@ struct FalsePair {
     int frame = 0;
     PassedPair pair;
     Step test;
-    double margin =
-        0;  ///< as of ContactCertificate: gap or depth of the volumes, see sharpen_margin
+    /// A lower bound of the gap or depth of the volumes, see ContactCertificate and sharpen_margin.
+    double margin = 0;
 };
 
-/// Raises the margin to what the sharpened certificate says, as explain() does.
+/// Raises the margin to the margin of the sharpened certificate, as explain() does.
 void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
                     const Pose& b_to_a);
 
@@ -24,25 +24,25 @@ struct WronglyRejectedPair {
     Step test;
 };
 
-/// The false pairs of one reason that cost the most, of as many frames as are added: by the tests
-/// below them (of volumes and of triangles), then by frame and by the order of the tests. Each pair
-/// of nodes once, at the frame where it is worst: some are in the way at every frame.
+/// The costliest false pairs of one reason in all added frames, by the number of volume and
+/// triangle tests below them, then by frame, then by test. Each pair of nodes appears once, at its
+/// worst frame: some are in the way at every frame.
 ///
-/// Of weak tests those that are not within another one; of loose fits those that are not within any
-/// false pair. Where these are fewer than asked for, as without contact, where all is within the
-/// pair of roots, parts of them follow: each with at most a quarter of the cost of what it is a
-/// part of.
+/// Weak tests are listed if they are not below another weak test, loose fits if they are not below
+/// any false pair. If these are too few, parts of them follow, each with at most a quarter of the
+/// cost of the pair around it. Without contact, for example, all false pairs are below the pair of
+/// roots.
 class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
     void add(const TraceFrame& frame, const Attribution& attribution);
-    /// Adds what others kept of other frames.
+    /// Adds the pairs that another object kept of other frames.
     void add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts);
     /// The worst one first.
     std::vector<FalsePair> pairs() const;
 
-    /// What is kept, the worst first: those that are not within another, and parts of these.
+    /// The kept pairs, worst first: pairs that are not below another, and parts of these.
     const std::vector<FalsePair>& outermost() const { return outermost_; }
     const std::vector<FalsePair>& parts() const { return parts_; }
 
@@ -54,15 +54,14 @@ class WorstPairs {
     std::vector<FalsePair> outermost_, parts_;
 };
 
-/// The wrong rejections that miss the most pairs of triangles, of as many frames as are added; of
-/// equal ones that of the first frame, and there of the first test; each pair of nodes once, at the
-/// frame where it is worst.
+/// The wrong rejections that miss the most pairs of triangles in all added frames; equal ones by
+/// frame, then by test. Each pair of nodes appears once, at its worst frame.
 class WorstRejections {
   public:
     explicit WorstRejections(std::size_t most) : most_(most) {}
 
     void add(const TraceFrame& frame, const Attribution& attribution);
-    /// Adds what others kept of other frames.
+    /// Adds the pairs that another object kept of other frames.
     void add(const std::vector<WronglyRejectedPair>& pairs);
     /// The worst one first.
     const std::vector<WronglyRejectedPair>& pairs() const { return pairs_; }

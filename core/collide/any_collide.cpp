@@ -8,7 +8,7 @@
 namespace scb {
 namespace {
 
-/// Calls `use` with both hierarchies as what they are, which must be one type.
+/// Calls `use` with both hierarchies in their own type. Throws InputError if the types differ.
 template <class Use>
 Collision with_both(const AnyHierarchy& a, const AnyHierarchy& b, Use&& use) {
     if (a.index() != b.index())

@@ -18,8 +18,8 @@
 
 namespace scb {
 
-/// The area and the volume by which a node is chosen to be divided: its own, but for volumes that
-/// have a quicker one.
+/// The area and the volume that decide which node is divided. Convex volumes have quicker measures
+/// for this purpose.
 template <Volume V>
 double descent_area(const V& v) {
     if constexpr (ConvexVolume<V>)
@@ -35,8 +35,7 @@ double descent_volume(const V& v) {
         return volume(v);
 }
 
-/// Whether A's node is the one that is divided. `depth` is that of the pair: both nodes' depths
-/// added.
+/// Whether A's node is divided, not B's. `depth`: the depths of both nodes added.
 template <DescentRule rule, Volume V>
 bool descends_into_a(const V& a, const V& b, int depth) {
     if constexpr (rule == DescentRule::radius) return descent_size(a) >= descent_size(b);
@@ -45,11 +44,11 @@ bool descends_into_a(const V& a, const V& b, int depth) {
     return depth % 2 == 0;
 }
 
-/// N_u of equation 1: the points and directions of B's volumes that these tests transformed. A test
-/// of slab cut balls transforms the center, and the normal where it gets that far; of balls the
-/// center; of boxes the center and three axes, of those along the body's axes the center; of two
-/// slabs the center and, after the balls, both normals; of convex volumes the center, and a
-/// direction and a point for the first step or for as many as the search takes, counted as one.
+/// N_u of equation 1: the points and directions of B's volumes that these tests transformed. Balls
+/// and boxes along the body's axes: the center. Slab cut balls: the center, and the normal if the
+/// test gets that far. Oriented boxes: the center and three axes. Two slabs: the center and, after
+/// the balls, both normals. Convex volumes: the center, and a direction and a point for the first
+/// step; then the same for the search, which counts as one step.
 template <Volume V>
 std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& options) {
     const std::uint64_t tests = test_count(stages);
@@ -69,7 +68,7 @@ std::uint64_t transform_count(const StageCounts& stages, const OverlapOptions& o
     }
 }
 
-/// Pairs of nodes of two bodies, or of one body with itself: how they are tested and divided.
+/// Tests and divides pairs of nodes of two bodies, or of one body with itself.
 template <DescentRule rule, Volume V, class Test>
 class CollidePolicy {
   public:
@@ -93,7 +92,7 @@ class CollidePolicy {
             if (next_root_++ > 0) return std::nullopt;
             return NodePair{0, 0, 0, 0};
         }
-        // Each node's left part against its right part: together all pairs, each once.
+        // Each node's left child against its right child: together they lead to each pair once.
         for (; next_root_ < depths_.size(); ++next_root_) {
             const int depth = depths_[next_root_];
             const bool below = options_.stop_level >= 0 && depth >= options_.stop_level;
@@ -161,7 +160,7 @@ class CollidePolicy {
     const CollideOptions& options_;
     const std::span<const std::uint32_t> joined_;
     Collision& result_;
-    const std::vector<std::uint16_t> depths_;  ///< of the nodes, of a self query
+    const std::vector<std::uint16_t> depths_;  ///< of the nodes, in a self query
     std::uint32_t next_root_ = 0;
     const TopologyNode* const nodes_a_ = a_.hierarchy.topology->nodes.data();
     const TopologyNode* const nodes_b_ = b_.hierarchy.topology->nodes.data();
@@ -169,8 +168,8 @@ class CollidePolicy {
     const V* const volumes_b_ = b_.hierarchy.volumes.data();
 };
 
-/// The traversal with the test and the rule that the options name; its counts and sorted pairs.
-/// `joined`: empty for two bodies, else see SelfCollider.
+/// Traverses with the test and the rule in `options`. Returns counts and sorted pairs. `joined`:
+/// empty for two bodies, else see SelfCollider.
 template <Volume V, class O>
 Collision dual_traversal(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                          const CollideOptions& options, O& observer,

@@ -28,7 +28,7 @@ void sort_by_digit(const std::vector<IndexPair>& from, std::vector<IndexPair>& t
 }  // namespace
 
 void sort_pairs(std::vector<IndexPair>& pairs, std::vector<IndexPair>& room) {
-    // Below, comparing takes less than counting.
+    // Fewer pairs are sorted faster by comparison.
     constexpr std::size_t few = 200;
     if (pairs.size() < few) {
         std::sort(pairs.begin(), pairs.end());

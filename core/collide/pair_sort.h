@@ -6,8 +6,8 @@
 
 namespace scb {
 
-/// Sorts pairs by a, then b. Least significant digit first; `room` is for copies, and grows as it
-/// must.
+/// Sorts pairs by a, then b: a radix sort, least significant digit first. `room`: scratch space,
+/// resized as needed.
 void sort_pairs(std::vector<IndexPair>& pairs, std::vector<IndexPair>& room);
 
 }  // namespace scb

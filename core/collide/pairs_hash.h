@@ -8,16 +8,16 @@
 
 namespace scb {
 
-/// Where FNV-1a of 64 bits begins.
+/// The offset basis of 64-bit FNV-1a.
 inline constexpr std::uint64_t fnv_offset_basis = 0xcbf29ce484222325;
 
-/// FNV-1a of 64 bits (Fowler, Noll and Vo, draft-eastlake-fnv) over the pairs in their order, each
-/// written as "A B\n" in decimal: two answers with as many pairs, but others, have other hashes.
-/// `start`: where it begins, for records of hashes that begin elsewhere.
+/// 64-bit FNV-1a (Fowler, Noll and Vo, draft-eastlake-fnv) over the pairs in order, each written as
+/// "A B\n" in decimal: tells apart answers with equal numbers of pairs. `start`: the first hash
+/// value, for recorded hashes with another basis.
 std::uint64_t pairs_hash(std::span<const IndexPair> pairs, std::uint64_t start = fnv_offset_basis);
 
-/// One hash of the pairs of several queries, of the hashes of each in their order: that of the
-/// first, and then, begun there, of the 16 digits of each other.
+/// One hash of the pairs of several queries, from the hash of each in order. It begins with the
+/// first hash, and continues over the 16 digits of each further hash.
 std::uint64_t joined_hash(std::span<const std::uint64_t> hashes);
 
 /// A hash as 16 hexadecimal digits, small letters.

@@ -7,10 +7,10 @@
 namespace scb {
 namespace {
 
-/// What a test led to: which children of A's node and of B's were tested.
+/// The children of A's node and of B's node that were tested because of one test.
 struct Division {
     std::set<std::uint32_t> of_a, of_b;
-    std::size_t pairs = 0;  ///< of a child of each
+    std::size_t pairs = 0;  ///< tests of a child of A's node with a child of B's node
 };
 
 /// A node and the box about its volume, in A's frame.
@@ -37,8 +37,8 @@ class DivisionCheck {
     }
 
   private:
-    /// Per test the first of the same two nodes: a query may come to these several times, and
-    /// together the tests lead to all children. Empty where none is repeated.
+    /// Per test, the index of the first test of the same two nodes. Repeated tests count as one,
+    /// since only together they may lead to all children. Empty if no test is repeated.
     std::vector<std::uint32_t> first_of_repeated() const {
         std::vector<std::uint32_t> result;
         if (std::none_of(tests_.begin(), tests_.end(),
@@ -59,7 +59,7 @@ class DivisionCheck {
     }
 
     void add(Division& division, IndexPair nodes, IndexPair above) const {
-        // A body against itself may name the two the other way round.
+        // A self query may name the two nodes in the other order.
         if (query_.self && !(is_below(0, nodes.a, above.a) && is_below(1, nodes.b, above.b)))
             std::swap(nodes.a, nodes.b);
         if (nodes.a != above.a) division.of_a.insert(nodes.a);
@@ -83,7 +83,7 @@ class DivisionCheck {
         return result;
     }
 
-    /// Boxes decide most pairs of many children.
+    /// Compares the boxes first, since a node may have many children.
     bool overlap(const BoxedNode& a, const BoxedNode& b) const {
         if ((a.box.lower.array() > b.box.upper.array()).any() ||
             (b.box.lower.array() > a.box.upper.array()).any())
@@ -94,8 +94,8 @@ class DivisionCheck {
                    .contact == Contact::overlapping;
     }
 
-    /// The place of the first child of a node of `side` that was not tested, although it overlaps
-    /// one of the others.
+    /// The index in `children` of the first child that was not tested although it overlaps one of
+    /// `others`.
     std::optional<std::uint32_t> lack(std::uint32_t side, const std::set<std::uint32_t>& tested,
                                       const std::vector<std::uint32_t>& children,
                                       const std::vector<std::uint32_t>& others,
@@ -107,7 +107,7 @@ class DivisionCheck {
                 for (const std::uint32_t node : others) boxes.push_back(boxed(1 - side, node));
             const BoxedNode child = boxed(side, children[place]);
             const auto meets = [&](const BoxedNode& other) {
-                // A leaf has no pairs with itself.
+                // A leaf needs no test with itself.
                 if (against_itself && other.node == child.node)
                     return !shape(side).is_leaf(child.node);
                 return side == 0 ? overlap(child, other) : overlap(other, child);
@@ -119,7 +119,7 @@ class DivisionCheck {
 
     void check(const Division& division, std::uint32_t i) {
         const bool both = !division.of_a.empty() && !division.of_b.empty();
-        // Some pairs with both children, and some with one: each its own way.
+        // No child was tested, or children of both nodes but no two of them with each other.
         if ((division.of_a.empty() && division.of_b.empty()) || (both && division.pairs == 0))
             return;
         ++counts_.divided;

@@ -4,9 +4,9 @@
 
 namespace scb {
 
-/// Counts the tests that divided a node, and those of them that led to no test of a child although
-/// its volume overlaps the other node, or each node that was tested in place of that. Of a child
-/// that is apart from it, a test need not be recorded.
+/// Counts the tests that divided a node, and among them the tests that skipped a child. A child is
+/// skipped if it was not tested although its volume overlaps the other node or, if both nodes were
+/// divided, one of the other node's children. A child that overlaps neither need not be tested.
 DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests);
 
 }  // namespace scb

@@ -13,7 +13,7 @@
 
 namespace scb {
 
-/// What an engine did in a query, in its order.
+/// One action of an engine in a query.
 struct EngineEvent {
     enum class Kind : std::uint8_t {
         volumes,      ///< tested two volumes
@@ -22,33 +22,33 @@ struct EngineEvent {
         pair,  ///< reported two items
     };
     Kind kind = Kind::volumes;
-    std::uint8_t stage = 0;      ///< of volumes: at which they were rejected; 0: they overlap
+    std::uint8_t stage = 0;      ///< `volumes`: number of the stage that rejected; 0: overlap
     std::uint32_t a = 0, b = 0;  ///< numbers of nodes, or items
-    /// Of volumes: number of the test of volumes in this query that led to this test, where the
-    /// engine recorded it; an earlier test, of nodes at or above these nodes.
+    /// `volumes`: the recorded index, among the tests of volumes of this query, of the earlier test
+    /// that led to this one. Its nodes are these nodes or above them. no_index: not recorded.
     std::uint32_t parent = no_index;
 
     friend bool operator==(const EngineEvent&, const EngineEvent&) = default;
 };
 
-/// One of the two trees of a query. Refers, does not own.
+/// One of the two trees of a query. Non-owning.
 struct EngineSide {
     const EngineNodes* tree = nullptr;
     const TreeShape* shape = nullptr;
-    /// nullptr: items are no triangles. Vertices need not be finite, see has_finite_corners.
+    /// nullptr: the items are not triangles. Vertices may be non-finite, see has_finite_corners.
     const Mesh* mesh = nullptr;
-    /// The mesh as it was first, all of it finite: vertices at one place there are one vertex.
-    /// nullptr: the mesh itself.
+    /// The mesh in its first state, all vertices finite. Vertices that share a position in it count
+    /// as one vertex. nullptr: `mesh` itself.
     const Mesh* rest = nullptr;
-    /// Items are objects, each alone in a leaf, whose volume is all that is known of them.
+    /// Each item is an object alone in its leaf, known by its volume only.
     bool objects_by_volume = false;
-    /// The largest |coordinate| of the tree's volumes and of its mesh, without the stretch of the
-    /// body's pose, and the stretch.
+    /// The largest |coordinate| of the tree's volumes and mesh (`reach`), and of the mesh alone,
+    /// both before the pose scales the body by `stretch`.
     double reach = 0, mesh_reach = 0, stretch = 1;
-    int version = 0;  ///< another one whenever anything of this tree, or of its mesh, has changed
+    int version = 0;  ///< changes whenever the tree or its mesh changes
 };
 
-/// The largest part of a tolerance.
+/// What contributes most to a tolerance.
 enum class ToleranceCause {
     setting,   ///< the setting `tolerance` of the recording
     pose,      ///< the error of a body's rotation
@@ -56,36 +56,36 @@ enum class ToleranceCause {
     reach,     ///< the coordinates of volumes and meshes
 };
 
-/// A query of two trees, as its engine tells of it.
+/// A recorded query of two trees.
 struct EngineQuery {
     int frame = 0;
     std::array<EngineSide, 2> sides;
-    bool self = false;   ///< of one body against itself
-    bool placed = true;  ///< whether both bodies have a pose that keeps their volumes
+    bool self = false;   ///< one body against itself
+    bool placed = true;  ///< both poses are finite and keep the bodies' volumes
     Pose b_to_a;
-    std::optional<Pose> b_to_a_before;  ///< of the frame before, where there is one
+    std::optional<Pose> b_to_a_before;  ///< the relative pose at the previous frame, if any
     std::vector<EngineEvent> events;
-    /// What of tests and results there is, in this query or in others of the same recording.
+    /// Whether the recording has tests of items, and reported pairs, in this query or in another.
     bool tells_items = false, tells_pairs = false;
-    bool complete = true;           ///< false: it ended early on purpose
+    bool complete = true;           ///< false: the query ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
-    /// Lengths up to which the engine's arithmetic may differ from exact one: of the volumes that
-    /// reach farthest, see tolerance_of, and of triangles.
+    /// The assumed rounding errors of the engine, as lengths: for the volumes that reach farthest
+    /// (see tolerance_of), and for triangles.
     double tolerance = 0, triangle_tolerance = 0;
-    double tolerance_slope = 0;  ///< by how much `tolerance` grows with the reach of a volume
+    double tolerance_slope = 0;  ///< growth of `tolerance` with a volume's stretched reach
     ToleranceCause tolerance_cause = ToleranceCause::reach;
-    /// The largest |coordinate| of the places of both bodies, and of their volumes and meshes.
+    /// The largest |coordinate| of the positions of both bodies, and of their volumes and meshes.
     double away = 0, reach = 0;
-    bool single = false;  ///< the engine's numbers are of 32 bits
+    bool single = false;  ///< the engine's numbers have 32 bits
 };
 
-/// Two items, or two nodes, in one number; of a body against itself the same in either order.
+/// The key of two items, or of two nodes. In a self query both orders have the same key.
 inline std::uint64_t pair_key(const EngineQuery& query, std::uint32_t a, std::uint32_t b) {
     if (query.self && a > b) std::swap(a, b);
     return std::uint64_t{a} << 32 | b;
 }
 
-/// The tolerance of volumes that reach so far, before the stretch of the bodies.
+/// The tolerance of two volumes with these reaches, measured before the stretch of the bodies.
 inline double tolerance_at(const EngineQuery& query, double reach_a, double reach_b) {
     double tolerance = query.tolerance;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -102,13 +102,13 @@ inline double tolerance_of(const EngineQuery& query, IndexPair nodes) {
                         (*query.sides[1].tree)[nodes.b].reach);
 }
 
-/// Whether all coordinates are numbers of at most max_coordinate.
+/// Whether all |coordinates| are at most max_coordinate; false for NaN.
 inline bool is_usable(const Vec3& point) { return (point.array().abs() <= max_coordinate).all(); }
 
 /// Whether all corners of the triangle are usable.
 bool has_finite_corners(const Mesh& mesh, std::uint32_t triangle);
 
-/// Whether the corners lie on a line. Builders leave such triangles out.
+/// Whether the corners are usable and lie on a line. Builders leave such triangles out.
 bool has_no_area(const Mesh& mesh, std::uint32_t triangle);
 
 }  // namespace scb

@@ -14,13 +14,13 @@ using Kind = EngineEvent::Kind;
 
 std::uint16_t depth_of(const EngineSide& side, std::uint32_t node) {
     const std::uint32_t depth = side.shape->depths[node];
-    // No root leads to it.
+    // The node is unreachable.
     if (depth == no_index) return 0;
     return static_cast<std::uint16_t>(
         std::min<std::uint32_t>(depth, std::numeric_limits<std::uint16_t>::max()));
 }
 
-/// Per object the node that holds it.
+/// Per object, the first node that holds it.
 std::unordered_map<std::uint32_t, std::uint32_t> holders_of(const EngineSide& side) {
     std::unordered_map<std::uint32_t, std::uint32_t> holders;  // lookups only
     for (const std::uint32_t node : side.shape->order)
@@ -41,7 +41,7 @@ std::vector<IndexPair> pairs_of_holders(const EngineQuery& query, std::vector<In
 
 bool are_objects(const EngineQuery& query) { return !query.sides[0].mesh || !query.sides[1].mesh; }
 
-/// Of triangles that exist: others are for the judgement.
+/// Whether the items are objects, or triangles that exist. The judgement reports other triangles.
 bool exist(const EngineQuery& query, IndexPair items) {
     return are_objects(query) || (items.a < query.sides[0].mesh->triangles.size() &&
                                   items.b < query.sides[1].mesh->triangles.size());
@@ -53,7 +53,7 @@ TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
     TraceFrame frame{query.frame, query.b_to_a, {}, {}, {}};
     Collision& found = frame.found;
     TestLinks links(query);
-    std::vector<std::uint32_t> place;  // per test of volumes where it is in the frame, or no_index
+    std::vector<std::uint32_t> place;  // per test of volumes: its index in the frame, or no_index
     for (const EngineEvent& event : query.events) {
         if (event.kind == Kind::pair) {
             if (exist(query, {event.a, event.b})) found.pairs.push_back({event.a, event.b});

@@ -7,9 +7,9 @@
 
 namespace scb {
 
-/// An engine's query as traces have it: tests of nodes by their indices, those of nodes that there
-/// are not left out; of objects, which are no triangles, the pairs of the nodes that hold them.
-/// `stages` has the stage of each of the engine's numbers but 0, which means "overlapping".
+/// Converts an engine's query to a frame of a trace. Tests name nodes by index; tests of unknown
+/// nodes are left out. A pair of objects becomes the pair of nodes that hold them. `stages` maps
+/// the engine's stage numbers; 0 means "overlapping" and has no entry.
 TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages);
 
 }  // namespace scb

@@ -10,7 +10,7 @@
 namespace scb {
 namespace {
 
-/// In the frame of A.
+/// The two triangles, in A's frame.
 std::array<TriangleCorners, 2> triangles_of(const EngineQuery& query, const Pose& b_to_a,
                                             IndexPair items) {
     return {corners(*query.sides[0].mesh, items.a),
@@ -57,7 +57,7 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
     if (has_object_volumes(query)) {
         const NodeVolume *a = volume_of_object(query.sides[0], items.a),
                          *b = volume_of_object(query.sides[1], items.b);
-        // An object without a volume touches all, which claims nothing.
+        // Without a volume the contact is touching, which claims nothing.
         const ContactCertificate found =
             a && b ? exact_verdict(*a, *b, b_to_a, tolerance_of_objects(query, items))
                    : ContactCertificate{};

@@ -6,11 +6,11 @@
 
 namespace scb {
 
-/// Two items of a query, triangles or objects: whether they intersect, and whether that is within
-/// the tolerance.
+/// Whether two items, triangles or objects, intersect (`meet`), and whether the gap or depth is
+/// within the tolerance (`grazing`).
 struct ItemContact {
     bool meet = false, grazing = false;
-    double margin = 0;  ///< gap or depth; of volumes, at least
+    double margin = 0;  ///< gap or depth; a lower bound for objects
 };
 
 /// Whether both sides have triangles.
@@ -19,14 +19,14 @@ bool have_meshes(const EngineQuery& query);
 /// Whether both items exist.
 bool has_items(const EngineQuery& query, IndexPair items);
 
-/// Whether the corners of both are finite; of items that exist.
+/// Whether the corners of both items are finite. The items must exist.
 bool are_finite(const EngineQuery& query, IndexPair items);
 
-/// Of finite items. An object without an extent grazes each other one.
+/// The items must be finite. An object without an extent grazes every other object.
 ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair items);
 
-/// The gap or depth of two items whose test erred by more than the tolerance. The extents of
-/// objects are bounds: they prove that two objects are apart, and not that they meet.
+/// The gap or depth of two items if their test was wrong by more than the tolerance. The extents of
+/// objects are bounds: they can prove that two objects are apart, but not that they meet.
 std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
                                const EngineEvent& event);
 

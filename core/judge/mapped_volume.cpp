@@ -10,7 +10,7 @@ namespace {
 
 using SharedPolytope = std::shared_ptr<const Polytope>;
 
-/// Columns are at right angles where the cosine of their angle is below this.
+/// Two columns are at right angles if the cosine of their angle is at most this.
 constexpr double right_angle = 1e-9;
 
 Vec3 unit(const Vec3& v) { return v / std::sqrt(squared_norm(v)); }
@@ -86,7 +86,7 @@ NodeVolume mapped_open_box(const OpenBox& box, const Mat3& map) {
     return result;
 }
 
-/// Of a map that keeps angles and scales by `scale`.
+/// Maps a volume by a map that keeps angles and scales lengths by `scale`.
 struct Similar {
     const Mat3& map;
     double scale;

@@ -7,22 +7,23 @@
 
 namespace scb {
 
-/// The volume of a body that a linear map stretches, mirrors or shears: `x -> map * x`. A map that
-/// keeps angles takes each kind of volume to the same kind; any other takes boxes, hulls and k-DOPs
-/// to polytopes. `monostate` for what is none of these: a ball under a shear is an ellipsoid.
+/// The volume under the linear map `x -> map * x`, which may stretch, mirror or shear. A map that
+/// keeps angles keeps the type, except for open boxes, which need a diagonal map. Any other map
+/// takes boxes, hulls and k-DOPs to boxes or polytopes. `monostate` if no type fits: a sheared ball
+/// is an ellipsoid.
 NodeVolume mapped(const NodeVolume& volume, const Mat3& map);
 
 /// All volumes of the tree, mapped.
 EngineNodes mapped(EngineNodes tree, const Mat3& map);
 
-/// All vertices of the mesh, mapped.
+/// The mesh with all its vertices mapped.
 Mesh mapped(Mesh mesh, const Mat3& map);
 
-/// By how much the map changes volumes; below 0 where it mirrors.
+/// The factor by which the map scales a volume; negative if it mirrors.
 double determinant(const Mat3& map);
 
-/// By how much the map scales all lengths alike; nothing where it does not keep angles, up to some
-/// units in the last place.
+/// The factor by which the map scales all lengths; nothing if it does not keep angles up to
+/// rounding.
 std::optional<double> uniform_scale(const Mat3& map);
 
 }  // namespace scb

@@ -62,7 +62,7 @@ MissedPairs::Found MissedPairs::search(const Ways& ways) const {
             mark_[side][node] = searches_;
             work[side] += tests_of_[side][node].size();
         }
-    // By the side with fewer tests.
+    // Go through the side with fewer tests.
     const std::size_t by = work[0] <= work[1] ? 0 : 1;
     Found found;
     for (const std::uint32_t node : ways[by].nodes)
@@ -77,7 +77,7 @@ MissedPairs::Found MissedPairs::search(const Ways& ways) const {
             const std::uint32_t depth = query_.sides[0].shape->depths[test.nodes.a] +
                                         query_.sides[1].shape->depths[test.nodes.b];
             if (found.deepest != no_index && depth < found.depth) continue;
-            // Of equally deep ones the first.
+            // Of equally deep tests, take the first.
             if (found.deepest == no_index || depth > found.depth || i < found.deepest)
                 found.deepest = i;
             found.depth = depth;
@@ -95,9 +95,9 @@ double MissedPairs::computed_outside(std::size_t side, std::uint32_t node,
                                      std::uint32_t item) const {
     const EngineSide& of = query_.sides[side];
     const NodeVolume& volume = (*of.tree)[node].volume;
-    // Of a triangle that is split between leaves, a node need contain a part alone.
+    // If a triangle is split between leaves, a node need contain only a part of it.
     if (!has_volume(volume) || of.shape->holders_of(item).size() > 1) return 0;
-    // The other body has no part in it.
+    // The other body does not matter here, so its reach counts as 0.
     const double reach = (*of.tree)[node].reach;
     const double tolerance = tolerance_at(query_, side == 0 ? reach : 0, side == 0 ? 0 : reach);
     if (!of.mesh) {
@@ -147,7 +147,7 @@ PairProblem MissedPairs::cause_of(IndexPair items) const {
         return problem;
     }
     Found found = search(ways);
-    // A body against itself may be entered the other way round.
+    // A self query may test the pair in the other order.
     if (query_.self) {
         const Ways turned = ways_to({items.b, items.a});
         const Found other = search(turned);
@@ -166,18 +166,18 @@ PairProblem MissedPairs::cause_of(IndexPair items) const {
     const bool leaf_pair = test.nodes.a == ways[0].leaf && test.nodes.b == ways[1].leaf;
     problem.cause = leaf_pair ? PairCause::items_not_tested : PairCause::never_visited;
     problem.next = {next_number(0, test.nodes.a, ways[0]), next_number(1, test.nodes.b, ways[1])};
-    // Of a test that rejected a node nothing need be recorded.
+    // The test that rejected a node need not be recorded: a faulty node may be the cause.
     return problem.cause == PairCause::never_visited ? below_faulty(problem, ways) : problem;
 }
 
-/// No test of the nodes above the pair was recorded.
+/// The problem if no test of nodes above the pair was recorded.
 PairProblem MissedPairs::untested(PairProblem problem, const Ways& ways) const {
     problem.cause = tests_.empty() ? PairCause::no_tests : PairCause::never_tested;
     return below_faulty(problem, ways);
 }
 
-/// A node on the way that does not contain its item is enough of a cause, where no test is known:
-/// the problem with that node, or as it is.
+/// If no test is known, a node on a way that does not contain its item explains the miss, as does a
+/// node with an invalid volume. Returns the problem with that node, or the problem unchanged.
 PairProblem MissedPairs::below_faulty(PairProblem problem, const Ways& ways) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::uint32_t item = side == 0 ? problem.items.a : problem.items.b;
@@ -222,7 +222,7 @@ PairProblem MissedPairs::rejected_at(PairProblem problem, std::uint32_t at) cons
     return problem;
 }
 
-/// The number of the node nearest to the item, below `node`, that does not contain it.
+/// The number of the deepest node below `node` that does not contain the item; no_index: none.
 std::uint32_t MissedPairs::deepest_outside(std::size_t side, std::uint32_t node,
                                            std::uint32_t item) const {
     const TreeShape& shape = *query_.sides[side].shape;
@@ -232,7 +232,7 @@ std::uint32_t MissedPairs::deepest_outside(std::size_t side, std::uint32_t node,
     return no_index;
 }
 
-/// The number of the child of `node` on the way; no_index of the leaf itself.
+/// The number of the child of `node` on the way; no_index if `node` is the leaf.
 std::uint32_t MissedPairs::next_number(std::size_t side, std::uint32_t node, const Way& way) const {
     const auto at = std::find(way.nodes.begin(), way.nodes.end(), node);
     return at == way.nodes.end() || at + 1 == way.nodes.end() ? no_index : number(side, *(at + 1));

@@ -12,7 +12,7 @@
 namespace scb {
 namespace {
 
-/// Calls it with both volumes as the types that exact_verdict takes them for.
+/// Calls `call` with both volumes in the types that exact_verdict uses for them.
 template <class Call>
 void with_shapes(const NodeVolume& a, const NodeVolume& b, const Call& call) {
     std::visit(

@@ -5,13 +5,14 @@
 
 namespace scb {
 
-/// Explains a test of two nodes that another engine made, and that ended at this stage. Both
-/// volumes must be there.
+/// Explains another engine's test of two nodes, which ended at stage `ended`. Both nodes must have
+/// a volume.
 ///
-/// The certificate is that of exact_verdict with the engine's `tolerance`, sharpened, in A's frame.
-/// The one step is along its direction or, where none separates the two, along the line of their
-/// centers: how far both reach, and the gap. Where the engine let the pair pass, the step is marked
-/// as not made. Where proven_verdict has none, the contact is touching.
+/// The certificate is the result of exact_verdict with the engine's `tolerance`, sharpened, in A's
+/// frame. The explanation has one step. It compares the extents of the volumes along the separating
+/// direction or, if none separates them, along the line of their centers. The step is marked as
+/// skipped if it separates a pair that the engine let pass. The contact is touching if
+/// proven_verdict has no verdict.
 PairExplanation explain_nodes(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                               double tolerance, Stage ended);
 

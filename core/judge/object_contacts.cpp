@@ -6,7 +6,7 @@
 namespace scb {
 namespace {
 
-/// An object, and how far its volume reaches in A's frame.
+/// An object and the box about its volume in A's frame, enlarged by the tolerance.
 struct Extent {
     std::uint32_t object = 0;
     const NodeVolume* volume = nullptr;
@@ -25,8 +25,8 @@ std::vector<Extent> extents(const EngineSide& side, const Pose& to_a, double tol
     return result;
 }
 
-/// The axis along which the lower ends spread the most, as their variance has it: few extents
-/// overlap along it.
+/// The axis along which the lower ends have the greatest variance, since few extents overlap along
+/// it.
 int widest_axis(const std::vector<Extent>& of_a, const std::vector<Extent>& of_b) {
     Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
     const auto count = static_cast<double>(of_a.size() + of_b.size());
@@ -72,7 +72,7 @@ std::vector<IndexPair> object_contacts(const EngineQuery& query) {
             exact_verdict(*a.volume, *b.volume, query.b_to_a, query.tolerance);
         if (found.contact != Contact::disjoint) contacts.push_back({a.object, b.object});
     };
-    // Each begins at its lower end, and meets those that began before and have not ended.
+    // Each extent begins at its lower end, and meets the open extents of the other side.
     std::vector<const Extent*> open_a, open_b;
     std::size_t next_a = 0, next_b = 0;
     const auto end_before = [axis](std::vector<const Extent*>& open, double at) {

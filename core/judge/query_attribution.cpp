@@ -3,7 +3,7 @@
 namespace scb {
 namespace {
 
-/// Per test the pairs that were missed below it, or one where something was found.
+/// Per test: 1 if a pair was found below it, plus the number of pairs missed below it.
 std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
     std::vector<std::uint64_t> contacts;
     for (const JudgedTest& test : judged.tests) contacts.push_back(test.meets ? 1 : 0);
@@ -19,7 +19,7 @@ std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
 
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
                         const TraceHeader& header, const TraceFrame& frame) {
-    // Without results nobody knows what a test led to.
+    // Without results, the pairs below a test are unknown.
     if (!query.tells_items && !query.tells_pairs) return {};
     const std::vector<std::uint64_t> contacts = contacts_below(judged);
     std::vector<TestedPair> pairs;

@@ -5,9 +5,8 @@
 
 namespace scb {
 
-/// What the tests of a judged query passed on and why, in the language of this project's own
-/// queries: of the tests that are in `frame`, its trace_frame. Nothing where the query tells no
-/// results.
+/// Attributes the tests of a judged query, like tests of this project's own queries. `frame` is the
+/// query's trace_frame; only its tests are attributed. Empty if the recording has no results.
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
                         const TraceHeader& header, const TraceFrame& frame);
 

@@ -33,7 +33,7 @@ std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const
                      &b = (*query.sides[1].tree)[nodes.b].volume;
     const double tolerance = tolerance_of(query, nodes);
     const auto found = proven_verdict(a, b, b_to_a, tolerance);
-    // Of volumes that are smaller than the tolerance, touching says nothing.
+    // For volumes smaller than the tolerance, touching means nothing.
     if (found && found->contact == Contact::touching)
         for (const NodeVolume* volume : {&a, &b})
             if (const double size = diameter(convex_shape(*volume)); size > 0 && size <= tolerance)
@@ -41,8 +41,8 @@ std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const
     return found;
 }
 
-/// Of more pairs of a query that were not reported nobody asks why: each takes microseconds, and a
-/// query that reports nothing misses millions.
+/// The number of unreported pairs to examine. Each takes microseconds, and a query that reports
+/// nothing misses millions.
 constexpr std::size_t most_looked_into = 100'000;
 
 class Judge {
@@ -102,7 +102,7 @@ class Judge {
             case Kind::items_meet:
                 return take_items(i, event);
             case Kind::pair:
-                // Where no tests of items are told, as of objects, nothing but this tells it.
+                // Without tests of triangles, only the reported pair shows that items below meet.
                 if (!have_meshes(query_) || !query_.tells_items)
                     mark_above(links_.led_to_items({event.a, event.b}));
                 return report(i, event);
@@ -139,13 +139,13 @@ class Judge {
         });
     }
 
-    /// Triangles of one mesh that share a vertex are no pair, whatever a test says of them.
+    /// Triangles of one mesh that share a vertex are never a pair, regardless of their test.
     bool are_neighbours(IndexPair items) const {
         return self_ && self_->share_vertex(items.a, items.b);
     }
 
-    /// Vertices that stand closer to each other than the engine's numbers can tell: whether it has
-    /// joined them is not known.
+    /// Whether vertices are too close for the engine's numbers to tell apart, so that the engine
+    /// may have joined them.
     bool may_be_neighbours(IndexPair items) const {
         const double unit = query_.single ? 0x1p-22 : 0x1p-51;
         return self_ && self_->may_share_vertex(
@@ -154,7 +154,7 @@ class Judge {
                                      unit * query_.sides[0].stretch * query_.sides[0].mesh_reach));
     }
 
-    /// There is a pair below this test.
+    /// Marks a test, and the tests above it, since a pair was found below.
     void mark_above(std::uint32_t test) {
         for (; test != no_index && !result_.tests[test].meets; test = result_.tests[test].parent)
             result_.tests[test].meets = true;
@@ -174,8 +174,8 @@ class Judge {
 
     void report(std::uint32_t i, const EngineEvent& event) {
         if (!reported_.insert(pair_key(query_, event.a, event.b)).second) {
-            // Of a body against itself, a pair and the same the other way round are one.
-            // Of a triangle in several leaves, each leaf may lead to a test.
+            // In a self query, both orders of a pair are one pair.
+            // A triangle in several leaves may be tested once per leaf.
             if (!query_.tells_pairs) return;
             if (!query_.self || event.a == event.b ||
                 !ordered_.insert(std::uint64_t{event.a} << 32 | event.b).second)
@@ -188,7 +188,7 @@ class Judge {
     }
 
     void count_waste() {
-        // 1: below a pair that passed because of a weak test; 2: below one of loose volumes.
+        // 0: not wasted; 1: below a pair that a weak test passed; 2: below a pair of loose volumes.
         std::vector<std::uint8_t> within(result_.tests.size(), 0);
         const auto of = [&](std::uint32_t led) -> std::uint8_t {
             if (led == no_index) return 0;
@@ -217,14 +217,14 @@ class Judge {
             }
             ++looked;
             if (is_interrupted(looked)) return;
-            // That the extents of two objects overlap does not prove their own test wrong.
+            // Overlapping extents do not prove that the test of two objects was wrong.
             if (has_object_volumes(query_))
                 if (const auto tested = item_tests_.find(pair_key(query_, contact.a, contact.b));
                     tested != item_tests_.end() &&
                     query_.events[tested->second.event].kind == Kind::items_apart)
                     continue;
             const ItemContact exact = contact_of(query_, query_.b_to_a, contact);
-            // Their sweep has the tolerance of the largest object.
+            // object_contacts uses the tolerance of the largest volumes.
             if (has_object_volumes(query_) && !exact.meet && !exact.grazing) continue;
             if (is_hidden(contact) || exact.grazing) {
                 ++result_.grazing;
@@ -236,7 +236,7 @@ class Judge {
         }
     }
 
-    /// A triangle without an area that no leaf has, or two that the engine may take for neighbours.
+    /// Whether a triangle has no area and no leaf, or the engine may take the two for neighbours.
     bool is_hidden(IndexPair contact) const {
         if (!have_meshes(query_)) return false;
         const auto dropped = [](const EngineSide& side, std::uint32_t item) {
@@ -247,7 +247,7 @@ class Judge {
                may_be_neighbours(contact);
     }
 
-    /// A broadphase may report objects by the boxes of its leaves, which are larger than theirs.
+    /// A broadphase may report objects by the boxes of their leaves, which exceed the objects.
     bool leaves_meet(IndexPair items) const {
         if (!has_object_volumes(query_)) return false;
         const IndexPair leaves{query_.sides[0].shape->holder_of(items.a),
@@ -306,13 +306,13 @@ class Judge {
     const std::function<bool()>& go_on_;
     QueryJudgement result_;
     TestLinks links_;
-    std::optional<SelfPairs> self_;  ///< of triangles of a body against itself
+    std::optional<SelfPairs> self_;  ///< set in a self query of triangles
     // By pair_key: lookups only.
-    std::unordered_map<std::uint64_t, ItemTest> item_tests_;  ///< the first
+    std::unordered_map<std::uint64_t, ItemTest> item_tests_;  ///< the first test of each pair
     std::unordered_set<std::uint64_t> reported_;
-    std::unordered_set<std::uint64_t> ordered_;  ///< of a body against itself: as reported
-    std::vector<std::uint32_t> order_, twice_;   ///< reports
-    /// Per test of items the test of volumes that led to it.
+    std::unordered_set<std::uint64_t> ordered_;  ///< in a self query: as reported
+    std::vector<std::uint32_t> order_, twice_;   ///< events: first reports, repeated reports
+    /// Per test of items, the test of volumes that led to it.
     std::vector<std::uint32_t> item_parent_;
 };
 

@@ -10,140 +10,138 @@
 
 namespace scb {
 
-/// What a test of two volumes is worth, by the exact verdict on the engine's own volumes.
+/// How a recorded test of two volumes compares with the exact verdict on the recorded volumes.
 enum class TestVerdict : std::uint8_t {
     right,
-    false_positive,  ///< it passed volumes that are disjoint
-    wrong,           ///< it rejected volumes that overlap
-    unjudged,        ///< one of the nodes is unknown or has no volume
+    false_positive,  ///< passed disjoint volumes
+    wrong,           ///< rejected overlapping volumes
+    unjudged,        ///< no proven verdict, for example because a node is unknown or has no volume
 };
 
 struct JudgedTest {
     std::uint32_t event = 0;          ///< index into EngineQuery::events
     IndexPair nodes;                  ///< indices; no_index: a node that the tree does not have
-    std::uint32_t parent = no_index;  ///< the judged test that led to it, as far as one can tell
+    std::uint32_t parent = no_index;  ///< the judged test that led to it, recorded or inferred
     TestVerdict verdict = TestVerdict::unjudged;
-    bool repeated = false;  ///< the query made it before
-    bool meets = false;     ///< triangles below it intersect, as far as the query came
-    /// Gap or depth of the volumes, at least; 0 where they touch.
+    bool repeated = false;  ///< the query had made the test before
+    bool meets = false;     ///< the query found items that meet below it
+    /// A lower bound of the gap or depth of the volumes; 0 if they touch.
     double margin = 0;
 };
 
-/// Why a pair that intersects is not among those that were reported, or one that does not is. From
-/// `reported_in_spite` on it is the latter.
+/// Why a pair that intersects was not reported or, from `reported_in_spite` on, why a reported pair
+/// is wrong.
 enum class PairCause : std::uint8_t {
     no_tree,            ///< no node of the tree was recorded
-    in_no_leaf,         ///< no node that a root leads to has the triangle
+    in_no_leaf,         ///< no reachable node has the triangle
     not_contained,      ///< rejected at a node that does not contain the triangle
-    bad_volume,         ///< rejected at a node whose volume is none
+    bad_volume,         ///< rejected at a node with an invalid volume
     rejected,           ///< rejected although the volumes overlap
     rejected_unproven,  ///< rejected by a test that is not proven wrong
-    never_visited,      ///< nodes overlapped, and what is below them was not tested
+    never_visited,      ///< the nodes overlapped, but nodes below them were not tested
     below_outside,      ///< no test was recorded, and a node above does not contain the triangle
-    below_bad_volume,   ///< no test was recorded, and a node above has a volume that is none
-    no_tests,           ///< the query has no tests of volumes, so that the cause is not known
-    never_tested,       ///< no test of two nodes that have them below was recorded
-    items_not_tested,   ///< the leaves overlapped, and the triangles were not tested
-    items_apart,        ///< the test of the two triangles said that they are apart
-    not_reported,       ///< it said that they meet, but the pair was not reported
-    reported_in_spite,  ///< reported although the test of the two triangles said that they are
-                        ///< apart
-    items_meet,         ///< the test of the two triangles said that they meet
+    below_bad_volume,   ///< no test was recorded, and a node above has an invalid volume
+    no_tests,           ///< the query has no tests of volumes, so the cause is unknown
+    never_tested,       ///< no test of two nodes above the pair was recorded
+    items_not_tested,   ///< the leaves overlapped, but the triangles were not tested
+    items_apart,        ///< the test of the two triangles found them apart
+    not_reported,       ///< the test found that they meet, but the pair was not reported
+    reported_in_spite,  ///< reported although the test of the two triangles found them apart
+    items_meet,         ///< the test of the two triangles found that they meet
     reported_untested,  ///< reported without a test
-    neighbours,         ///< of one mesh: they have a vertex in common and meet nowhere else
-    unknown_item,       ///< one of the two does not exist
+    neighbours,         ///< in one mesh: the triangles share a vertex and meet nowhere else
+    unknown_item,       ///< one of the two items does not exist
     reported_twice,
 };
 inline constexpr std::size_t pair_cause_count = 20;
 inline bool is_missed(PairCause cause) { return cause < PairCause::reported_in_spite; }
 
-/// A pair of items that is missed or false, and why.
+/// A pair of items that was missed or wrongly reported, and the cause.
 struct PairProblem {
     IndexPair items;
     PairCause cause{};
-    /// The numbers of the nodes at which it went wrong; no_index where that says nothing.
+    /// The numbers of the nodes at fault; no_index if unknown or not applicable.
     IndexPair nodes{no_index, no_index};
-    /// Of never_visited: the numbers of the next nodes on the way to the pair.
+    /// never_visited: the numbers of the next nodes on the way to the pair.
     IndexPair next{no_index, no_index};
-    std::uint32_t event = no_index;  ///< at which it went wrong
-    /// The judged test that the event is or, of a test of items, that of their nodes.
+    std::uint32_t event = no_index;  ///< index of the event at fault
+    /// The judged test of this event or, for a test of items, the judged test that led to it.
     std::uint32_t test = no_index;
-    std::uint32_t side = 0;  ///< of in_no_leaf and not_contained: whose triangle and node
-    double amount = 0;       ///< of not_contained: how far the triangle is outside
-    /// Of not_contained: the node below that one, nearest to the triangle, that does not contain it
+    std::uint32_t side = 0;  ///< side of the triangle and node at fault: 0 for A, 1 for B
+    double amount = 0;       ///< how far the triangle is outside of the node, if not contained
+    /// not_contained: the number of the deepest node below that does not contain the triangle
     /// either; no_index: none.
     std::uint32_t deepest = no_index;
 
     friend bool operator==(const PairProblem&, const PairProblem&) = default;
 };
 
-/// A test of two items that erred, and not just within the tolerance.
+/// A test of two items that was wrong by more than the tolerance.
 struct WrongItemTest {
     std::uint32_t event = 0;        ///< index into EngineQuery::events
-    std::uint32_t test = no_index;  ///< the judged test of the nodes that have them
-    double margin = 0;              ///< gap or depth of the two triangles
-    bool strayed = false;           ///< no test of the nodes that have them came before it
-    bool unknown = false;           ///< one of the two does not exist
+    std::uint32_t test = no_index;  ///< the judged test that led to it
+    double margin = 0;              ///< gap or depth of the two items
+    bool strayed = false;  ///< no nodes that hold the items were tested with each other before
+    bool unknown = false;  ///< one of the two items does not exist
 };
 
-/// Of the tests that led to others, those that led to tests of some children of a node but not of
-/// one that overlaps what stands against it, see check_divisions.
+/// Counts of tests that divided a node (`divided`), and of those that skipped an overlapping child
+/// (`lacking`); see check_divisions.
 struct DivisionCounts {
     struct Lack {
         std::uint32_t test = no_index;  ///< the judged test
-        std::uint32_t side = 0;         ///< whose node was divided
-        std::uint32_t child = 0;        ///< the number of the first that was not tested
-        std::uint32_t place = 0;        ///< which of the children that is, from 0
+        std::uint32_t side = 0;         ///< side of the divided node: 0 for A, 1 for B
+        std::uint32_t child = 0;        ///< the number of the first skipped child
+        std::uint32_t place = 0;        ///< index of this child among the children, from 0
     };
     std::uint64_t divided = 0, lacking = 0;
     Lack first;
-    bool alike = true;  ///< all lack the child in the same place
+    bool alike = true;  ///< all skip the child at the same place of the same side
 };
 
-/// A query, judged.
+/// The judgement of a query.
 struct QueryJudgement {
     std::vector<JudgedTest> tests;  ///< of volumes, in order
     std::uint64_t item_tests = 0;
     std::vector<WrongItemTest> wrong_item_tests;
-    /// Tests of items that are neither in the two leaves tested before nor in others that were,
-    /// with the test before. Without those of wrong_item_tests.
+    /// Tests of items that are not in the two leaves that overlapped last, nor in other leaves that
+    /// were tested; with the judged test before. Tests in wrong_item_tests are left out.
     std::vector<WrongItemTest> stray_item_tests;
-    std::uint64_t reported = 0;  ///< pairs, each once
+    std::uint64_t reported = 0;  ///< pairs, repeated ones once
     std::uint64_t exact = 0;     ///< pairs that intersect
-    /// Of a query whose results were not recorded: pairs that intersect.
+    /// Pairs that intersect, if the results of the query were not recorded.
     std::uint64_t without_results = 0;
-    std::uint64_t grazing = 0;         ///< reported or not, within the tolerance: not judged
-    std::uint64_t grazing_missed = 0;  ///< those that intersect exactly and were not reported
+    std::uint64_t grazing = 0;         ///< pairs within the tolerance, reported or not: not judged
+    std::uint64_t grazing_missed = 0;  ///< of these, pairs that intersect and were not reported
     IndexPair first_grazing;           ///< the first of these
-    std::uint64_t unknown_objects = 0, objects = 0;  ///< without an extent, of how many
+    std::uint64_t unknown_objects = 0, objects = 0;  ///< objects without a volume, of how many
     bool interrupted = false;
-    std::uint64_t broken = 0;        ///< reported, of triangles that are not finite: not judged
-    DivisionCounts divisions;        ///< of a complete query
-    std::vector<PairProblem> pairs;  ///< missed ones by their items, then false ones in order
-    /// Pairs that were not reported, beyond the first 100,000: whether they only touch, and why
-    /// they were missed, is not known.
+    std::uint64_t broken = 0;        ///< reported pairs of non-finite triangles: not judged
+    DivisionCounts divisions;        ///< if the query is complete
+    std::vector<PairProblem> pairs;  ///< missed pairs by their items, then wrong reports in order
+    /// Unreported pairs beyond the first 100,000, which are not examined: they may only touch.
     std::uint64_t not_looked_into = 0;
-    /// Tests of volumes and of items that a pair led to which passed although its volumes are
-    /// disjoint (weak), or although no triangles below it intersect (loose).
+    /// Tests of volumes and items below a pair that passed although its volumes are disjoint
+    /// (weak), or although no triangles below it intersect (loose).
     std::uint64_t wasted_weak = 0, wasted_loose = 0;
 
     std::uint64_t count(TestVerdict verdict) const;
     std::uint64_t repeated() const;
 };
 
-/// Whether enough is known of its items to judge its results: both sides have triangles, or objects
-/// as of has_object_volumes.
+/// Whether the items are known well enough to judge results: both sides have triangles, or objects
+/// that has_object_volumes accepts.
 bool has_known_items(const EngineQuery& query);
 
-/// Judges a query. `contacts` are all pairs of triangles that intersect, sorted, of finite
-/// triangles; of a body against itself those of SelfPairs; of objects those of object_contacts;
-/// empty where only one side has a mesh. O(tests) exact verdicts.
-/// `go_on` is asked from time to time; where it says no, the judgement ends there, interrupted.
+/// Judges a query, with O(tests) exact verdicts. `contacts`: all intersecting pairs of finite
+/// triangles, sorted; in a self query the pairs of SelfPairs; for objects the pairs of
+/// object_contacts; empty if only one side has a mesh. `go_on` is called from time to time; if it
+/// returns false, the judgement ends there, interrupted.
 QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts,
                            const std::function<bool()>& go_on = {});
 
-/// How many of its tests cannot have been made with this pose: they rejected volumes that overlap,
-/// passed ones that are disjoint, or erred about two triangles.
+/// The number of tests that contradict a pose: they rejected overlapping volumes, passed disjoint
+/// ones, or were wrong about two triangles.
 struct PoseFit {
     std::uint64_t wrong = 0;           ///< tests of volumes
     std::uint64_t wrong_items = 0;     ///< tests of triangles

@@ -7,9 +7,8 @@
 
 namespace scb {
 
-/// What level_overlaps counts of the trees of an engine's query, by the exact verdict: volumes that
-/// touch overlap, and so does a node without a volume. Nothing, where a body is tested against
-/// itself, or its pose is not rigid.
+/// level_overlaps of an engine's two trees, by the exact verdict. Volumes that touch, and nodes
+/// without a volume, count as overlapping. Empty for a self query, and if a pose is unusable.
 std::vector<std::size_t> level_overlaps(const EngineQuery& query, std::size_t most);
 
 }  // namespace scb

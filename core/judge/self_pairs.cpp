@@ -13,14 +13,14 @@
 namespace scb {
 namespace {
 
-/// The distance of the edge between two corners from a triangle; 0 where they meet.
+/// The distance of an edge from a triangle; 0 if they meet.
 double edge_gap(const Vec3& from, const Vec3& to, const TriangleCorners& triangle) {
     const TriangleCorners edge{from, to, to};
     return triangles_overlap(edge, triangle) ? 0 : triangle_gap(edge, triangle);
 }
 
-/// Two triangles with the edge from c[0] to c[1] in common: whether the free corners lie on one
-/// side of it, and are nearer than `tolerance` to each other's plane.
+/// For two triangles with a common edge from corner 0 to corner 1: whether the free corners lie on
+/// one side of it, and one is within `tolerance` of the other triangle's plane.
 bool fold_together(const TriangleCorners& a, const TriangleCorners& b, double tolerance) {
     const Vec3 edge = a[1] - a[0], to_a = a[2] - a[0], to_b = b[2] - b[0];
     const double square = squared_norm(edge);
@@ -28,7 +28,7 @@ bool fold_together(const TriangleCorners& a, const TriangleCorners& b, double to
     const Vec3 up_a = to_a - edge * (dot(edge, to_a) / square),
                up_b = to_b - edge * (dot(edge, to_b) / square);
     if (dot(up_a, up_b) < 0) {
-        // They lean away from each other, by more than the tolerance.
+        // They lean away from each other, unless one is flat within the tolerance.
         return std::sqrt(squared_norm(up_a)) <= tolerance ||
                std::sqrt(squared_norm(up_b)) <= tolerance;
     }

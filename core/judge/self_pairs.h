@@ -8,28 +8,28 @@
 
 namespace scb {
 
-/// Which pairs of triangles of one mesh count as intersecting: vertices at equal positions are
-/// joined (0 and -0 are equal), and triangles that have a joined vertex in common are no pair.
+/// The pairs of triangles of one mesh that count as intersecting. Vertices at equal positions are
+/// joined (0 equals -0), and triangles that share a joined vertex are no pair.
 class SelfPairs {
   public:
-    /// Both must outlive this. `rest` has the same vertices at the positions that join them: of a
-    /// mesh that changes, vertices may meet later that are not one. Vertices of triangles that are
-    /// asked for must be finite.
+    /// Both meshes must outlive this object. `rest` is the mesh in the state that decides which
+    /// vertices are joined: in a mesh that deforms, separate vertices may meet later. The vertices
+    /// of triangles passed to the members must be finite.
     SelfPairs(const Mesh& mesh, const Mesh& rest);
     explicit SelfPairs(const Mesh& mesh) : SelfPairs(mesh, mesh) {}
 
-    /// Whether a corner of one is nearer than `distance` to a corner of the other, which is not the
-    /// same vertex: an engine may have joined the two, or not.
+    /// Whether a corner of one triangle is within `distance` of an unjoined corner of the other. An
+    /// engine may or may not have joined the two.
     bool may_share_vertex(std::uint32_t i, std::uint32_t j, double distance) const;
     bool share_vertex(std::uint32_t i, std::uint32_t j) const;
-    /// Whether two triangles that share a vertex come nearer than `tolerance` to each other in any
-    /// other place: then it depends on the engine's own rule whether they are a pair.
+    /// Whether two triangles that share a vertex come within `tolerance` of each other at another
+    /// place. Whether they are a pair then depends on the engine's rule.
     bool may_meet_elsewhere(std::uint32_t i, std::uint32_t j, double tolerance) const;
-    /// All pairs, i < j, sorted. The hierarchy is of the same mesh.
+    /// All pairs with i < j, sorted. `hierarchy` must be of the same mesh.
     std::vector<IndexPair> all(const Hierarchy<Obb>& hierarchy) const;
 
   private:
-    /// The corners of both, the shared ones first, and how many these are.
+    /// Fetches the corners of both triangles, shared ones first; returns the number of shared ones.
     std::size_t arrange(std::uint32_t i, std::uint32_t j, TriangleCorners& of_i,
                         TriangleCorners& of_j) const;
 

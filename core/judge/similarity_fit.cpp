@@ -17,14 +17,14 @@ using Mat4 = Eigen::Matrix<double, 4, 4>;
 using Vec7 = Eigen::Matrix<double, 7, 1>;
 using Mat7 = Eigen::Matrix<double, 7, 7>;
 
-/// A face of a volume, and the vertices that are below its node.
+/// A face of a leaf's volume, and the vertices of the leaf's triangles.
 struct Face {
     Vec3 normal;
     double offset = 0;
     const std::vector<std::uint32_t>* vertices = nullptr;
 };
 
-/// Of more leaves, some are enough.
+/// If there are more leaves, a sample of them is enough.
 constexpr std::size_t most_leaves = 4'000;
 
 Mat3 rotation_of(const Vec4& q) {
@@ -36,13 +36,13 @@ Mat3 rotation_of(const Vec4& q) {
     return m;
 }
 
-/// A rotation about v, for small v by |v|.
+/// The rotation about v by about |v| radians, for small v.
 Mat3 rotation_near(const Vec3& v) {
     const Vec4 q(1, v[0] / 2, v[1] / 2, v[2] / 2);
     return rotation_of(q / q.norm());
 }
 
-/// The rotation, scale and shift that take points nearest to others, by least squares.
+/// The similarity that takes the points `from` nearest to the points `to`, by least squares.
 Similarity nearest_map(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
     Vec3 middle_from = Vec3::Zero(), middle_to = Vec3::Zero();
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -64,7 +64,7 @@ Similarity nearest_map(const std::vector<Vec3>& from, const std::vector<Vec3>& t
     k.block<1, 3>(0, 1) = z.transpose();
     k.block<3, 1>(1, 0) = z;
     k.block<3, 3>(1, 1) = b + b.transpose() - trace * Mat3::Identity();
-    // Shifted, so that the largest eigenvalue is the one of the largest magnitude.
+    // The shift gives the largest eigenvalue the largest magnitude, for the power iteration.
     const double shift = k.cwiseAbs().sum();
     for (int i = 0; i < 4; ++i) k(i, i) += shift;
     Vec4 best(1, 0.1, 0.01, 0.001);
@@ -119,7 +119,7 @@ class Fit {
                 {face.normal, face.offset + dot(face.normal, shape.center), &vertices_[place]});
     }
 
-    /// A step of Gauss and Newton; false where it changes nothing any more.
+    /// One Gauss-Newton step; false once it changes nothing.
     bool improve(Similarity& map) const {
         Mat7 normal = Mat7::Zero();
         Vec7 right = Vec7::Zero();
@@ -151,7 +151,7 @@ class Fit {
     const Mesh& mesh_;
     std::vector<std::vector<std::uint32_t>> vertices_;  ///< per leaf
     std::vector<Face> faces_;
-    std::vector<Vec3> from_, to_;  ///< middles of leaves: of their triangles, and of their volumes
+    std::vector<Vec3> from_, to_;  ///< middles of leaves: of their triangles, of their volumes
 };
 
 std::string axis_words(const Vec3& axis) {
@@ -177,7 +177,7 @@ std::string words_of(const Similarity& map, double reach, double tolerance) {
                  angle = cosine < 0 ? std::numbers::pi - acute : acute;
     if (angle * reach > tolerance) {
         if (sine > 1e-9) axis /= 2 * sine;
-        // By half a turn: the column of R + I with the longest side.
+        // For half a turn, the axis is the longest column of R + I.
         if (!(sine > 1e-9))
             for (int i = 0; i < 3; ++i) {
                 const Vec3 column = m.col(i) + Vec3::Unit(i);

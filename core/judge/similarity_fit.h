@@ -25,8 +25,8 @@ struct Similarity {
 std::optional<Similarity> fit_similarity(const EngineNodes& tree, const TreeShape& shape,
                                          const Mesh& mesh);
 
-/// "a rotation by 35 degrees about z, a scale by 2 and a shift by (0, 0, 1)"; what moves nothing by
-/// more than `tolerance`, of a mesh that reaches so far, is left out.
+/// "a rotation by 35 degrees about z, a scale by 2 and a shift by (0, 0, 1)". Parts that move no
+/// point of a mesh of this reach by more than `tolerance` are left out.
 std::string words_of(const Similarity& map, double reach, double tolerance);
 
 }  // namespace scb

@@ -26,7 +26,7 @@ TestLinks::Link TestLinks::take_volumes(IndexPair nodes, bool overlap, std::uint
     return link;
 }
 
-/// The test of the parents, or of one node and the parent of the other: the latest.
+/// The latest test of both parents, or of one node and the parent of the other.
 std::uint32_t TestLinks::led_to(IndexPair nodes) const {
     const std::uint32_t above_a = query_.sides[0].shape->parents[nodes.a],
                         above_b = query_.sides[1].shape->parents[nodes.b];
@@ -70,7 +70,7 @@ std::optional<std::uint32_t> TestLinks::test_of_items(IndexPair items) const {
         for (const std::uint32_t a : of_a)
             for (const std::uint32_t b : of_b) take({a, b});
     } else {
-        // Of items in many leaves, only the tests that were made are looked at.
+        // For items in many leaves, go through the recorded tests, not through all pairs of leaves.
         if (!std::exchange(has_against_, true))
             for (const auto& [key, index] : tests_)
                 against_[static_cast<std::uint32_t>(key >> 32)].push_back(

@@ -7,7 +7,7 @@
 namespace scb {
 namespace {
 
-/// Intervals along the axes of a box, from its center.
+/// Intervals along the axes of a box, relative to its center.
 struct Extents {
     Vec3 lower = Vec3::Constant(HUGE_VAL), upper = Vec3::Constant(-HUGE_VAL);
 
@@ -30,7 +30,7 @@ struct Extents {
 
 const Obb* box_of(const NodeVolume& volume) { return std::get_if<Obb>(&volume); }
 
-/// Beyond so many steps, oriented boxes are left as they are.
+/// Oriented boxes stay unchanged if they would take more steps than this.
 constexpr std::uint64_t most_steps = 20'000'000;
 
 bool is_along_axes(const Obb& box) { return box.axes == Mat3::Identity(); }
@@ -48,7 +48,7 @@ void for_each_item(const EngineSide& side, std::uint32_t node, Add&& add) {
     }
 }
 
-/// Per node, along the axes of its box.
+/// Per node, the extents of the items below it along the axes of its box.
 std::vector<Extents> extents_below(const EngineSide& side) {
     const EngineNodes& tree = *side.tree;
     const TreeShape& shape = *side.shape;
@@ -90,7 +90,7 @@ TightBoxes tight_boxes(const EngineSide& side) {
         const Extents& of = extents[node];
         if (!box || !(of.lower[0] <= of.upper[0])) continue;
         Obb tight = *box;
-        // What is outside of the box stays outside.
+        // Items outside of the box stay outside.
         const Vec3 lower = of.lower.cwiseMax(-box->half).cwiseMin(box->half),
                    upper = of.upper.cwiseMin(box->half).cwiseMax(lower);
         for (int i = 0; i < 3; ++i)
@@ -106,7 +106,7 @@ TightBoxes tight_boxes(const EngineSide& side) {
 
 std::uint64_t tests_with(const EngineQuery& query, std::span<const JudgedTest> tests,
                          const TightBoxes& of_a, const TightBoxes& of_b) {
-    // Whether the query would come to what is below a test.
+    // Whether the query would go on below a test.
     std::vector<bool> passes(tests.size(), false);
     std::uint64_t made = 0;
     for (std::size_t i = 0; i < tests.size(); ++i) {

@@ -4,20 +4,20 @@
 
 namespace scb {
 
-/// The boxes of a tree, each drawn in to the triangles, or to the extents of objects, that are
-/// below its node; other volumes as they are.
+/// The volumes of a tree, with each box shrunk along its own axes to the triangles, or the extents
+/// of objects, below its node. Other volumes are unchanged.
 struct TightBoxes {
     std::vector<NodeVolume> volumes;  ///< per node
-    std::uint64_t boxes = 0;          ///< nodes that have one, and something below
-    std::uint64_t loose = 0;          ///< those of which a side is over 1.5 times what is needed
+    std::uint64_t boxes = 0;          ///< boxes with something below
+    std::uint64_t loose = 0;  ///< boxes with a side too long by over half the longest needed side
 };
 
-/// O(n) of boxes along the axes; of others O(n depth), up to some seconds of work, and then as they
-/// are.
+/// O(n) for boxes along the axes, O(n depth) for others. Oriented boxes stay unchanged if they
+/// would take more than some seconds.
 TightBoxes tight_boxes(const EngineSide& side);
 
-/// How many tests of volumes the query would have made, in its own order, if its nodes had these
-/// volumes: those that no test with disjoint volumes leads to. `tests` are those of the query.
+/// The number of tests of volumes that the query would make if its nodes had these volumes. Tests
+/// below a pair of disjoint volumes fall away. `tests`: the judged tests of the query.
 std::uint64_t tests_with(const EngineQuery& query, std::span<const JudgedTest> tests,
                          const TightBoxes& of_a, const TightBoxes& of_b);
 

@@ -17,7 +17,7 @@ Box box_of(const Mesh& mesh, std::uint32_t triangle) {
     return box;
 }
 
-/// How far the farthest corner of the box is outside.
+/// How far the farthest corner of the box is outside of the volume.
 double excess(const NodeVolume& volume, const Box& box) {
     double most = -HUGE_VAL;
     for (int corner = 0; corner < 8; ++corner) {
@@ -48,7 +48,7 @@ double reach_beyond(const ConvexShape& parent, const ConvexShape& child) {
     if (!parent.faces.empty()) return most;
     for (const Vec3& d : touching_directions()) {
         try_direction(d);
-        // Of a ball, the point of the child that is farthest from its center.
+        // If the parent is a ball, the direction of a far point of the child shows more.
         const Vec3 farthest = moved + child.support_point(d);
         if (const double length = std::sqrt(squared_norm(farthest)); length > 0)
             try_direction(farthest / length);
@@ -58,7 +58,7 @@ double reach_beyond(const ConvexShape& parent, const ConvexShape& child) {
 
 namespace {
 
-/// Per node its worst problem.
+/// The worst problem of each node.
 struct Worst {
     const EngineNodes& tree;
     std::vector<TreeProblem> problems;
@@ -134,7 +134,7 @@ void check_triangles(const EngineNodes& tree, const TreeShape& shape, const Mesh
     const auto is_whole = [&](std::uint32_t item) {
         return item < mesh.triangles.size() && !split[item] && has_finite_corners(mesh, item);
     };
-    // From the leaves up: the box of all below, which settles most nodes.
+    // From the leaves up: the box of all items below settles most nodes.
     std::vector<Box> boxes(tree.size());
     std::vector<bool> open(tree.size(), false);
     for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
@@ -164,7 +164,7 @@ void check_triangles(const EngineNodes& tree, const TreeShape& shape, const Mesh
 /// Of a tree whose items are objects.
 void check_objects(const EngineNodes& tree, const TreeShape& shape, NodeTolerance tolerance,
                    Worst& worst, UnjudgedVolumes& unjudged) {
-    // From the leaves up: the box of all extents below, which settles most nodes.
+    // From the leaves up: the box of all extents below settles most nodes.
     std::vector<Box> boxes(tree.size());
     std::vector<bool> open(tree.size(), false);
     for (auto i = shape.order.rbegin(); i != shape.order.rend(); ++i) {
@@ -233,7 +233,7 @@ void check_children(const EngineNodes& tree, const TreeShape& shape, NodeToleran
     }
 }
 
-/// The first that is not finite.
+/// The first vertex that is not finite.
 std::uint32_t broken_vertex(const Mesh& mesh, std::uint32_t item) {
     for (const std::uint32_t vertex : mesh.triangles[item])
         if (!is_usable(mesh.vertices[vertex])) return vertex;
@@ -273,11 +273,11 @@ std::vector<TreeProblem> check_shape(const EngineNodes& tree, const TreeShape& s
             add(TreeFault::dropped, node.number, parent);
         else if (parent != no_index && tree[lister[i]].number != parent)
             add(TreeFault::wrong_parent, node.number, parent);
-        // No root leads to it, or only because one has to begin somewhere.
+        // No root reaches the node, or it is the arbitrary start of a cycle.
         const bool is_entered = shape.depths[i] != no_index && shape.depths[i] > 0;
         if (!is_entered && lister[i] != no_index) add(TreeFault::unreachable, node.number);
     }
-    // Of a tree without nodes nothing is known.
+    // Nothing is known about a tree without nodes.
     if (!mesh || tree.size() == 0) return problems;
 
     const auto count = static_cast<std::uint32_t>(mesh->triangles.size());
@@ -311,7 +311,7 @@ std::vector<TreeProblem> check_volumes(const EngineNodes& tree, const TreeShape&
     }
     if (unjudged) *unjudged = not_judged;
     for (const std::uint32_t i : shape.order) {
-        // Of a leaf without items the volume may be empty, or none.
+        // A leaf without items may have an empty volume, or none.
         if (shape.is_leaf(i) && tree.items(i).empty() && !worst.found[i]) continue;
         if (!tree.volume_fault(i).empty())
             worst.problems[i] = {TreeFault::bad_volume, tree[i].number};

@@ -7,18 +7,18 @@
 
 namespace scb {
 
-/// What can be wrong with a tree. Up to `no_volume` it is its shape and does not change from frame
-/// to frame.
+/// What can be wrong with a tree. The faults before `bad_volume` concern its links and items, see
+/// check_shape.
 enum class TreeFault {
     told_twice,        ///< `node` was described before
     missing_child,     ///< `node` lists `other`, which is not described
     listed_twice,      ///< `node` is a child of two nodes, or of its own descendant: `other` is the
                        ///< second that lists it
-    wrong_parent,      ///< `node` says that its parent is `other`, and another lists it
-    dropped,           ///< `node` says that its parent is `other`, which does not list it
-    unreachable,       ///< no root leads to `node`, which is in or below a cycle
-    triangle_nowhere,  ///< no node that a root leads to has `item`
-    triangle_unknown,  ///< `node` has `item`, which the mesh does not
+    wrong_parent,      ///< `node` names `other` as its parent, but another node lists it
+    dropped,           ///< `node` names `other` as its parent, which does not list it
+    unreachable,       ///< `node` is not reachable from a root: it is in or below a cycle
+    triangle_nowhere,  ///< no reachable node has `item`
+    triangle_unknown,  ///< `node` has `item`, which the mesh does not have
     triangle_broken,   ///< `item` has the vertex `other`, which is not finite
     bad_volume,        ///< of `node`: see EngineNodes::volume_fault
     no_volume,         ///< `node` has none, where others do
@@ -30,10 +30,10 @@ inline constexpr std::size_t tree_fault_count = 13;
 
 struct TreeProblem {
     TreeFault fault{};
-    /// Numbers, as the tree has them; no_index where there is none.
+    /// Numbers of nodes, and an item; no_index if there is none.
     std::uint32_t node = no_index, other = no_index, item = no_index;
     double amount = 0;  ///< a length
-    /// Of outside: a node below this one misses each of the items, too.
+    /// `outside`: each of the items is also outside of a node below this one.
     bool inherited = false;
 
     friend bool operator==(const TreeProblem&, const TreeProblem&) = default;
@@ -43,7 +43,7 @@ struct TreeProblem {
 std::vector<TreeProblem> check_shape(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh* mesh);
 
-/// The length up to which an engine's arithmetic may be off, by the reach of a node's volume.
+/// The assumed rounding error of an engine, as a length, by the reach of a node's volume.
 struct NodeTolerance {
     double least = 0, share = 0;
 
@@ -53,34 +53,34 @@ struct NodeTolerance {
     double of(const EngineNode& node) const { return of(node.reach); }
 };
 
-/// What of the volumes of a tree could not be judged.
+/// The volumes of a tree that could not be judged.
 struct UnjudgedVolumes {
-    /// Leaves of objects whose own extents were not recorded, and how many leaves there are.
+    /// Leaves of objects whose extents were not recorded, and all leaves of objects.
     std::uint64_t leaves = 0, of_leaves = 0;
-    /// Boxes along the axes that do not contain what is below them, by more than one unit in the
-    /// last place of 32-bit numbers, but by less than the tolerance; by how much at most.
+    /// Boxes along the axes that miss items below them by more than a 32-bit unit in the last
+    /// place, but by less than the tolerance; and the greatest such length.
     std::uint64_t slightly_open = 0;
     double open_by = 0;
-    /// Triangles without an area that no leaf has.
+    /// Triangles without area that no leaf has.
     std::uint64_t dropped = 0;
-    /// Triangles in several leaves, see TriangleCover::undecided, and how many are in several.
+    /// Triangles in several leaves for which TriangleCover is undecided, and all in several leaves.
     std::uint64_t splits = 0, of_splits = 0;
 };
 
-/// Checks all volumes: that there are some, and that each contains, but for `tolerance`, the
-/// triangles of all nodes below it; of a tree without mesh, the volumes of its children, where a
-/// few directions tell, and the extents of objects. A triangle in several leaves must be in all of
-/// them together, see cover_of. One problem per node, that of the greatest amount; the nodes
-/// farthest from the root first. O(n) where the box of what is below shows that it is contained,
+/// Checks that all nodes have a volume, if one has, and that each volume contains, within
+/// `tolerance`, all triangles below its node. Without a mesh, checks the recorded extents of
+/// objects and, where they are missing, the boxes of child nodes. A triangle in several leaves must
+/// be covered by them together, see cover_of. Returns one problem per node, the one with the
+/// greatest amount, deepest nodes first. O(n) if boxes of the items show that all is contained,
 /// else O(n depth).
 std::vector<TreeProblem> check_volumes(const EngineNodes& tree, const TreeShape& shape,
                                        const Mesh* mesh, NodeTolerance tolerance,
                                        UnjudgedVolumes* unjudged = nullptr);
 
-/// How far the child reaches beyond the parent, at least.
+/// A lower bound of how far the child reaches beyond the parent.
 double reach_beyond(const ConvexShape& parent, const ConvexShape& child);
 
-/// A length, which may be infinite.
+/// The length in words; it may be infinite.
 std::string amount_words(double length);
 
 /// The problem as a sentence that begins with the node: "node 7 does not contain triangle 12 by

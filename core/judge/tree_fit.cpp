@@ -43,7 +43,7 @@ class Search {
         return true;
     }
 
-    /// Some leaves tell soon that a mesh does not fit, where a check of all nodes takes seconds.
+    /// A sample soon rules out most meshes, whereas a check of all nodes takes seconds.
     bool may_fit(const Mesh& mesh, double more) const {
         constexpr std::size_t most_looked = 400;
         const std::size_t every = shape_.order.size() / most_looked + 1;
@@ -89,7 +89,7 @@ class Search {
         return false;
     }
 
-    /// All volumes end where one box ends, and vertices are beyond it.
+    /// Tries common bounds: all volumes end at one box, and vertices lie beyond it.
     bool try_bounds() {
         Box all;
         for (const std::uint32_t node : shape_.order)
@@ -132,7 +132,7 @@ class Search {
         // The fit is as exact as the volumes' numbers.
         const double more = 1e-9 * reach_ * std::max(1.0, map->scale);
         const double negligible = 100 * std::max(tolerance_, more);
-        // Without what moves nothing.
+        // First without the parts that move nothing.
         Similarity simple = *map;
         if (std::abs(map->scale - 1) * reach_ <= negligible) simple.scale = 1;
         if ((map->rotation - Mat3::Identity()).cwiseAbs().maxCoeff() * reach_ <= negligible)

@@ -11,17 +11,17 @@
 
 namespace scb {
 
-/// One change of the triangles with which the nodes of a tree contain what is below them.
+/// A change of the mesh with which the nodes of a tree contain the triangles below them.
 struct TreeFit {
     std::string what;         ///< "a rotation by 35 degrees about z"
-    std::uint64_t nodes = 0;  ///< that contain with it what is below them
+    std::uint64_t nodes = 0;  ///< nodes that contain the triangles below them with it
     std::uint64_t of = 0;     ///< nodes with volumes
 };
 
-/// Another mesh of as many triangles that the tree may be of, and what it is called.
+/// Another mesh, with as many triangles, that the tree may have been built for, and its name.
 struct OtherMesh {
     std::string what;
-    std::function<Mesh()> mesh;  ///< made where the ones before it do not fit
+    std::function<Mesh()> mesh;  ///< called if no earlier mesh fits
 };
 
 /// Looks for one change of the mesh that explains why nodes do not contain what is below them:

@@ -38,7 +38,7 @@ void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& prob
         watched.kept_from = node.told_at;
     }
     if (added || !(problem.amount > watched.problem.amount)) return;
-    // Another volume than the stale one may be wrong, too.
+    // A newer volume than the stale one may be wrong, too.
     if (stale || node.told_at > watched.told_at) {
         watched.stale = stale;
         watched.told_at = node.told_at;
@@ -92,7 +92,7 @@ void TreeWatch::look(int frame, const WatchedTree& tree) {
 
 std::vector<WatchedProblem> TreeWatch::problems() const {
     std::vector<WatchedProblem> all = of_shape_, of_volumes = of_volumes_;
-    // Those of one look stand farthest from the root first.
+    // Problems of one look come deepest node first, and the sort keeps that order.
     std::stable_sort(of_volumes.begin(), of_volumes.end(),
                      [](const WatchedProblem& x, const WatchedProblem& y) {
                          if (x.problem.inherited != y.problem.inherited) return y.problem.inherited;

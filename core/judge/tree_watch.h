@@ -8,35 +8,35 @@
 
 namespace scb {
 
-/// A problem of a tree, and when it was there.
+/// A problem of a tree, and the frames that have it.
 struct WatchedProblem {
-    TreeProblem problem;      ///< of a volume: where it is worst
+    TreeProblem problem;      ///< a problem of a volume: as in its worst frame
     std::string words;        ///< a clause, see words_of
     int since = 0;            ///< the first frame
-    double since_amount = 0;  ///< of a volume: how large the problem was there
+    double since_amount = 0;  ///< a problem of a volume: its amount in that frame
     int worst_at = 0;         ///< the frame at which it is worst
-    /// An earlier frame had the same volume, which was right there or at most half as wrong.
+    /// An earlier frame had the same volume, and it was right then, or at most half as wrong.
     bool stale = false;
     int told_at = 0;           ///< the frame at which the wrong volume was recorded
-    std::uint64_t frames = 1;  ///< in how many of the frames that were looked at
-    int last = 0;              ///< the last of these
-    bool gaps = false;         ///< a frame between the first and the last one is without it
-    /// The node got other children or items at the first of these frames, and kept the volume of
-    /// the second; -1: it did not.
+    std::uint64_t frames = 1;  ///< number of checked frames with the problem
+    int last = 0;              ///< the last of these frames
+    bool gaps = false;         ///< a frame between the first and the last is without the problem
+    /// The frame at which the node got other children or items, and the earlier frame whose volume
+    /// it kept; -1: did not happen.
     int links_at = -1, kept_from = -1;
 };
 
-/// A tree to be checked, and how often what was recorded of it has changed.
+/// A tree to check, with counters of its recorded changes.
 struct WatchedTree {
     const EngineNodes& tree;
     const TreeShape& shape;
     const Mesh* mesh = nullptr;
     NodeTolerance tolerance = 0;
     int version = 0;         ///< counts changes of the shape
-    int volume_version = 0;  ///< counts changes of anything that decides what is contained
+    int volume_version = 0;  ///< counts changes of anything that affects containment
 };
 
-/// Checks a tree frame by frame. What did not change is not checked again.
+/// Checks a tree frame by frame. Unchanged parts are not checked again.
 class TreeWatch {
   public:
     void look(int frame, const WatchedTree& tree);
@@ -45,7 +45,8 @@ class TreeWatch {
     /// and inherited problems last. Of equal amounts, the node farthest from the root comes first.
     std::vector<WatchedProblem> problems() const;
     const UnjudgedVolumes& unjudged() const { return unjudged_; }
-    /// The most nodes that did not contain what is below them in a frame, and the first such frame.
+    /// The largest number of nodes in a frame that did not contain what is below them, and the
+    /// first such frame.
     std::size_t most_outside() const { return most_outside_; }
     int most_outside_at() const { return most_outside_at_; }
 
@@ -54,14 +55,14 @@ class TreeWatch {
     void note(int frame, const WatchedTree& tree, const TreeProblem& problem);
 
     int version_ = -1, volume_version_ = -1;
-    int looked_ = -1;  ///< frame
+    int looked_ = -1;  ///< the latest frame
     /// Fault, node, other and item of each problem of the shape.
     std::set<std::tuple<TreeFault, std::uint32_t, std::uint32_t, std::uint32_t>> known_shapes_;
     std::vector<WatchedProblem> of_shape_, of_volumes_;
     std::map<std::uint32_t, std::size_t> by_node_;  ///< number to index into of_volumes_
-    std::vector<std::size_t> present_;              ///< at the last look
-    std::map<std::uint32_t, double> amounts_;       ///< by number: at the last look
-    UnjudgedVolumes unjudged_;                      ///< the most of any look
+    std::vector<std::size_t> present_;         ///< indices into of_volumes_, at the latest look
+    std::map<std::uint32_t, double> amounts_;  ///< by node number, at the latest look
+    UnjudgedVolumes unjudged_;                 ///< the largest counts of any look
     std::size_t most_outside_ = 0;
     int most_outside_at_ = 0;
 };

@@ -11,7 +11,7 @@ namespace {
 
 using Polygon = std::vector<Vec3>;  // convex
 
-/// Beyond so many pieces nothing is decided.
+/// With more pieces than this, the cover is undecided.
 constexpr std::size_t most_pieces = 20'000;
 
 /// The points x with dot(normal, x) <= offset.
@@ -28,7 +28,7 @@ HalfSpace slab_plane(const Slab& slab, const Vec3& center, const Vec3& p) {
 
 double beyond(const HalfSpace& half, const Vec3& p) { return dot(half.normal, p) - half.offset; }
 
-/// A flat face of the volume that the point is farthest outside of, if it is outside of one.
+/// The flat face that the point is farthest outside of, if any.
 struct FaceBeyond {
     const Vec3& p;
     std::optional<HalfSpace> worst{};
@@ -62,7 +62,7 @@ struct FaceBeyond {
         for (const FacePlane& face : polytope->faces)
             take({face.normal, face.offset + dot(face.normal, polytope->center)});
         if (!polytope->faces.empty()) return;
-        // Of a hull of points: the plane that touches it where it is nearest.
+        // For a hull of points: the plane that touches it at the point nearest to `p`.
         const Vec3 away = p - nearest_point(*polytope, p);
         const double length = std::sqrt(squared_norm(away));
         if (!(length > 0)) return;
@@ -72,7 +72,7 @@ struct FaceBeyond {
             farthest = std::max(farthest, dot(normal, corner));
         take({normal, farthest + dot(normal, polytope->center)});
     }
-    /// Beyond the rectangle's edges.
+    /// The edges of the rectangle, moved outward by the radius.
     void operator()(const Rss& v) {
         for (const Vec3& side : v.half_sides) {
             const double length = std::sqrt(squared_norm(side));
@@ -86,9 +86,9 @@ struct FaceBeyond {
     void operator()(const Ball&) {}
     void operator()(const Capsule&) {}
 
-    /// By steps toward the farthest corner in the direction of the point, each of which shortens
-    /// the distance (Gilbert, "An Iterative Procedure for Computing the Minimum of a Quadratic Form
-    /// on a Convex Set", 1966).
+    /// The point of the polytope nearest to `p`. Each step goes toward the corner farthest in the
+    /// direction of `p`, and shortens the distance (Gilbert, "An Iterative Procedure for Computing
+    /// the Minimum of a Quadratic Form on a Convex Set", 1966).
     static Vec3 nearest_point(const Polytope& polytope, const Vec3& p) {
         Vec3 at = polytope.center + polytope.corners.front();
         for (int step = 0; step < 200; ++step) {
@@ -111,7 +111,7 @@ double outside(const LeafWay& way, const Vec3& p) {
     return most;
 }
 
-/// The part of the polygon on the inner side, and the rest; both have the points between.
+/// The parts of the polygon inside and outside of the half space; both have the points of the cut.
 std::array<Polygon, 2> cut(const Polygon& polygon, const HalfSpace& half) {
     std::array<Polygon, 2> parts;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -140,7 +140,7 @@ Vec3 middle_of(const Polygon& polygon) {
     return middle;
 }
 
-/// Across the longest edge.
+/// The half space of a cut across the middle of the longest edge.
 HalfSpace halving(const Polygon& polygon) {
     Vec3 along = Vec3::Zero(), middle = polygon[0];
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -173,7 +173,7 @@ class Cover {
     }
 
   private:
-    /// False: it has a point that is in no leaf.
+    /// False: the piece has a point that is in no leaf.
     bool take(const Polygon& piece) {
         const Vec3 middle = middle_of(piece);
         std::size_t of_middle = ways_.size();
@@ -191,7 +191,7 @@ class Cover {
         for (std::size_t i = 0; i < piece.size(); ++i)
             if (!in_some[i]) return leave_out(piece[i]);
         if (of_middle == ways_.size()) {
-            // The farthest point outside is nearer to a corner, perhaps.
+            // A point nearer to a corner may be farther outside.
             Vec3 farthest = middle;
             for (const Vec3& corner : piece)
                 for (const double share : {1e-3, 0.03, 0.1, 0.3}) {
@@ -200,7 +200,8 @@ class Cover {
                 }
             return leave_out(farthest);
         }
-        // Each corner is within the tolerance of a leaf, and no point is farther from a corner.
+        // Each corner is in a leaf within the tolerance, and no point is farther from a corner than
+        // that.
         if (extent(piece) <= tolerance_) return true;
         divide(piece, ways_[of_middle]);
         return true;
@@ -213,7 +214,7 @@ class Cover {
         return false;
     }
 
-    /// Which way the point is least outside of, and by how much.
+    /// The way that the point is least outside of, and by how much.
     std::pair<std::size_t, double> nearest_to(const Vec3& p) const {
         std::pair<std::size_t, double> nearest{0, HUGE_VAL};
         for (std::size_t k = 0; k < ways_.size(); ++k)
@@ -222,8 +223,8 @@ class Cover {
         return nearest;
     }
 
-    /// The way contains the middle of the piece: what is cut off is not in it, and the rest is
-    /// nearer to being so.
+    /// Cuts a piece along a face of a way that contains its middle. The part cut off is outside of
+    /// the way, and the rest is closer to being inside.
     void divide(const Polygon& piece, const LeafWay& way) {
         for (const Vec3& p : piece) {
             if (outside(way, p) <= tolerance_) continue;

@@ -7,13 +7,13 @@
 namespace scb {
 namespace {
 
-/// Leaves that a triangle may belong to, in all: more are not searched.
+/// The most steps of the search; finding candidates may take four times as many.
 constexpr std::size_t most_candidates = 4'000'000;
 
 struct Leaf {
-    Vec3 lower, upper;  ///< of its volume
+    Vec3 lower, upper;  ///< the box about its volume
     std::size_t places = 0;
-    std::vector<std::uint32_t> items, triangles;  ///< triangles: those that were given to it
+    std::vector<std::uint32_t> items, triangles;  ///< `triangles`: those assigned to it
 };
 
 class Order {
@@ -46,7 +46,7 @@ class Order {
         for (const Leaf& leaf : leaves_) places += leaf.places;
         if (places != count || !find_candidates()) return std::nullopt;
         leaf_of_.assign(count, leaves_.size());
-        // Those with the fewest choices first.
+        // Triangles with the fewest candidates first.
         std::vector<std::uint32_t> order(count);
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
@@ -71,7 +71,7 @@ class Order {
     }
 
   private:
-    /// Which leaves contain the box of each triangle.
+    /// Finds the leaves that contain the box of each triangle; false if that takes too long.
     bool find_candidates() {
         std::vector<std::uint32_t> by_x(lower_.size());
         std::iota(by_x.begin(), by_x.end(), 0u);
@@ -95,8 +95,8 @@ class Order {
         return true;
     }
 
-    /// Gives the triangle a leaf, perhaps that of another one, which gets a new one (Kuhn, "The
-    /// Hungarian Method for the Assignment Problem", 1955). The smallest leaf first.
+    /// Assigns the triangle to a leaf, perhaps by moving another triangle to another leaf (Kuhn,
+    /// "The Hungarian Method for the Assignment Problem", 1955).
     bool place(std::uint32_t triangle) {
         for (const bool moves_others : {false, true})
             for (const std::uint32_t k : candidates_[triangle]) {
@@ -123,7 +123,7 @@ class Order {
         return false;
     }
 
-    /// Whether most leaves end where what was given to them ends.
+    /// Whether most leaves fit their triangles tightly.
     bool are_tight() const {
         std::size_t tight = 0;
         for (const Leaf& leaf : leaves_) {

@@ -105,7 +105,7 @@ TreeShape tree_shape(const EngineNodes& tree, std::size_t items) {
             if (const std::uint32_t c = tree.index_of(child); c != no_index) listed[c] = true;
     for (std::uint32_t i = 0; i < size; ++i)
         if (!listed[i] && tree.parent(i) == no_index) shape.roots.push_back(i);
-    // A tree that only is a cycle is entered somewhere.
+    // A tree that is only a cycle is entered at an arbitrary node.
     if (shape.roots.empty() && size > 0) shape.roots.push_back(0);
 
     std::vector<std::uint32_t> left(shape.roots.rbegin(), shape.roots.rend());
@@ -130,7 +130,7 @@ TreeShape tree_shape(const EngineNodes& tree, std::size_t items) {
             left.push_back(c);
         }
     }
-    // Those of one item in the order of `order`.
+    // Nodes of one item stay in the order of `order`.
     std::stable_sort(shape.more_holders.begin(), shape.more_holders.end(),
                      [](const auto& x, const auto& y) { return x.first < y.first; });
     return shape;

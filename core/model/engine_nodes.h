@@ -78,7 +78,7 @@ class EngineNodes {
   private:
     std::vector<EngineNode> nodes_;
     std::vector<std::uint32_t> children_, items_, told_twice_;
-    bool tells_parents_ = false;  ///< not all are the same
+    bool tells_parents_ = false;  ///< the recorded parents differ
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
     std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
     std::map<std::uint32_t, NodeVolume> object_volumes_;

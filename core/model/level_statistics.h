@@ -10,9 +10,9 @@
 
 namespace scb {
 
-/// A set of volumes in numbers. Lengths are those of Section 3.1 of the paper, the diameter d = 2r
-/// and the thickness tau = e - f (of an OBB the diagonal and the shortest side), in the mesh's
-/// units. Sums run in the order in which volumes were added.
+/// Statistics of a set of volumes. Lengths are as in Section 3.1 of the paper, in the mesh's units:
+/// the diameter d = 2r and the thickness tau = e - f; for an OBB, the diagonal and the shortest
+/// side. Sums run in the order in which volumes were added.
 struct VolumeStatistics {
     std::uint32_t volumes = 0;
     std::uint32_t leaves = 0;  ///< of the volumes

@@ -41,8 +41,8 @@ ConvexShape shape(const Obb& box) {
 }
 
 ConvexShape shape(const OpenBox& box) {
-    // The center stands near the finite sides: from one in the middle they would be lost in
-    // rounding.
+    // The center is near the finite sides: relative to a center in the middle, rounding would lose
+    // their positions.
     Vec3 center = Vec3::Zero(), lower, upper;
     std::vector<FacePlane> faces;
     for (int i = 0; i < 3; ++i) {
@@ -73,8 +73,8 @@ ConvexShape shape(const Ball& ball) {
             {}};
 }
 
-/// In the direction d: the ball's farthest point, or the farthest of the rim of the plane that cuts
-/// it off.
+/// The support point in the direction d is the ball's farthest point or, if a plane cuts that off,
+/// the farthest point of the plane's rim.
 ConvexShape shape(const Scb& scb) {
     return {scb.c,
             0,
@@ -85,8 +85,8 @@ ConvexShape shape(const Scb& scb) {
                 const double along = dot(scb.n, d) / length * scb.r;
                 const double height = std::clamp(along, scb.f, scb.e);
                 if (height == along) return Vec3(d * (scb.r / length));
-                // Twice, since the first difference cancels where d is nearly along n. What is left
-                // of one along n is rounding: then each point of the plane is as far.
+                // Subtract twice, since the first difference cancels if d is nearly along n. If d
+                // is along n, only rounding is left, and all points of the plane are equally far.
                 Vec3 across = d - scb.n * dot(scb.n, d);
                 across -= scb.n * dot(scb.n, across);
                 double width = std::sqrt(squared_norm(across));
@@ -212,7 +212,7 @@ Polytope slabs_polytope(std::span<const double> directions, std::span<const doub
             throw InputError("its least value is above the greatest in direction " +
                              std::to_string(i));
     }
-    // Three directions far from a plane bound it, and give a point in its midst.
+    // Three directions far from a common plane bound the polytope, and give a point in its middle.
     std::array<std::size_t, 3> chosen{};
     double widest = 0;
     for (std::size_t i = 0; i < count; ++i)
@@ -253,7 +253,7 @@ Polytope slabs_polytope(std::span<const double> directions, std::span<const doub
         result.corners.push_back(Vec3::Zero());
         return result;
     }
-    // A second time of one without thickness, whose faces have no area.
+    // Try again slightly grown: a polytope without thickness has faces without area.
     for (const double grown : {0.0, 1e-9 * size}) {
         std::vector<FacePlane> planes = result.faces;
         for (FacePlane& plane : planes) plane.offset += grown;
@@ -289,8 +289,8 @@ bool has_slab_beside_center(const NodeVolume& volume) {
                               [](const Slab& slab) { return slab.f > 0 || slab.e < 0; });
 }
 
-/// How far the open box must reach so that it meets the other volume where it meets it without an
-/// end: beyond that volume's extents, `to_box` being that volume's pose in the box's frame.
+/// The open box, cut beyond the extents of the other volume so that the cut does not change how the
+/// two meet. `to_box`: the pose of the other volume in the box's frame.
 Obb cut_about(const OpenBox& box, const ConvexShape& other, const Pose& to_box) {
     const ConvexShape seen = placed(other, to_box);
     const Box about = box_about(seen);
@@ -314,7 +314,7 @@ std::optional<ContactCertificate> open_verdict(const OpenBox& a, const OpenBox& 
     const Vec3 far = Vec3::Constant(reach);
     const ContactCertificate found =
         verdict(cut_box(a, -far, far), cut_box(b, -far, far), b_to_a, tolerance);
-    // Of boxes along the same axes each axis has its own intervals, so that the cut decides.
+    // Boxes along the same axes can be compared axis by axis, so the cut decides.
     const bool along =
         (b_to_a.rotation.cwiseAbs().array().round() == b_to_a.rotation.cwiseAbs().array()).all();
     if (found.contact == Contact::disjoint && !along) return std::nullopt;
@@ -325,7 +325,7 @@ std::optional<ContactCertificate> open_verdict(const OpenBox& a, const OpenBox& 
 Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
 
 bool has_verdict(const NodeVolume& a, const NodeVolume& b) {
-    // What scb2_reach gives is then only a bound.
+    // For such volumes scb2_reach gives only a bound.
     if (has_slab_beside_center(a) || has_slab_beside_center(b)) return false;
     return has_volume(a) && has_volume(b) &&
            std::holds_alternative<Scb2>(a) == std::holds_alternative<Scb2>(b);

@@ -16,15 +16,15 @@
 
 namespace scb {
 
-/// A convex polytope: that of a k-DOP of whatever directions, or the hull of points.
+/// A convex polytope: a k-DOP of any directions, or the hull of points.
 struct Polytope {
     Vec3 center = Vec3::Zero();
-    std::vector<Vec3> corners;     ///< from the center; all of them, perhaps with others inside
-    std::vector<FacePlane> faces;  ///< from the center, with unit normals; empty: not known
+    std::vector<Vec3> corners;  ///< relative to the center: all corners, perhaps with points inside
+    std::vector<FacePlane> faces;  ///< relative to the center, with unit normals; empty: unknown
 };
 
-/// A box along the axes of its body, of which at least one side is at infinity: that of a plane or
-/// a half space.
+/// A box along the axes of its body with at least one side at infinity, as about a plane or a half
+/// space.
 struct OpenBox {
     Vec3 lower = Vec3::Constant(-HUGE_VAL);  ///< -HUGE_VAL where it is open
     Vec3 upper = Vec3::Constant(HUGE_VAL);
@@ -32,40 +32,41 @@ struct OpenBox {
 
 /// The box between these corners.
 Obb box_between(const Vec3& lower, const Vec3& upper);
-/// The part of the box between these corners, which has at least one point.
+/// The box with its open sides cut at these corners; it keeps at least one point.
 Obb cut_box(const OpenBox& box, const Vec3& lower, const Vec3& upper);
 
-/// The volume of a node, of whatever engine, in the body's frame. `monostate`: none that one could
-/// judge. Axes and normals are as the engine has them: of one that computes in 32 bits, unit
-/// vectors to some 1e-7.
+/// The volume of a node of any engine, in the body's frame. `monostate`: no volume that can be
+/// judged. Axes and normals are as recorded: from 32-bit numbers, they are unit vectors to some
+/// 1e-7.
 using NodeVolume = std::variant<std::monostate, Obb, OpenBox, Ball, Capsule, Rss, Scb, Scb2,
                                 std::shared_ptr<const Polytope>>;
 
 inline bool has_volume(const NodeVolume& volume) { return volume.index() != 0; }
 
-/// What is between two planes in each of the directions: lower <= d.x <= upper. Directions are
-/// three numbers each and need not be unit vectors, at least one; `bounds` are two per direction.
-/// Throws InputError, a clause that begins with "its", where they leave nothing or do not bound it.
+/// The polytope of all x with lower <= d.x <= upper for each direction d. `directions`: at least
+/// one, three numbers each, not necessarily unit vectors. `bounds`: two numbers per direction.
+/// Throws InputError, a clause that begins with "its", if the polytope is empty or unbounded.
 Polytope slabs_polytope(std::span<const double> directions, std::span<const double> bounds);
 
-/// How far a point is outside of the volume: the distance or, of polytopes and slabs, at least that
-/// of the farthest plane. Not positive: it is inside.
+/// How far a point is outside of the volume; not positive if it is inside. The distance or, for
+/// polytopes and slab cut balls, a lower bound of it.
 double excess(const NodeVolume& volume, const Vec3& point);
 
-/// The same volume by its farthest points; an open box ends at max_coordinate, and has the faces
-/// of its finite sides.
+/// The volume by its support points. An open box ends at max_coordinate, and has faces only at its
+/// finite sides.
 ConvexShape convex_shape(const NodeVolume& volume);
 
-/// The box along the axes about it.
+/// The box along the axes about the shape.
 Box box_about(const ConvexShape& shape);
 
-/// The exact verdict on two volumes, in A's frame. They touch where gap or depth is within
-/// `tolerance`, a length. There is no verdict where one has no volume, on a ball cut by two slabs
-/// with a volume of another type, or with a center outside of one of its slabs, and on two open
-/// boxes that are turned against each other and do not meet near their finite sides.
+/// The exact verdict on two volumes, in A's frame. They touch if the gap or depth is within
+/// `tolerance`, a length. There is no verdict if one has no volume. There is none for a ball cut by
+/// two slabs if the other volume has another type, or if its center is outside of a slab. There is
+/// none for two open boxes that are turned against each other and do not meet near their finite
+/// sides.
 std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
                                                  const Pose& b_to_a, double tolerance);
-/// The same; touching, which claims nothing, where there is no verdict.
+/// The same; without a verdict the contact is touching, which claims nothing.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance);
 

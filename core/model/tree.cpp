@@ -203,7 +203,7 @@ std::vector<std::string> volumes_titles(const EngineNodes& nodes) {
         if (!title.empty() && std::find(titles.begin(), titles.end(), title) == titles.end())
             titles.push_back(title);
     }
-    // An oriented box may have the axes of its body.
+    // An oriented box may happen to lie along the body's axes.
     if (std::find(titles.begin(), titles.end(), "OBB") != titles.end()) std::erase(titles, "AABB");
     return titles;
 }

@@ -53,7 +53,7 @@ class Tree {
     /// Whether the number of some node differs from its index.
     bool has_own_numbers() const;
 
-    /// Equal for trees with the same links and items, whatever their volumes.
+    /// Equal for trees with the same links and items, regardless of volumes.
     std::uint64_t hash() const;
 
   private:

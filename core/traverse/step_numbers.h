@@ -24,7 +24,7 @@ struct NoObserver {};
 template <class O>
 inline constexpr bool observed = !std::same_as<O, NoObserver>;
 
-/// Hands the tests of one query to an observer, as numbered steps. Throws std::length_error where a
+/// Passes the tests of one query to an observer, as numbered steps. Throws std::length_error if a
 /// number or a depth does not fit into a step.
 template <class O>
 class StepNumbers {
@@ -54,7 +54,7 @@ class StepNumbers {
     std::uint32_t next_ = 0;
 };
 
-/// Of no observer.
+/// Empty without an observer.
 template <>
 class StepNumbers<NoObserver> {
   public:
@@ -65,11 +65,11 @@ class StepNumbers<NoObserver> {
 template <class O>
 using StepsArgument = std::conditional_t<observed<O>, StepNumbers<O>&, StepNumbers<NoObserver>>;
 
-/// The number of a step, where an observer receives steps.
+/// The number of a step; empty without an observer.
 template <class O>
 using StepNumber = std::conditional_t<observed<O>, std::uint32_t, NoObserver>;
 
-/// Hands the item tests that a step led to to an observer.
+/// Passes the item tests of a step to an observer.
 template <class O>
 struct ItemReport {
     StepNumbers<O>& steps;
@@ -80,7 +80,7 @@ struct ItemReport {
     }
 };
 
-/// To no observer.
+/// Does nothing without an observer.
 template <>
 struct ItemReport<NoObserver> {
     ItemReport() = default;

@@ -16,7 +16,7 @@ struct Pending {
 };
 
 /// Divides the pair first that was added last. Each division leaves at most one pair behind on the
-/// way down, so the stack is no longer than the two depths together.
+/// way down, so the stack is at most as long as both depths together.
 template <class O>
 class DepthFirst {
   public:
@@ -34,7 +34,8 @@ class DepthFirst {
     std::vector<Pending<O>> pending_;
 };
 
-/// Traverses pairs of nodes as the policy says, and hands each test to the observer. A policy has:
+/// Traverses pairs of nodes as the policy decides, and passes each test to the observer. A policy
+/// has:
 ///
 ///     optional<NodePair> next_root()      a pair that no other pair leads to; nothing: no more
 ///     Stage test(pair)                    tests the volumes of a pair

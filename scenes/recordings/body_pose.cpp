@@ -10,15 +10,15 @@
 namespace scb::scenes {
 namespace {
 
-/// A pose that is nearer to rigid is one, of 64 bits.
+/// A pose with a smaller defect is rigid in 64-bit numbers.
 constexpr double double_defect = 1e-12;
-/// A pose that is farther from rigid stretches its body: see rigidity_defect.
+/// A pose with a larger defect stretches its body: see rigidity_defect.
 constexpr double most_defect = 1e-4;
-/// A pose that makes a length so much shorter than another one is none.
+/// A pose with a smaller determinant, relative to the cube of its longest column, is invalid.
 constexpr double most_flat = 1e-9;
 
-/// The rotation nearly at hand, rigid to the last bits: columns made unit vectors at right angles,
-/// the first kept.
+/// The pose made rigid up to rounding: columns become unit vectors at right angles, and the first
+/// keeps its direction.
 Pose made_rigid(Pose pose) {
     Vec3 x = pose.rotation.col(0), y = pose.rotation.col(1);
     x /= std::sqrt(squared_norm(x));
@@ -48,7 +48,7 @@ BodyPose body_pose(const Pose& told) {
     if (!(defect <= most_defect)) {
         Vec3 scales = lengths;
         if (determinant(told.rotation) < 0) scales[0] = -scales[0];
-        // Equal up to the engine's rounding: one scale.
+        // Scales that are equal up to the engine's rounding become one scale.
         if ((scales.cwiseAbs().array() - lengths[0]).abs().maxCoeff() <= most_defect * lengths[0])
             scales = scales.cwiseSign() * lengths[0];
         for (int i = 0; i < 3; ++i) rigid.rotation.col(i) /= scales[i];

@@ -6,19 +6,19 @@
 
 namespace scb::scenes {
 
-/// A pose that an engine recorded, which may scale, mirror or shear its body: a rigid pose after a
-/// stretch in the body's own frame.
+/// A recorded pose, which may scale, mirror or shear its body: a stretch in the body's frame,
+/// followed by a rigid pose.
 struct BodyPose {
     Pose pose;                        ///< from the stretched body to the world: rigid
-    Mat3 stretch = Mat3::Identity();  ///< along the body's axes where that is possible
-    double defect = 0;                ///< how far the recorded pose is from these two
-    std::string pose_fault;           ///< why there is none: "is not finite"; empty: there is one
+    Mat3 stretch = Mat3::Identity();  ///< along the body's axes if possible
+    double defect = 0;       ///< deviation of the recorded pose from these two, see rigidity_defect
+    std::string pose_fault;  ///< why the pose is invalid: "is not finite"; empty: valid
     bool is_finite = true;
 
     bool is_stretched() const { return stretch != Mat3::Identity(); }
 };
 
-/// Of any matrix; numbers of 32 bits are rounded to the rigid pose that they stand for.
+/// Takes any matrix. A pose of rounded numbers becomes the rigid pose that it stands for.
 BodyPose body_pose(const Pose& told);
 
 /// "scaled by 2", "mirrored", "scaled by 1, 2 and 3", "sheared".

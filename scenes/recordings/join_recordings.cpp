@@ -12,7 +12,7 @@
 namespace scb::scenes {
 namespace {
 
-/// What a record is about.
+/// The thing that a record describes.
 struct Subject {
     RecordTag tag{};
     std::uint32_t number = 0, node = 0;
@@ -23,7 +23,7 @@ struct Subject {
     bool is_definition() const {
         return stays_in_frames() || tag == RecordTag::tree || tag == RecordTag::node;
     }
-    /// Whether one record says all of it, and holds until there is another.
+    /// Whether one record describes all of it, and is valid until the next one.
     bool stays_in_frames() const {
         return tag == RecordTag::stage || tag == RecordTag::mesh || tag == RecordTag::body;
     }
@@ -44,7 +44,7 @@ struct Subject {
     }
 };
 
-/// None of what happens, which is never the same twice.
+/// The subject of a record; none for events, which never repeat.
 struct SubjectOf {
     using Found = std::optional<Subject>;
 
@@ -63,7 +63,7 @@ struct SubjectOf {
     }
 };
 
-/// What was written of a subject, and from which recording.
+/// The records written about a subject, and the recording that they come from.
 struct Said {
     std::vector<std::vector<std::uint8_t>> payloads;
     std::size_t reader = 0;
@@ -81,7 +81,7 @@ class Join {
         write_(RecordedFrame{frame});
     }
 
-    /// Writes what a recording says up to its next frame, whose number it returns.
+    /// Writes the records of a recording up to its next frame. Returns the number of that frame.
     std::optional<std::uint32_t> add(std::size_t reader) {
         bool in_query = false;
         std::optional<std::uint32_t> next;
@@ -95,7 +95,7 @@ class Join {
             if (!std::holds_alternative<RecordedEnd>(*record) && is_new(*record, reader))
                 write_(*record);
         }
-        // The other recordings' queries would begin within it.
+        // Else the query would contain the queries of the other recordings.
         if (in_query) write_(RecordedQueryEnd{false, 0});
         if (next && frame_ && *next <= *frame_)
             throw InputError(readers_[reader].name() + ": frame " + std::to_string(*next) +
@@ -105,15 +105,16 @@ class Join {
     }
 
   private:
-    /// Whether no other recording has said the same.
+    /// Whether no other recording has written the same record.
     bool is_new(const Record& record, std::size_t reader) {
         const auto subject = std::visit(SubjectOf{}, record);
         if (!subject) return true;
         auto payload = record_payload(record);
         Said& said = said_[*subject];
         if (!said.payloads.empty() && said.reader != reader) {
-            // Before the first frame a recording may describe something twice, and all of them do
-            // so. Later only what holds now is the same for a query that follows.
+            // Before the first frame, a recording may describe a subject repeatedly, and all
+            // recordings do so. Later, only a record equal to the latest one means the same for the
+            // queries that follow.
             const bool any = !frame_ && subject->tag != RecordTag::pose &&
                              subject->tag != RecordTag::refit && subject->tag != RecordTag::object;
             const auto end = said.payloads.end();
@@ -143,7 +144,7 @@ class Join {
     std::span<RecordingReader> readers_;
     const std::function<void(const Record&)>& write_;
     std::map<Subject, Said> said_;
-    std::optional<std::uint32_t> frame_;  ///< none: before the first
+    std::optional<std::uint32_t> frame_;  ///< none before the first frame
 };
 
 }  // namespace

@@ -7,18 +7,18 @@
 
 namespace scb::scenes {
 
-/// Hands the records of several recordings to `write` as those of one. The recordings are of the
-/// threads of one program, which share its meshes, trees, bodies and their numbers.
+/// Passes the records of several recordings to `write` as one recording. The recordings come from
+/// the threads of one program, which share its meshes, trees, bodies and their numbers.
 ///
-/// First comes what stands before the first frames, then frame by frame, ascending, what each
-/// recording says of it, in the order of `readers`. What several say alike is written once: meshes,
-/// stages and bodies as long as they stay so; within a frame also trees, nodes, refits, poses and
-/// settings. A query that a recording leaves open gets its end, as one that did not find all. There
-/// is one end, where each of them has one. One recording alone is handed on as it is.
+/// First come the records before the first frames. Then come the records of each frame, frames
+/// ascending, recordings in the order of `readers`. Equal records of several recordings are written
+/// once: meshes, stages and bodies until they change; within a frame also trees, nodes, refits,
+/// objects, poses and settings. A query that a recording leaves open is ended as incomplete. One
+/// end is written if each recording has one. A single recording is passed on unchanged.
 ///
-/// Throws InputError, one sentence that names the recording and the record, where two describe the
-/// same mesh, stage, tree, node or body otherwise before the first frame or in one frame, where
-/// frames do not ascend, and where a reader does.
+/// Throws InputError, one sentence that names the recording and the record, if two recordings
+/// describe the same mesh, stage, tree, node or body differently before the first frame or in one
+/// frame, if frames do not ascend, and if a reader throws.
 void join_recordings(std::span<RecordingReader> readers,
                      const std::function<void(const Record&)>& write);
 

@@ -46,7 +46,7 @@ constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
     "nodes do not contain their parts of triangles",
 };
 
-/// Of items that are objects.
+/// The words for items that are objects.
 std::string for_objects(std::string words) {
     constexpr std::string_view triangle = "triangle", object = "object";
     for (std::size_t at = words.find(triangle); at != std::string::npos;

@@ -14,7 +14,7 @@ Mesh made_finite(Mesh mesh) {
     const auto some = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), is_usable);
     const Vec3 place = some == mesh.vertices.end() ? Vec3(Vec3::Zero()) : *some;
     for (Triangle& triangle : mesh.triangles) {
-        // A vertex that there is not is an error, which check_mesh reports.
+        // check_mesh reports vertices that do not exist.
         const auto is_known = [&mesh](std::uint32_t v) { return v < mesh.vertices.size(); };
         if (!std::all_of(triangle.begin(), triangle.end(), is_known)) continue;
         const auto broken =

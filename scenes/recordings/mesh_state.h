@@ -8,22 +8,22 @@
 
 namespace scb::scenes {
 
-/// A mesh of a recording, as it is from some frame on.
+/// The current state of a recorded mesh.
 struct MeshState {
     std::string name;
-    std::shared_ptr<const Mesh> mesh;  ///< as it was recorded: vertices need not be finite
-    /// The same where all are. Else each triangle that has one that is not is a single point, at
-    /// some other vertex.
+    std::shared_ptr<const Mesh> mesh;  ///< as recorded; vertices may be non-finite
+    /// `mesh` if all its vertices are finite. Else a copy, in which each triangle with a non-finite
+    /// vertex is a single point at another vertex.
     std::shared_ptr<const Mesh> finite;
     int coordinate_bytes = 8;
-    /// All of it finite, as it was recorded first with these triangles: which vertices are one.
+    /// The first finite state with these triangles, which decides which vertices are joined.
     std::shared_ptr<const Mesh> rest;
     double reach = 0;  ///< the largest |coordinate|
-    int told_at = 0;   ///< the frame at which it was recorded last
+    int told_at = 0;   ///< the frame of the latest change
     int version = 0;   ///< counts the changes
 
-    /// Returns whether the mesh has changed. Throws InputError, a sentence that begins with `what`,
-    /// where the record is no mesh.
+    /// Takes a record. Returns whether the mesh has changed. Throws InputError, a sentence that
+    /// begins with `what`, if the record is no mesh.
     bool take(const RecordedMesh& record, int frame, const std::string& what);
 };
 

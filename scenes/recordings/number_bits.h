@@ -4,8 +4,8 @@
 
 namespace scb::scenes {
 
-/// A number that says that its engine computes in 32 bits: one that takes most of these. Whole
-/// numbers and short fractions do not.
+/// Whether a number shows how many bits its engine uses: it takes more than 16 bits. Whole numbers
+/// and short fractions do not.
 inline bool is_long(double value) {
     constexpr double short_bits = 0x1p16;
     int exponent = 0;
@@ -13,7 +13,7 @@ inline bool is_long(double value) {
     return std::isfinite(value) && value != std::trunc(value) && mantissa != std::trunc(mantissa);
 }
 
-/// Whether a number of 32 bits has the value, or it is not finite.
+/// Whether the value is exact in 32 bits, or is not finite.
 inline bool is_of_32_bits(double value) {
     return static_cast<double>(static_cast<float>(value)) == value || !std::isfinite(value);
 }

@@ -10,20 +10,19 @@
 
 namespace scb::scenes {
 
-/// The pairs of triangles that this project finds for the queries of a recording, by hierarchies of
-/// its own, each of which is built once; of objects those of object_contacts.
+/// Computes the intersecting pairs of a recording's queries. For triangles, this project builds its
+/// own hierarchies, each once; for objects, see object_contacts.
 class OwnContacts {
   public:
     using Meshes = std::array<std::shared_ptr<const Mesh>, 2>;
 
-    /// Sorted, of finite triangles; of a body against itself those of SelfPairs; none where a side
-    /// has no mesh, and where a body has no pose. `meshes`: those of the query's bodies, all of
-    /// them finite.
+    /// The intersecting pairs of a query, sorted: pairs of finite triangles (in a self query all
+    /// SelfPairs), or of objects. Empty if a side has neither, or a pose is unusable. `meshes`: the
+    /// finite meshes of the query's bodies.
     std::vector<IndexPair> contacts(const EngineQuery& query, const Meshes& meshes);
 
   private:
-    /// A mesh that is recorded anew must not get the address of one that is known here, so these
-    /// are held.
+    /// Keeps the mesh, so that a new mesh cannot get the address of a known one.
     struct Built {
         std::shared_ptr<const Mesh> mesh;
         std::shared_ptr<const Hierarchy<Obb>> hierarchy;
@@ -32,7 +31,7 @@ class OwnContacts {
     std::shared_ptr<const Hierarchy<Obb>> hierarchy_of(const std::shared_ptr<const Mesh>& mesh);
 
     std::map<const Mesh*, Built> built_;  ///< lookups, and forgetting
-    std::size_t forget_at_ = 16;          ///< of so many, those that nobody else has are forgotten
+    std::size_t forget_at_ = 16;          ///< at this size, meshes used nowhere else are dropped
 };
 
 }  // namespace scb::scenes

@@ -31,8 +31,7 @@ std::vector<std::pair<std::string, Pose>> other_poses(const EngineQuery& query, 
     return others;
 }
 
-/// Whether some tests say that the two meet, and some that they are apart: many poses explain tests
-/// of one outcome.
+/// Whether some tests passed and some rejected: tests of one outcome fit many poses.
 bool has_both_outcomes(const EngineQuery& query) {
     bool meet = false, apart = false;
     for (const EngineEvent& event : query.events) {

@@ -17,22 +17,21 @@ struct QueryName {
 /// A query whose tests fit another pose.
 struct PoseProblem {
     QueryName query;
-    std::string pose;    ///< whose pose they fit: "the pose of the frame before"
-    PoseFit told, fits;  ///< errors with the pose that was told, and with the other
-    /// Its tests of volumes fit the other pose, and those of triangles the one that was told.
+    std::string pose;    ///< the pose that they fit: "the pose of the frame before"
+    PoseFit told, fits;  ///< errors with the recorded pose, and with the other
+    /// Only the tests of volumes fit the other pose; the tests of triangles fit the recorded one.
     bool only_volumes = false;
 };
 
-/// Looks for poses with which tests that went wrong are right: those of an engine that has mixed up
-/// its poses.
+/// Looks for other poses that explain wrong tests: the engine may have mixed up its poses.
 class PoseSearch {
   public:
-    /// Of a query with tests that are wrong. A query whose tests all say the same is left out.
+    /// Takes a query with wrong tests. A query whose tests all have one outcome is left out.
     void take(const EngineQuery& query, const QueryName& name, const BodyState& a,
               const BodyState& b);
-    /// What fits in more than half of these queries: what fits only here and there fits by chance.
+    /// Problems whose pose explains more than half of these queries; other poses fit by chance.
     std::vector<PoseProblem> likely() const;
-    /// Nothing fits, and of the bodies of a query no pose was recorded.
+    /// Whether a query fits no pose, and neither of its bodies has a recorded pose.
     bool lacks_poses() const { return not_placed_; }
 
   private:

@@ -53,7 +53,7 @@ std::vector<CostFinding> QueryCosts::found(RecordedQueries& recording, const Tre
     for (auto [number, finding] : loose_) {
         finding.tests = tests_;
         finding.tests_if_tight = tests_if_tight_;
-        // Of a tree that does not contain its triangles, its size is the lesser problem.
+        // If a tree does not contain its triangles, loose boxes are the lesser problem.
         const bool is_wrong = trees.watches().at(number).most_outside() > 0;
         if (!is_wrong && 50 * finding.tests_if_tight < 49 * finding.tests) costs.push_back(finding);
     }

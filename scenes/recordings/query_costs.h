@@ -10,15 +10,15 @@ namespace scb::scenes {
 /// Finds why the queries of a recording take more tests than they need.
 class QueryCosts {
   public:
-    /// Takes a query, at which the recording is.
+    /// Takes the current query of the recording.
     void take(const RecordedQueries& recording, const EngineQuery& query,
               const QueryJudgement& judged);
-    /// Of the trees of the recording.
+    /// The findings about the trees of the recording.
     std::vector<CostFinding> found(RecordedQueries& recording, const TreeJudge& trees,
                                    const std::vector<TreeJudgement>& judged) const;
 
   private:
-    /// Known as long as the side is of this tree and version.
+    /// Valid as long as the side has this tree and version.
     struct TightOfBody {
         const EngineNodes* tree = nullptr;
         int version = -1;

@@ -8,15 +8,14 @@
 
 namespace scb::scenes {
 
-// The records of a recording, one after the other, as scb_record.h writes them and README.md of
-// this folder describes them. What they say is not checked here: a recording of a broken engine is
-// one too.
+// The records of a recording, as scb_record.h writes them and README.md of this folder describes
+// them. They are not validated, since recordings of broken engines are read, too.
 
 /// No mesh, no parent.
 inline constexpr std::uint32_t record_none = UINT32_MAX;
 
-/// What begins a record. Tags below `items_apart` are tests of two volumes, by the stage at which
-/// they ended.
+/// The first byte of a record. Tags below `items_apart` are tests of two volumes, by the stage at
+/// which they ended.
 enum class RecordTag : std::uint8_t {
     volumes_overlap = 0,
     items_apart = 128,
@@ -37,7 +36,7 @@ enum class RecordTag : std::uint8_t {
     end,
     object,
 };
-/// From this tag on a record says how long it is; those below are of 9 bytes.
+/// Records from this tag on have a length; all others have 9 bytes.
 inline constexpr std::uint8_t first_long_tag = 192;
 
 /// A test of two volumes or of two items (triangles, objects), a pair that a query reported, or
@@ -73,7 +72,7 @@ struct RecordedMesh {
     bool operator==(const RecordedMesh&) const = default;
 };
 
-/// The volumes of nodes, and what their numbers are.
+/// The kinds of volumes, and their numbers.
 enum class RecordedKind : std::uint8_t {
     none,
     aabb,     ///< lower corner, upper corner
@@ -81,7 +80,7 @@ enum class RecordedKind : std::uint8_t {
     ball,     ///< center, radius
     capsule,  ///< two ends, radius
     rss,      ///< a corner of the rectangle, its two sides, radius
-    kdop,     ///< per direction of the tree the least and the greatest x.d
+    kdop,     ///< per direction d of the tree, the least and the greatest x.d
     scb,      ///< center, radius, normal, e, f
     scb2,     ///< the same, second normal, its e, its f
     hull,     ///< points
@@ -106,7 +105,7 @@ struct RecordedTree {
 
 struct RecordedNode {
     std::uint32_t tree = 0, node = 0, parent = record_none;
-    std::uint64_t id = 0;  ///< what the engine calls it
+    std::uint64_t id = 0;  ///< the engine's own identity of the node
     std::string name;
     std::vector<std::uint32_t> children, items;
     RecordedVolume volume;
@@ -159,7 +158,7 @@ struct RecordedQuery {
 };
 
 struct RecordedQueryEnd {
-    std::uint8_t complete = 1;      ///< 0: it did not find all
+    std::uint8_t complete = 1;      ///< 0: the query did not find all pairs
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
 
     bool operator==(const RecordedQueryEnd&) const = default;
@@ -184,7 +183,7 @@ struct Record
                    RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedUnknown> {
     using variant::variant;
 
-    /// What a newer version has put behind what this one knows of the record.
+    /// Bytes that a newer version appended to the record.
     std::vector<std::uint8_t> appended{};
 
     bool operator==(const Record&) const = default;

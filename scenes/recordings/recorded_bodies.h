@@ -12,30 +12,31 @@
 
 namespace scb::scenes {
 
-/// A body at a frame, with the hierarchy that it has there, whoever built that.
+/// A body at a frame, with its hierarchy at that frame, by any builder.
 struct BodyAtFrame {
     std::string name;
-    std::shared_ptr<const Mesh> mesh;  ///< without triangles where items are objects
+    std::shared_ptr<const Mesh> mesh;  ///< without triangles if the items are objects
     std::shared_ptr<const Tree> tree;
     Pose pose;
-    std::uint32_t number = 0;  ///< of the tree, in a recording
+    std::uint32_t number = 0;  ///< the tree's number in a recording
 };
 
-/// Copies of bodies as they are at some step; trees that did not change are copied once.
+/// Copies the current bodies of a recording. Trees that did not change are copied once.
 class BodyCopies {
   public:
-    /// Of a tree that no body has.
+    /// Copies a tree without a body.
     BodyAtFrame copy_tree(RecordedQueries& queries, const std::string& name, std::uint32_t tree);
-    /// Of a body by its number, stretched as its pose says. Throws InputError where it has no pose.
+    /// Copies a body by its number, stretched by its pose. Throws InputError if the pose is
+    /// unusable.
     BodyAtFrame copy(RecordedQueries& queries, const Recording& recording, std::uint32_t body);
-    /// "OBB", "AABB and hull": of all volumes that were copied.
+    /// "OBB", "AABB and hull": the types of all copied volumes.
     std::string volumes() const;
 
   private:
     std::shared_ptr<const Tree> tree_of(const EngineSide& side, std::uint32_t tree, int version,
                                         const Mat3& stretch);
 
-    /// By tree, what was told of it, and the stretch.
+    /// By tree, volume version, and stretch.
     std::map<std::tuple<std::uint32_t, int, std::array<double, 9>>, std::shared_ptr<const Tree>>
         trees_;
     std::vector<std::string> titles_;
@@ -48,9 +49,9 @@ struct RecordedBodies {
     std::string volumes;  ///< see TraceEngine
 };
 
-/// Throws InputError where there is no tree yet, or a body has no pose.
+/// Throws InputError if there is no tree yet, or a pose is unusable.
 RecordedBodies bodies_at(const Recording& recording, int frame);
-/// At the one frame that the list names; where it is empty, at the first. Throws InputError.
+/// At the one frame that the list names, or at the first frame if it is empty. Throws InputError.
 RecordedBodies bodies_at(const Recording& recording, const std::string& frames);
 
 }  // namespace scb::scenes

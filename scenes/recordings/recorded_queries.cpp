@@ -18,12 +18,13 @@
 namespace scb::scenes {
 namespace {
 
-/// More are counted.
+/// The number of odd records to describe; further ones are only counted.
 constexpr std::size_t most_odd = 20;
-/// Shares of the lengths in question, by how exact the engine's numbers are: some units in the last
-/// place of products of a few.
+/// Tolerances as shares of the lengths in question, for 32-bit and 64-bit numbers: some units in
+/// the last place of products of a few numbers.
 constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
-/// Where a body stands, each coordinate is rounded once: of this share of the lengths above.
+/// The share of a body's distance that counts for the tolerance, since placing a body rounds each
+/// coordinate only once.
 constexpr double placing_share = 0.125;
 /// The tree that the record is about.
 std::optional<std::uint32_t> tree_told_by(const Record& record) {
@@ -56,7 +57,7 @@ RecordedQueries::Ended RecordedQueries::next() {
         if (next_frame_) return Ended::frame;
     }
     ended_ = true;
-    // What a program that crashed has told of its last query counts as an end ahead of time.
+    // If a program crashed, its last query counts as ended early.
     if (!in_query_) return Ended::frame;
     broke_off_ = true;
     take(RecordedQueryEnd{false, 0});
@@ -115,7 +116,7 @@ void RecordedQueries::take(const RecordedSetting& setting) {
 void RecordedQueries::take(const RecordedMesh& mesh) {
     if (!meshes_[mesh.mesh].take(mesh, frame_, name_ + ": mesh " + std::to_string(mesh.mesh)))
         return;
-    // Which triangles there are is in the shape.
+    // The shape depends on the number of triangles.
     for (auto& [number, tree] : trees_)
         if (tree.mesh == mesh.mesh) tree.change();
 }
@@ -152,7 +153,7 @@ void RecordedQueries::take(const RecordedObject& object) {
 
 void RecordedQueries::take(const RecordedBody& body) {
     known(trees_, body.tree, "tree");
-    // A body that is announced again stays where it is.
+    // A body that is recorded again keeps its pose.
     BodyState& state = bodies_[body.body];
     state.name = shown(body.name);
     state.tree = body.tree;
@@ -267,7 +268,7 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
         askew = std::max(askew, bodies[k]->defect);
     }
     const double share = query_.single ? single_tolerance : double_tolerance;
-    // A body against itself stands where it stands.
+    // In a self query, both sides have the same pose.
     query_.b_to_a = query_.self ? Pose{} : relative_pose(bodies[0]->pose, bodies[1]->pose);
     query_.tolerance = tolerance_of(share, length + placing) + askew * (length + distances);
     query_.triangle_tolerance =
@@ -289,7 +290,7 @@ bool RecordedQueries::is_single(const TreeState& tree) const {
     const auto mesh = meshes_.find(tree.mesh);
     const bool has_mesh = mesh != meshes_.end();
     if (has_mesh && mesh->second.coordinate_bytes == 4) return true;
-    // Numbers that are short in any case say nothing of the engine's.
+    // Short numbers do not show the engine's precision.
     return tree.single && tree.has_numbers && (tree.has_long || !has_mesh);
 }
 
@@ -303,7 +304,7 @@ double RecordedQueries::reach_of(const TreeState& tree) const {
 }
 
 double RecordedQueries::tolerance_of(double share, double length) const {
-    // This program's own rounding is not the engine's.
+    // The setting does not cover this program's own rounding.
     return told_tolerance_ ? std::max(*told_tolerance_, double_tolerance * length) : share * length;
 }
 

@@ -21,15 +21,15 @@ namespace scb::scenes {
 struct BodyState : BodyPose {
     std::string name;
     std::uint32_t tree = 0;
-    std::optional<Pose> last;      ///< the pose of the frame before, where there is one
-    bool placed = false;           ///< a pose was told
-    bool has_single_pose = false;  ///< its numbers are such of 32 bits
+    std::optional<Pose> last;      ///< the pose at the previous frame, if any
+    bool placed = false;           ///< a pose was recorded
+    bool has_single_pose = false;  ///< the pose has 32-bit numbers
 };
 
 /// The tree and the mesh of a body whose pose stretches it.
 struct StretchedBody {
     Mat3 stretch = Mat3::Identity();
-    std::uint32_t of = record_none;  ///< the tree that it was made of
+    std::uint32_t of = record_none;  ///< number of the original tree
     int volume_version = -1;         ///< of that tree
     int version = 0;                 ///< counts how often it was made
     EngineNodes tree;
@@ -42,16 +42,16 @@ struct OddRecords {
     std::uint64_t count = 0;
 };
 
-/// Reads a recording step by step, and knows what there is after each.
+/// Reads a recording step by step, and has the current state after each step.
 ///
-/// Nothing of trees is taken for true, and what contradicts itself is for the judgement. What one
-/// cannot go on without throws InputError, one sentence that begins with `name`: a mesh that is
-/// none, a tree or body that there is not, frames that do not ascend.
+/// Trees are not validated; the judgement reports contradictions. Throws InputError, one sentence
+/// that begins with the path of the file, if reading cannot go on: for an invalid mesh, for an
+/// unknown tree or body, and if frames do not ascend.
 class RecordedQueries {
   public:
     enum class Ended {
         query,  ///< `query` is set
-        frame,  ///< all of `frame` was told
+        frame,  ///< all records of `frame` were read
         end,
     };
 
@@ -61,20 +61,20 @@ class RecordedQueries {
     Ended next();
 
     int frame() const { return frame_; }
-    /// A tree, by its number, as it is now.
+    /// A tree by its number, in its current state.
     EngineSide side_of(std::uint32_t tree);
-    /// A body, by its number: its tree and mesh, stretched as its pose says.
+    /// A body by its number: its tree and mesh, stretched by its pose.
     EngineSide side_of_body(std::uint32_t body);
-    /// The mesh of a body, all of it finite, stretched as its pose says; nullptr where items are no
+    /// The finite mesh of a body, stretched by its pose, see MeshState; nullptr if items are not
     /// triangles.
     std::shared_ptr<const Mesh> finite_mesh(std::uint32_t body);
-    /// Those of the bodies of the query.
+    /// The finite meshes of the query's bodies.
     std::array<std::shared_ptr<const Mesh>, 2> finite_meshes() {
         return {finite_mesh(bodies_of_query_[0]), finite_mesh(bodies_of_query_[1])};
     }
     /// The query that ended last, valid until the next step.
     const EngineQuery& query() const { return query_; }
-    /// Its bodies' numbers.
+    /// The numbers of the query's bodies.
     std::array<std::uint32_t, 2> query_bodies() const { return bodies_of_query_; }
 
     // By number.
@@ -82,30 +82,30 @@ class RecordedQueries {
     const std::map<std::uint32_t, TreeState>& trees() const { return trees_; }
     const std::map<std::uint32_t, BodyState>& bodies() const { return bodies_; }
     const std::map<std::uint8_t, std::string>& stages() const { return stages_; }
-    /// Their numbers in the order in which they were named.
+    /// The stages' numbers in the order in which they were named.
     const std::vector<std::uint8_t>& stage_order() const { return stage_order_; }
-    /// Those told so far, in order.
+    /// The settings so far, in order.
     const std::vector<RecordedSetting>& settings() const { return settings_; }
-    /// See EngineQuery::tolerance: of this tree alone. By how exact its numbers are, or what the
-    /// setting `tolerance` says.
+    /// The tolerance of this tree alone, see EngineQuery::tolerance: by the precision of its
+    /// numbers, or by the setting `tolerance`.
     double tolerance_of(const TreeState& tree) const;
-    /// The same per node, by its own numbers.
+    /// The same per node, by the node's own numbers.
     NodeTolerance node_tolerance_of(const TreeState& tree) const;
     /// Whether the file ends within a query.
     bool broke_off() const { return broke_off_; }
     std::string damage() const { return reader_.damage(); }
-    /// The tree that was being told, or refitted, where the file breaks off: it is not whole. Known
-    /// at the end.
+    /// The incomplete tree, whose record or refit was the last before the file breaks off. Known at
+    /// the end.
     std::optional<std::uint32_t> unfinished_tree() const {
         return damage().empty() ? std::nullopt : telling_;
     }
-    /// Records that contradict the tree that they belong to: refits of nodes that it does not have.
+    /// Records that contradict their tree: refits of nodes that the tree does not have.
     const OddRecords& contradictions() const { return contradictions_; }
-    /// Records that say nothing that could be judged, such as a tolerance that is no length.
+    /// Records that cannot be used, such as a tolerance that is no length.
     const OddRecords& unusable() const { return unusable_; }
     /// Records of later versions.
     std::uint64_t unknown_records() const { return unknown_records_; }
-    /// Whether the setting `tests` says that tests pass no volumes that are apart.
+    /// Whether the setting `tests` states that tests pass no disjoint volumes.
     bool has_exact_tests() const { return exact_tests_; }
 
   private:
@@ -131,11 +131,11 @@ class RecordedQueries {
     const StretchedBody& stretched(std::uint32_t body);
     void note(OddRecords& records, const std::string& what) const;
     bool is_single(const TreeState& tree) const;
-    /// The largest |coordinate| of its mesh, and of its volumes too.
+    /// The largest |coordinate| of the tree's mesh; and of its mesh and volumes.
     double mesh_reach(const TreeState& tree) const;
     double reach_of(const TreeState& tree) const;
     double tolerance_of(double share, double length) const;
-    /// Throws where there is none of this number.
+    /// Throws if the number is unknown.
     template <class State>
     State& known(std::map<std::uint32_t, State>& states, std::uint32_t number, const char* what);
     [[noreturn]] void fail(const std::string& what) const;
@@ -157,9 +157,9 @@ class RecordedQueries {
     std::uint64_t unknown_records_ = 0;
     bool exact_tests_ = false, broke_off_ = false;
     std::uint64_t epoch_ = 1;               ///< counts frames and queries
-    std::set<std::uint32_t> without_mesh_;  ///< trees of which that was noted
+    std::set<std::uint32_t> without_mesh_;  ///< trees whose missing mesh was noted
     std::optional<std::uint32_t> telling_;  ///< the tree of the last record
-    std::optional<int> next_frame_;  ///< told, but not begun: the one before was not left yet
+    std::optional<int> next_frame_;         ///< recorded, but not begun yet
     int frame_ = 0;
     bool frame_told_ = false, in_query_ = false, query_done_ = false, ended_ = false;
 };

@@ -158,7 +158,7 @@ void RecordedTrace::take_stages(const RecordedQueries& queries) {
         const auto named = queries.stages().find(number);
         std::string& name = names[number];
         name = named != queries.stages().end() ? named->second : "stage " + std::to_string(number);
-        // Counts go by names.
+        // Names must differ, since counts go by names.
         while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
     }
     // Stages at which tests ended come first, and have the first colors.
@@ -212,7 +212,7 @@ Attribution RecordedTrace::attribution() {
 RecordedResults RecordedTrace::results() {
     EngineQuery query = queries_->query();
     if (!query.placed) return {};
-    // Tests of volumes take most of the time, and say nothing of the results.
+    // Tests of volumes take most of the time, and do not affect results.
     std::erase_if(query.events, [](const EngineEvent& event) {
         return event.kind == EngineEvent::Kind::volumes;
     });

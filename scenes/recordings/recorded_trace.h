@@ -13,19 +13,19 @@
 
 namespace scb::scenes {
 
-/// Pairs that a query reported, or did not.
+/// Pairs that a query reported or missed.
 struct RecordedResults {
     std::uint64_t reported = 0, missed = 0, wrong = 0;
     std::uint64_t grazing = 0;  ///< within the tolerance: not judged
 };
 
-/// The queries of two bodies of a recording as traces have them, frame by frame, and what there is
-/// of the bodies at each of these frames.
+/// The queries of two bodies of a recording as a trace, frame by frame, and the state of the bodies
+/// at each of these frames.
 class RecordedTrace {
   public:
-    /// `bodies` names two, "A,B", or is empty where the recording has queries of two only; `frames`
-    /// is a list, see frames_among, or auto_frames: the first with the most pairs. Throws
-    /// InputError.
+    /// `bodies`: two names, "A,B"; may be empty if the recording has queries of one pair only.
+    /// `frames`: a list, see frames_among, or auto_frames, the first frame with the most pairs.
+    /// Throws InputError.
     RecordedTrace(std::shared_ptr<const Recording> recording, const std::string& bodies,
                   const std::string& frames);
     RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
@@ -35,32 +35,32 @@ class RecordedTrace {
     const Recording& recording() const { return *recording_; }
     const TraceHeader& header() const { return header_; }
     const Scene& scene() const { return recording_->scene; }
-    /// Indices of Scene::bodies.
+    /// Indices into Scene::bodies.
     const std::array<std::size_t, 2>& sides() const { return sides_; }
-    /// Ascending.
+    /// The chosen frames, ascending.
     const std::vector<int>& frames() const { return frames_; }
-    /// All that have a query of the two; those above are among them.
+    /// All frames with a query of the two bodies.
     const std::vector<int>& all_frames() const { return all_frames_; }
-    /// One of the two at one of these frames.
+    /// The body of a side at a chosen frame.
     const BodyAtFrame& body(std::size_t side, int frame) const;
-    /// Whether it tells of pairs, or of tests of items, anywhere.
+    /// Whether the recording has pairs, or tests of items, anywhere.
     bool tells_results() const { return recording_->file->summary.tells_results(); }
-    /// How many tests of volumes there are in it.
+    /// The number of tests of volumes in the query of a chosen frame.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
-    /// The first query of them at one of these frames; valid until the next call. They must be
-    /// asked for ascending.
+    /// The first query of the two bodies at a chosen frame; valid until the next call. Frames must
+    /// be requested in ascending order.
     const TraceFrame& frame(int number);
-    /// The same query as its engine tells of it; valid as long.
+    /// The same query as recorded; valid as long.
     const EngineQuery& query() const { return queries_->query(); }
-    /// The frame that shows most of a test of these nodes, by their numbers: the first in which the
-    /// test rejected volumes that overlap; else `usual`, if its query tested the nodes; else the
-    /// first whose query did; else `usual`.
+    /// The best frame to show a test of two nodes, by their numbers: the first in which the test
+    /// rejected overlapping volumes; else `usual`, if its query tested the nodes; else the first
+    /// whose query did; else `usual`.
     int frame_of_test(IndexPair nodes, int usual) const;
-    /// What the tests of that query are worth, by the exact verdict on the engine's own volumes;
-    /// nothing where a body has no pose.
+    /// The attribution of that query's tests, by the exact verdict on the recorded volumes; empty
+    /// if a pose is unusable.
     Attribution attribution();
-    /// What that query reported against the exact pairs, with the engine's rounding, as
-    /// RecordingJudgement has it; nothing where a body has no pose.
+    /// Compares the pairs reported by that query with the exact pairs, within the engine's
+    /// tolerance, as RecordingJudgement does; empty if a pose is unusable.
     RecordedResults results();
     /// See query_overlaps.h.
     std::vector<std::size_t> level_overlaps(std::size_t most);
@@ -69,9 +69,9 @@ class RecordedTrace {
     bool is_wanted(const RecordedQueries& queries) const;
     /// Chooses bodies and frames.
     void choose(const std::string& bodies, const std::string& frames);
-    /// Reads what there is of the bodies.
+    /// Reads the bodies at the chosen frames.
     void read_bodies();
-    /// What is known of the engine when all is read.
+    /// Sets the engine's data of the header, after all is read.
     void take_engine(const RecordedQueries& queries);
     void take_stages(const RecordedQueries& queries);
 

@@ -11,16 +11,16 @@
 namespace scb::scenes {
 namespace {
 
-/// More make the polytope of a node take seconds.
+/// With more directions, the polytope of a node takes seconds.
 constexpr std::size_t most_directions = 128;
-/// The hull of more points is found first.
+/// The hull of more points is computed first.
 constexpr std::size_t most_searched = 16;
 
 Vec3 vector_at(std::span<const double> values, std::size_t at) {
     return {values[at], values[at + 1], values[at + 2]};
 }
 
-/// How many numbers the kind has; none: any whole number of points.
+/// The number of values of a kind; nothing: any number of points.
 std::optional<std::size_t> number_count(RecordedKind kind, std::size_t directions) {
     switch (kind) {
         case RecordedKind::none:
@@ -138,7 +138,7 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
             }
             Polytope hull;
             hull.center = box.lower + (box.upper - box.lower) / 2;
-            // Each search for the farthest point goes through all.
+            // Each search for a support point goes through all points.
             if (points.size() > most_searched) {
                 std::vector<Vec3> vertices;
                 for (const std::uint32_t i : convex_hull(points).vertices)

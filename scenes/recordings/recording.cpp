@@ -15,7 +15,7 @@ namespace {
 
 using Ended = RecordedQueries::Ended;
 
-/// What was told last; where nothing was, what the file is called.
+/// The latest value of a setting, or else the name of the file.
 std::string setting_of(const RecordedQueries& queries, const std::string& key,
                        const std::string& path) {
     std::string value;
@@ -28,13 +28,13 @@ bool is_same(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
 
-/// Fills a recording with what is told, step after step.
+/// Fills a recording step by step.
 class RecordingContents {
   public:
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
     void take(RecordedQueries& queries, Ended ended) {
-        // Once for all bodies of a frame, and once more at its end for those that came later.
+        // Once for all bodies of a frame, and once more at its end for bodies that came later.
         if (ended == Ended::frame || taken_ != queries.frame()) take_bodies(queries);
         if (ended == Ended::query) take_query(queries);
     }
@@ -43,7 +43,7 @@ class RecordingContents {
     void finish(RecordedQueries& queries) {
         Scene& scene = recording_.scene;
         const std::string& path = recording_.file->path;
-        // Trees alone stand where they are.
+        // Without bodies, each tree becomes a body.
         if (scene.bodies.empty())
             for (const auto& [number, tree] : queries.trees())
                 body_of(queries, number, number).name = name_of(tree, number);
@@ -76,7 +76,7 @@ class RecordingContents {
         int frame = 0;
     };
 
-    /// The poses of a frame are those at its first query or, where that has none, at its end.
+    /// The poses of a frame are those at its first query or, without a query, at its end.
     void take_bodies(RecordedQueries& queries) {
         Scene& scene = recording_.scene;
         const bool again = taken_ == queries.frame();
@@ -91,7 +91,7 @@ class RecordingContents {
                 if (!askew_) askew_ = {body.name, queries.frame()};
                 continue;
             }
-            // A body that is stretched has a mesh of its own.
+            // A stretched body has a mesh of its own.
             if (stretches_.try_emplace(number, body.stretch).first->second != body.stretch &&
                 !changed_)
                 changed_ = {body.name, queries.frame()};
@@ -146,10 +146,12 @@ class RecordingContents {
     }
 
     Recording& recording_;
-    std::optional<Place> askew_, changed_;     ///< a body; a mesh, or a body that gets another one
-    std::string fault_;                        ///< of the pose of `askew_`
-    std::map<std::uint32_t, Mat3> stretches_;  ///< by body: the first
-    int taken_ = -1;                           ///< frame
+    /// The first body with an unusable pose; the first mesh that changes, or body that gets another
+    /// mesh.
+    std::optional<Place> askew_, changed_;
+    std::string fault_;                                            ///< of the pose of `askew_`
+    std::map<std::uint32_t, Mat3> stretches_;                      ///< by body: the first
+    int taken_ = -1;                                               ///< frame
     std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
     std::map<std::uint32_t, std::uint32_t> mesh_of_body_{};        ///< numbers: the first
     std::map<std::array<std::uint32_t, 2>, std::size_t> pairs_{};  ///< by their bodies
@@ -191,14 +193,14 @@ Scene scene_at(const Recording& recording, int frame) {
     Scene scene = recording.scene;
     scene.default_frame = frame;
     RecordedQueries queries(*recording.file);
-    // As of the poses: at the first query of the frame or, where that has none, at its end.
+    // The state that the poses have: at the first query of the frame or, without one, at its end.
     for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next())
         if (queries.frame() == frame) break;
     for (const auto& [number, body] : queries.bodies()) {
         Body& of_scene = scene.bodies[recording.bodies.at(number)];
         const NamedMesh named = {scene.meshes[of_scene.mesh].name, *mesh_of_body(queries, number),
                                  recording.file->path};
-        // Bodies may have shared one that is no longer theirs.
+        // Bodies may have shared a mesh that they share no longer.
         of_scene.mesh = scene.meshes.size();
         scene.meshes.push_back(named);
     }

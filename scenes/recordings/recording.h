@@ -13,49 +13,50 @@
 
 namespace scb::scenes {
 
-/// Two bodies that were queried, and at which frames.
+/// Two bodies of queries, and the frames of these queries.
 struct QueriedPair {
     std::array<std::uint32_t, 2> bodies{};  ///< numbers
     std::vector<int> frames;                ///< ascending
-    /// The frame to show: the first with the most pairs, or, where none has any, tests.
+    /// The frame to show: the first with the most pairs or, if there are no pairs, tests.
     int fullest = 0;
     std::pair<std::size_t, std::size_t> most{};
 };
 
-/// A recording that was read through once: what there is in it.
+/// The contents of a recording.
 struct Recording {
     std::shared_ptr<const RecordingFile> file;
-    std::string engine;  ///< what made it; where that is not told, what its file is called
-    /// Its meshes, bodies and poses: of meshes that change, the first. Bodies of trees without a
-    /// mesh have one without triangles; where there are no bodies, the trees are. Its file is the
-    /// recording.
+    std::string engine;  ///< the engine's name, or else the name of the file
+    /// The meshes, bodies and poses. A mesh that changes is in its first state. A body whose tree
+    /// has no mesh has a mesh without triangles. Without bodies, each tree becomes a body. The
+    /// scene's file is the recording.
     Scene scene;
     std::map<std::uint32_t, std::size_t> bodies;  ///< by their numbers, indices of Scene::bodies
     std::vector<QueriedPair> pairs;               ///< in the order of their first queries
-    /// Why hierarchies of this project cannot be made of the scene, a sentence; empty: they can.
+    /// Why this project cannot build hierarchies of the scene, as a sentence; empty: it can.
     std::string refusal;
-    bool changes_meshes = false;  ///< that is why: of one frame they can, see scene_at
+    /// The reason is a changed mesh: single frames are possible, see scene_at.
+    bool changes_meshes = false;
 };
 
-/// Throws InputError as RecordedQueries does, and where it has no tree.
+/// Throws InputError as RecordedQueries does, and if there is no tree.
 Recording read_recording(std::shared_ptr<const RecordingFile> file);
 Recording read_recording(const std::string& path);
 
-/// The scene, for hierarchies of this project, which are of one mesh and need poses: of
-/// meshes that change as they are at the one frame that `frames` names: the first where it is
-/// empty, that with the most pairs of auto_frames. Throws InputError also where it names several
-/// and a mesh changes, or a body has no pose.
+/// The scene for hierarchies of this project, which need one mesh and poses. If meshes change, they
+/// are taken at the one frame that `frames` names: the first frame if it is empty, the frame with
+/// the most pairs for auto_frames. Throws InputError also if it names several frames and a mesh
+/// changes, or if a pose is unusable.
 Scene scene_of_recording(const std::string& path, const std::string& frames);
-/// The scene with its meshes as they are at that frame, which is its default one.
+/// The scene with its meshes at that frame, which becomes the default frame.
 Scene scene_at(const Recording& recording, int frame);
 
-/// All of it finite, see MeshState. Where a tree has no mesh, its items are objects: one mesh
-/// without triangles stands for all.
+/// The finite mesh of a tree, see MeshState. Trees without a mesh, whose items are objects, share
+/// one mesh without triangles.
 std::shared_ptr<const Mesh> mesh_of(const RecordedQueries& queries, std::uint32_t tree);
-/// The same of a body, stretched as its pose says.
+/// The same for a body, stretched by its pose.
 std::shared_ptr<const Mesh> mesh_of_body(RecordedQueries& queries, std::uint32_t body);
 
-/// What a tree is called that no body has.
+/// The name of a tree without a body.
 std::string name_of(const TreeState& tree, std::uint32_t number);
 
 }  // namespace scb::scenes

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view magic = "\x89scbrc\r\n";
 constexpr std::string_view plain_block = "data", packed_block = "pack";
-/// Of a block; what is longer is one record.
+/// The size of a block; a longer one is a single record.
 constexpr std::size_t block_size = 1 << 20;
 
 std::string read_text(ByteReader& in) {
@@ -19,7 +19,7 @@ std::string read_text(ByteReader& in) {
     return {taken.begin(), taken.end()};
 }
 
-/// So many elements of so many bytes; none where there are not as many.
+/// `count` if so many elements of this size are left; else 0, and reading fails.
 std::size_t counted(ByteReader& in, std::uint64_t count, std::size_t bytes_of_each) {
     if (count <= in.bytes.size() / bytes_of_each) return static_cast<std::size_t>(count);
     in.take(UINT64_MAX);
@@ -38,7 +38,7 @@ std::vector<double> read_reals(ByteReader& in, std::uint64_t count) {
     return reals;
 }
 
-// A conversion by the processor makes each NaN a quiet one; these keep its bits.
+// A conversion by the processor makes each NaN a quiet one; these functions keep its bits.
 constexpr std::uint32_t float_nan = 0x7f800000, float_fraction = 0x007fffff;
 constexpr std::uint64_t double_nan = 0x7ff0000000000000;
 constexpr int more_fraction_bits = 29;
@@ -86,7 +86,7 @@ RecordedMesh read_mesh(ByteReader& in) {
     return mesh;
 }
 
-// Braces are evaluated in their order, which is that of the members and of the file.
+// Initializers in braces run in their order, which is the order of the members and of the file.
 Record read_record(RecordTag tag, ByteReader& in) {
     switch (tag) {
         case RecordTag::setting:
@@ -149,7 +149,7 @@ void write_volume(ByteWriter& out, const RecordedVolume& volume) {
     for (const double value : volume.values) out.real(value);
 }
 
-/// Writes what a record holds behind its length, and returns its tag.
+/// Writes the payload of a record, and returns its tag.
 struct WriteRecord {
     ByteWriter& out;
 
@@ -295,7 +295,7 @@ bool RecordingReader::next_block() {
         } else if (kind == plain_block) {
             block_ = {checked.subspan(4)};
         } else {
-            continue;  // of a newer version, which says that it can be left out
+            continue;  // of a newer version, which may be skipped
         }
         if (!block_.bytes.empty()) return true;
     }

@@ -18,17 +18,17 @@ inline constexpr std::uint32_t recording_version = 1;
 /// Whether the bytes start as a recording does.
 bool starts_as_recording(std::string_view bytes);
 
-/// What stands behind a record's tag and length: two records of a kind say the same where their
-/// payloads are the same, NaN included. Empty of a test.
+/// The bytes behind a record's tag and length. Two records of a kind are equal if their payloads
+/// are, NaN included. Empty for a test.
 std::vector<std::uint8_t> record_payload(const Record& record);
 
 /// Reads the records of a file (`.scbrec`), one after the other.
 ///
-/// Of a file that stops in the middle, or is damaged, what stands before is read, up to the last
-/// whole block: then `damage` says so. Throws InputError, one sentence that starts with `name`,
-/// where the bytes are no recording or of a newer version, and where a whole block contradicts
-/// itself. A file of n bytes takes O(n) time and memory, packed blocks not counted, which unpack to
-/// at most 1,032 times their size.
+/// A file that is cut off or damaged is read up to the last whole block before the damage, and
+/// `damage` reports it. Throws InputError, one sentence that starts with `name`, if the bytes are
+/// no recording or of a newer version, and if a whole block contradicts itself. A file of n bytes
+/// takes O(n) time and memory, except for packed blocks, which unpack to at most 16 times their
+/// size plus 1024 bytes.
 class RecordingReader {
   public:
     /// `bytes` must outlive the reader.
@@ -37,9 +37,9 @@ class RecordingReader {
     /// The next record, which the next call overwrites; nullptr at the end.
     const Record* next();
 
-    /// How much of it was read.
+    /// The number of bytes read.
     std::size_t bytes_read() const { return bytes_.size() - left_.size(); }
-    /// What a user must know of a file that is not whole, as a sentence; empty where it is.
+    /// What a user must know about a damaged file, as a sentence; empty if the file is whole.
     std::string damage() const;
     const std::string& name() const { return name_; }
 
@@ -57,8 +57,8 @@ class RecordingReader {
     Record record_;
 };
 
-/// The bytes of a file, record after record. Blocks are packed (zlib), so that the same records
-/// always give the same bytes with the same zlib.
+/// Makes the bytes of a file, record after record. Blocks are packed with zlib; the same records
+/// give the same bytes with the same zlib.
 class RecordingWriter {
   public:
     RecordingWriter();

@@ -27,7 +27,7 @@ bool names_recording(const std::string& path) {
 
 std::string recording_bytes(const std::string& path) {
     note_input(path);
-    // What is no recording is refused by its first bytes, however long it is.
+    // The first bytes show whether this is a recording, so that other long files are not read.
     std::string start = file_bytes(path, start_bytes);
     if (starts_as_recording(start)) return file_bytes(path);
     const std::size_t first = start.find_first_not_of(" \t\r\n");

@@ -53,7 +53,7 @@ Json reals_json(const Reals& reals) {
     return list;
 }
 
-/// A number that stands for itself, but for the one that means none.
+/// The number, or null for record_none.
 Json number_json(std::uint32_t number) { return number == record_none ? Json() : Json(number); }
 
 Json volume_json(const RecordedVolume& volume) {
@@ -261,16 +261,16 @@ std::uint8_t complete_of(const JsonPlace& place) {
     return place.value->get<std::uint8_t>();
 }
 
-/// Whether a coordinate can be one of 4 bytes. Finite ones are rounded.
+/// Whether a coordinate fits into 4 bytes. Finite ones are rounded.
 bool fits_float(double value) {
     if (std::isinf(value)) return true;
     if (!std::isnan(value)) return std::abs(value) <= std::numeric_limits<float>::max();
-    // Their sign and the first 23 bits of their fraction.
+    // A NaN keeps its sign and the first 23 bits of its fraction.
     constexpr std::uint64_t beyond = (std::uint64_t{1} << 29) - 1;
     return (std::bit_cast<std::uint64_t>(value) & beyond) == 0;
 }
 
-/// The record of a line; the field that only its kind has says which.
+/// Adds the record of a line. The kind follows from a field that only this kind has.
 void add_line(RecordingWriter& writer, const JsonPlace& line,
               const std::vector<std::uint8_t>& appended) {
     const auto add = [&](Record record) {

@@ -7,10 +7,9 @@
 
 namespace scb::scenes {
 
-/// Records as JSON Lines: a line per record, and tests that follow each other in lines of up to a
-/// hundred. README.md of this folder lists the fields. Numbers are written so that they read back
-/// to the same; what is no number as "nan", "inf", "-inf", and texts that are no UTF-8 as
-/// {"hex": "..."}.
+/// Writes records as JSON Lines: one line per record, and one line for up to a hundred tests that
+/// follow each other. README.md of this folder lists the fields. Numbers read back unchanged.
+/// Non-finite numbers are "nan", "inf", "-inf", and texts that are not UTF-8 are {"hex": "..."}.
 class RecordingJsonWriter {
   public:
     void add(const Record& record);
@@ -27,8 +26,8 @@ class RecordingJsonWriter {
 /// The recording of a file's bytes as JSON Lines. Throws InputError as RecordingReader does.
 std::string recording_as_json(std::string_view bytes, std::string_view name);
 
-/// The other way. Fields that are left out are 0, or empty. Throws InputError, one sentence that
-/// names the line, where a line is not JSON, or no record.
+/// The inverse of recording_as_json. Missing fields are 0 or empty. Throws InputError, one sentence
+/// that names the line, if a line is not JSON, or no record.
 std::string recording_of_json(std::string_view text, const std::string& name);
 
 }  // namespace scb::scenes

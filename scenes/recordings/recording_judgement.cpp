@@ -17,7 +17,7 @@
 namespace scb::scenes {
 namespace {
 
-/// Adds query after query.
+/// Judges a recording query by query.
 class RecordingJudge {
   public:
     RecordingJudge(const RecordingFile& file, const std::function<bool()>& go_on)
@@ -53,7 +53,7 @@ class RecordingJudge {
     }
 
   private:
-    /// The work ends before these frames were judged, from this one on.
+    /// Counts the frames that are left unjudged, from this one on.
     void note_left(const std::function<bool(int)>& wanted, int from) {
         for (const int frame : result_.summary.frames)
             if (wanted(frame)) ++(frame < from ? frames_judged_ : result_.frames_left);
@@ -153,8 +153,8 @@ class RecordingJudge {
         }
     }
 
-    /// The test of volumes that the problem is at or, of a pair that was reported without one, the
-    /// one before it, as traces count them.
+    /// The number of the problem's test of volumes, as traces count them. For a pair that was
+    /// reported without a test, the number of the test before the report.
     static std::uint32_t test_number(const QueryJudgement& judged, const PairProblem& problem) {
         if (problem.test != no_index || problem.event == no_index) return problem.test;
         const auto after = std::upper_bound(
@@ -165,8 +165,8 @@ class RecordingJudge {
                    : static_cast<std::uint32_t>(after - judged.tests.begin() - 1);
     }
 
-    /// Of several queries of the same bodies in a frame, commands other than this one show the
-    /// first: where the bodies have moved in between, frames were meant.
+    /// Other commands show the first of several queries of the same bodies in a frame. If the
+    /// bodies moved in between, the queries belong to different frames.
     void note_moves(const EngineQuery& query, const QueryName& name) {
         const auto bodies = recording_.query_bodies();
         const auto [last, added] = last_queries_.try_emplace(bodies, query.frame, query.b_to_a);
@@ -285,13 +285,13 @@ class RecordingJudge {
     std::uint64_t queries_ = 0, unplaced_ = 0, without_result_ = 0, without_results_ = 0,
                   broken_pairs_ = 0;
     std::string unplaced_why_;
-    std::set<std::uint32_t> stretched_;  ///< bodies of which that was noted
+    std::set<std::uint32_t> stretched_;  ///< bodies whose stretch was noted
     const std::function<bool()> go_on_;
     std::uint64_t frames_judged_ = 0;   ///< of an interrupted judgement
     std::uint64_t grazing_missed_ = 0;  ///< see QueryJudgement
     std::string first_grazing_;
-    std::uint64_t unknown_objects_ = 0, objects_ = 0;  ///< the most of any query
-    /// Of two bodies the frame of the last query, and its pose.
+    std::uint64_t unknown_objects_ = 0, objects_ = 0;  ///< the largest numbers of any query
+    /// Per pair of bodies, the frame and the pose of their last query.
     std::map<std::array<std::uint32_t, 2>, std::pair<int, Pose>> last_queries_;
 };
 

@@ -18,26 +18,26 @@ namespace scb::scenes {
 
 /// The tests that ended at one stage.
 struct StageJudgement {
-    std::string name;  ///< "overlap" of stage 0
+    std::string name;  ///< "overlap" for stage 0
     std::uint64_t tests = 0;
-    std::uint64_t false_positives = 0;       ///< of stage 0
-    std::uint64_t wrong = 0;                 ///< of the others
-    double least_depth = 0, most_depth = 0;  ///< of the wrong ones, at least
+    std::uint64_t false_positives = 0;       ///< only at stage 0
+    std::uint64_t wrong = 0;                 ///< only at other stages
+    double least_depth = 0, most_depth = 0;  ///< of the wrong tests, lower bounds
     double most_apart = 0;                   ///< of the false positives
-    std::string farthest;                    ///< which that is, a clause
+    std::string farthest;  ///< the false positive that is farthest apart, a clause
 };
 
-/// Something that went wrong.
+/// One case of a problem.
 struct ProblemCase {
     QueryName query;
     std::string words;  ///< a clause: which pair, at which nodes and test
     IndexPair nodes{no_index, no_index}, items{no_index, no_index};  ///< numbers
-    /// The number of the test of volumes, among those of its query, from 0; of a test of triangles
-    /// that of the test before it.
+    /// The number of the test of volumes in its query, from 0. For a test of triangles, the number
+    /// of the test of volumes before it.
     std::uint32_t test = no_index;
 };
 
-/// What went wrong for one reason.
+/// The cases of a problem with one cause.
 struct ProblemGroup {
     static constexpr std::size_t most_cases = 100;
 
@@ -53,27 +53,26 @@ struct NotJudged {
     std::string why;                  ///< a clause
 };
 
-/// Why queries take more tests than they need. That is not wrong.
+/// Why queries take more tests than they need. This is no error.
 struct CostFinding {
     enum class Kind {
-        repeated,  ///< `count` tests of `of` were made before in their query
-        deep,      ///< the tree is `count` deep, where `of` would do
-        loose,     ///< `count` boxes of `of` are much larger than what is below them
+        repeated,  ///< `count` of `of` tests repeat an earlier test of their query
+        deep,      ///< the tree has depth `count`; `of` would be enough
+        loose,     ///< `count` of `of` boxes are much larger than what is below them
     };
     Kind kind = Kind::repeated;
     std::uint64_t count = 0, of = 0;
-    std::string where;  ///< the tree; of repeated tests the first one
-    /// Of loose boxes: the tests of volumes of all queries, and how many they would be with boxes
-    /// that fit.
+    std::string where;  ///< the tree; for repeated tests, the first of them
+    /// For loose boxes: the tests of volumes of all queries, and their number with boxes that fit.
     std::uint64_t tests = 0, tests_if_tight = 0;
 };
 
-/// How exact an engine's numbers let a frame be judged.
+/// How precisely a frame can be judged.
 struct FrameTolerance {
-    double volumes = 0, triangles = 0;  ///< lengths, see EngineQuery::tolerance: the largest
-    double away = 0;                    ///< see EngineQuery::away: the largest
-    bool single = false;                ///< numbers of 32 bits
-    std::string hides;  ///< whose triangles or leaves are smaller, a clause; empty: none
+    double volumes = 0, triangles = 0;  ///< the largest lengths, see EngineQuery::tolerance
+    double away = 0;                    ///< the largest, see EngineQuery::away
+    bool single = false;                ///< 32-bit numbers
+    std::string hides;  ///< whose triangles or leaves are not larger, a clause; empty: none
 };
 
 struct FrameJudgement {
@@ -90,53 +89,54 @@ struct TreeJudgement {
     std::size_t nodes = 0;
     std::uint32_t depth = 0;
     std::size_t roots = 0;
-    std::uint64_t in_several_leaves = 0;  ///< triangles: the most of any frame
-    bool unfinished = false;  ///< the file breaks off in it: what it was before that was judged
+    std::uint64_t in_several_leaves = 0;  ///< the largest number of triangles in any frame
+    bool unfinished = false;  ///< the file breaks off in this tree; its earlier state was judged
     std::vector<WatchedProblem> problems;
-    std::optional<TreeFit> fit;  ///< one change that explains most nodes that do not contain
+    std::optional<TreeFit> fit;  ///< a change of the mesh that explains most `outside` problems
     int fit_at = 0;              ///< frame
 };
 
-/// What was recorded could all be judged and nothing is wrong; nothing is wrong in what could be
-/// judged; something is proven wrong.
+/// In order: all was judged, and nothing is wrong; some parts could not be judged, and nothing is
+/// wrong in the others; something is proven wrong.
 enum class Verdict { sound, partly_judged, wrong };
 
-/// A recording, judged: whether its trees are trees that contain their triangles, whether its tests
-/// are right on its own volumes, and whether its results are those of this project's query.
+/// The judgement of a recording: whether its trees are valid and contain their triangles, whether
+/// its tests are right for the recorded volumes, and whether its results equal this project's
+/// results.
 struct RecordingJudgement {
     std::string engine;
     RecordingSummary summary;
     std::vector<TreeJudgement> trees;
     std::vector<FrameJudgement> frames;
-    std::vector<StageJudgement> stages;             ///< those that occur, or were named
+    std::vector<StageJudgement> stages;             ///< stages that occur, or were named
     std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
     std::vector<std::string> stretches;  ///< bodies whose poses scale or mirror them: clauses
-    OddRecords odd;                      ///< they contradict the trees
-    OddRecords unusable;                 ///< they say nothing that could be judged
-    std::vector<std::string> notes;  ///< what is not wrong, but may be meant otherwise: the same
+    OddRecords odd;                      ///< records that contradict the trees
+    OddRecords unusable;                 ///< records that cannot be used
+    std::vector<std::string> notes;      ///< clauses: not wrong, but perhaps not intended
     std::string damage;
     std::vector<NotJudged> not_judged;
     std::vector<CostFinding> costs;
     std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, exact_pairs = 0;
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
-    std::uint64_t unjudged = 0;         ///< tests of volumes of nodes without one that is known
-    std::uint64_t ended_early = 0;      ///< queries, of which nothing is said to be missed
-    std::uint64_t frames_left = 0;      ///< of a judgement that was interrupted
-    /// Queries of whose items too little is known, see has_known_items.
+    std::uint64_t unjudged = 0;         ///< tests of volumes that could not be judged
+    std::uint64_t ended_early = 0;      ///< queries, whose missed pairs are not reported
+    std::uint64_t frames_left = 0;      ///< frames left unjudged by an interruption
+    /// Queries without known items, see has_known_items.
     std::uint64_t unknown_items = 0;
 
     /// The sum of a count over the frames.
     std::uint64_t total(std::uint64_t FrameJudgement::*count) const;
-    /// Something that is slow is not wrong.
+    /// The verdict. Slow queries are not wrong.
     Verdict verdict() const;
     bool wrong() const { return verdict() == Verdict::wrong; }
 };
 
-/// Judges all frames, or those that `wanted` says. `done` is called after each query and each
-/// frame, with whether a frame is done, and ends the work where it returns false. Throws InputError
-/// as RecordedQueries does.
+/// Judges the frames that `wanted` accepts. `done` is called with true after each frame; with false
+/// after each query, and from time to time during one. It ends the work by returning false. Throws
+/// InputError as RecordedQueries does.
 RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int frame)>& wanted,
                                    const std::function<bool(bool frame)>& done);

@@ -54,7 +54,7 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     }
     if (summary.frames.empty()) summary.frames.push_back(0);
     tell_apart(summary.body_names);
-    // Those of a file whose frames do not ascend, too, which cannot be read on.
+    // Frames that do not ascend are sorted, too; RecordedQueries refuses them.
     std::sort(summary.frames.begin(), summary.frames.end());
     return summary;
 }

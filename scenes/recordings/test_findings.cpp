@@ -7,7 +7,7 @@
 namespace scb::scenes {
 namespace {
 
-/// Of a tree without nodes nothing is known.
+/// Whether a test names a node that its tree does not have. Trees without nodes are not checked.
 bool names_unknown_node(const EngineQuery& query, IndexPair nodes) {
     return (nodes.a == no_index && query.sides[0].tree->size() > 0) ||
            (nodes.b == no_index && query.sides[1].tree->size() > 0);
@@ -75,7 +75,7 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
             stage.most_apart = test.margin;
             stage.farthest = query_words(name) + ": " + words() + ", " + apart_words(test.margin);
         }
-        // Else a test may pass too many.
+        // Tests of other engines may pass disjoint volumes.
         if (recording.has_exact_tests()) {
             ++row.wrong;
             note("a test of an engine whose tests are exact passed volumes that are apart",

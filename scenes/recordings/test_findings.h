@@ -15,23 +15,23 @@ using ProblemGroups = std::vector<ProblemGroup>;
 /// Counts the case in the group of this name.
 void add_case(ProblemGroups& groups, const std::string& what, ProblemCase one);
 
-/// The most frequent first.
+/// Sorts the groups, the most frequent first.
 ProblemGroups by_count(ProblemGroups groups);
 
-/// Gathers the judged tests of all queries: by stage, and those that went wrong.
+/// Gathers the judged tests of all queries: by stage, and the wrong ones.
 class TestFindings {
   public:
-    /// `recording` is at the query, and `row` is that of its frame.
+    /// `recording` must be at this query; `row` is the row of its frame.
     void take(const RecordedQueries& recording, const EngineQuery& query,
               const QueryJudgement& judged, const QueryName& name, FrameJudgement& row);
-    /// Another thing that went wrong.
+    /// Adds another problem.
     void add(const std::string& what, ProblemCase one) {
         add_case(problems_, what, std::move(one));
     }
 
     const ProblemGroups& problems() const { return problems_; }
     std::uint64_t unjudged() const { return unjudged_; }
-    /// Those that occur, or have a name.
+    /// The stages that occur, or have a name.
     std::vector<StageJudgement> stages(const StageNames& names) const;
     /// Tests that repeat an earlier one of their query.
     std::optional<CostFinding> repeated() const;
@@ -51,7 +51,7 @@ class TestFindings {
     std::string first_repeated_;
     std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
     DivisionCounts::Lack first_lack_;
-    std::string lacking_;  ///< which that is
+    std::string lacking_;  ///< the first such division, a clause
     bool lacks_alike_ = true;
 };
 

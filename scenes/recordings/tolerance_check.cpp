@@ -16,7 +16,7 @@ std::string step_words(double at, bool single) {
            format("%.2g", at * (single ? 0x1p-23 : 0x1p-52)) + " apart";
 }
 
-/// A clause that begins with "; ".
+/// The cause of the tolerance, as a clause that begins with "; ".
 std::string cause_of_tolerance(const EngineQuery& query) {
     switch (query.tolerance_cause) {
         case ToleranceCause::setting:

@@ -10,17 +10,18 @@
 
 namespace scb::scenes {
 
-/// Counts the triangles, and the leaf volumes of objects, that are smaller than the tolerance: what
-/// an engine says of these is not judged.
+/// Counts the triangles, and the leaf volumes of objects, that are not larger than the tolerance:
+/// tests of these are not judged.
 class ToleranceCheck {
   public:
-    /// Takes a query into the tolerance of its frame. `recording` is at that query.
+    /// Adds a query to the tolerance of its frame. `recording` must be at this query.
     void take(const RecordedQueries& recording, const EngineQuery& query,
               const std::map<std::uint32_t, std::string>& body_names, FrameTolerance& tolerance);
-    /// The same of the trees that no body has, at the end of a frame.
+    /// The same for trees without a body, at the end of a frame.
     void take_trees(RecordedQueries& recording, FrameTolerance& tolerance);
 
-    /// The most that were hidden in any frame, of how many, and why: a clause on the first.
+    /// The largest numbers of hidden items in any frame; the number of all items; the cause of the
+    /// first, as a clause.
     std::uint64_t hidden() const;
     std::uint64_t of() const;
     const std::string& why() const { return why_; }
@@ -29,8 +30,8 @@ class ToleranceCheck {
     struct Items {
         const EngineNodes* tree = nullptr;
         int version = -1;
-        /// Size and reach of each triangle or, of objects, of each leaf volume; points are left
-        /// out. Ascending by size. All triangles have the reach 0: their tolerance is the same.
+        /// Size and reach of each triangle or, for objects, of each leaf volume. Ascending by size,
+        /// without points. Triangles have reach 0, since all have the same tolerance.
         std::vector<std::pair<double, double>> sizes;
         std::uint64_t hidden = 0;
     };

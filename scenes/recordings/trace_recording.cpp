@@ -21,7 +21,7 @@ RecordedVolume recorded(const Obb& box) {
 
 template <bool exact>
 RecordedVolume recorded(const BasicAabb<exact>& box) {
-    // As a box of any axes: corners would be rounded.
+    // As an oriented box, since corners would be rounded.
     return recorded(Obb{box.center, Mat3::Identity(), box.half});
 }
 

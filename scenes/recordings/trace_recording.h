@@ -15,7 +15,7 @@ class TraceRecording {
     TraceRecording(const TraceHeader& header, std::array<const Mesh*, 2> meshes,
                    std::array<const AnyHierarchy*, 2> hierarchies);
 
-    /// Frames must be added ascending. `poses` are those of A and B.
+    /// Frames must be added ascending. `poses`: the poses of A and B.
     void add(const TraceFrame& frame, const std::array<Pose, 2>& poses);
     /// The whole file. Nothing may be added after it.
     std::string finish();

@@ -20,7 +20,7 @@ void TreeJudge::look(std::uint32_t number, const std::map<std::uint32_t, std::st
     find_fit(number, side, mesh->second, recording_.tolerance_of(tree), body_names);
 }
 
-/// Meshes of earlier frames, of which a tree may be that was not refitted.
+/// Keeps meshes of earlier frames, since a tree that was not refitted may belong to one of them.
 void TreeJudge::keep_mesh(std::uint32_t number, const MeshState& mesh) {
     constexpr std::size_t most = 8;
     std::deque<EarlierMesh>& kept = earlier_[number];
@@ -29,8 +29,8 @@ void TreeJudge::keep_mesh(std::uint32_t number, const MeshState& mesh) {
     if (kept.size() > most) kept.pop_front();
 }
 
-/// One change that explains why nodes do not contain what is below them: at the frame with the
-/// most of them, but not in each of many frames.
+/// Looks for one change that explains why nodes do not contain what is below them: at the frame
+/// with the most such nodes, and in a few frames at most.
 void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const MeshState& mesh,
                          double tolerance, const std::map<std::uint32_t, std::string>& body_names) {
     const TreeWatch& watch = watches_[number];
@@ -51,7 +51,7 @@ void TreeJudge::find_fit(std::uint32_t number, const EngineSide& side, const Mes
         if (earlier->mesh != mesh.finite)
             others.push_back({"the mesh of frame " + std::to_string(earlier->frame),
                               [of = earlier->mesh] { return *of; }});
-    // Of many bodies of one tree, some are enough.
+    // If a tree has many bodies, some are enough.
     constexpr std::size_t most_bodies = 4;
     std::size_t tried = 0;
     for (const auto& [body_number, body] : recording_.bodies()) {

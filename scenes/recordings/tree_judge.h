@@ -16,11 +16,12 @@ class TreeJudge {
     /// The recording must outlive this.
     explicit TreeJudge(RecordedQueries& recording) : recording_(recording) {}
 
-    /// The tree as it is now, and why many of its nodes do not contain what is below them.
+    /// Checks the current tree, and looks for the reason if many nodes do not contain what is below
+    /// them.
     void look(std::uint32_t number, const std::map<std::uint32_t, std::string>& body_names);
     /// By number.
     const std::map<std::uint32_t, TreeWatch>& watches() const { return watches_; }
-    /// At the end, by number.
+    /// The judgements at the end, by number.
     std::vector<TreeJudgement> judged();
 
   private:

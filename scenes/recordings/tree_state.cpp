@@ -30,7 +30,7 @@ bool has_single_objects(const EngineNodes& tree, const TreeShape& shape) {
     return !shape.holder.empty();
 }
 
-/// What a node is known by in a tree that is built anew: a leaf by its items, others by number.
+/// The key of a node when its tree is rebuilt: its items for a leaf, else its number.
 std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> items) {
     WordHash hash;
     if (items.empty()) hash.add(number);
@@ -38,7 +38,7 @@ std::uint64_t node_key(std::uint32_t number, std::span<const std::uint32_t> item
     return hash.value;
 }
 
-/// Of the children and items of a node.
+/// A hash of the children and items of a node.
 std::uint64_t links_hash(const RecordedNode& node) {
     WordHash hash;
     hash.add(node.children.size());
@@ -79,7 +79,7 @@ void TreeState::take(const RecordedNode& node, int frame, std::uint64_t epoch) {
         if (const std::uint32_t known = tree.index_of(child);
             known != no_index && node_states[known].epoch != epoch)
             tree[known].parent = node.node;
-    // Since the tree was last used, a node that is recorded again is another one of this number.
+    // A node that is recorded again in a later frame or query replaces the earlier one.
     if (known_at != no_index && node_states[known_at].epoch != epoch) {
         NodeState& of_node = node_states[known_at];
         of_node.epoch = epoch;
@@ -104,10 +104,10 @@ void TreeState::set_volume(std::uint32_t index, const RecordedVolume& volume, in
     for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
     int told_at = frame;
     const std::uint64_t last = std::exchange(node_states[index].volume, told.value);
-    // An engine may tell all again, also those that it forgot to change.
+    // An engine may record all volumes again, also those that it forgot to change.
     if (last == told.value) return;
     if (last == 0) {
-        // Of a tree that is built anew: the volume may be the one that it had.
+        // In a rebuilt tree, the node may have its earlier volume.
         const auto old = before.find(node_key(tree[index].number, tree.items(index)));
         if (old != before.end() && old->second.volume == told.value) told_at = old->second.told_at;
     }

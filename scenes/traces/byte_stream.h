@@ -24,7 +24,7 @@ struct ByteWriter {
         for (; value >= 0x80; value >>= 7) byte(static_cast<std::uint8_t>(value | 0x80));
         byte(static_cast<std::uint8_t>(value));
     }
-    /// Small where the magnitude is.
+    /// Short if the magnitude is small.
     void signed_varint(std::int64_t value) {
         varint(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
     }
@@ -44,8 +44,9 @@ struct ByteWriter {
     }
 };
 
-/// Reads what ByteWriter wrote. Once there are not enough bytes, or a varint is none, `ok` is false
-/// and all that is read is 0 or empty: look once, at the end. Texts refer to the bytes.
+/// Reads what ByteWriter wrote. If bytes run out, or a varint is invalid, `ok` becomes false and
+/// all further values are 0 or empty, so that one check at the end is enough. `take` refers to the
+/// bytes.
 struct ByteReader {
     std::span<const std::uint8_t> bytes;
     bool ok = true;

@@ -13,11 +13,11 @@
 namespace scb::scenes {
 namespace {
 
-// How a volume test ended, in the lower six bits of a byte: `divided` covers pairs that are left
-// over too.
+// How a volume test ended, in the lower six bits of a byte. `divided` includes pairs that are left
+// over.
 enum Symbol : std::uint8_t { divided, leaves_apart, leaves_meet, rejected_first, neighbors = 62 };
-constexpr std::uint8_t of_b = 0x80;     // on the first test after a division: of B's node
-constexpr std::uint8_t is_root = 0x40;  // on a test that no other led to, of a self query
+constexpr std::uint8_t of_b = 0x80;     // set on the first test after a division of B's node
+constexpr std::uint8_t is_root = 0x40;  // set on a root test of a self query
 constexpr std::uint8_t symbol_bits = 0x3f;
 static_assert(stage_count == 28 && static_cast<int>(Stage::overlapping) == 0,
               "stages are written as their numbers: another list needs another version, one that "
@@ -39,7 +39,7 @@ std::uint8_t symbol_of(Stage outcome) {
     }
 }
 
-/// Writes the number that belongs to a node where the reader does not know it yet.
+/// Writes the number that belongs to a node, if the reader does not know it yet.
 void tell(ByteWriter& news, std::map<std::uint32_t, std::uint32_t>& known, std::uint32_t node,
           std::uint32_t value, std::uint32_t& last) {
     if (!known.try_emplace(node, value).second) return;
@@ -64,7 +64,7 @@ struct FrameBuilder {
     std::set<std::uint32_t> roots{};
     std::string failure{};
 
-    /// The number that belongs to a node, from `begin` to below `end`, and to no other node.
+    /// The number in [begin, end) that belongs to a node, and to no other node.
     std::uint32_t learn(std::map<std::uint32_t, std::uint32_t>& known,
                         std::set<std::uint32_t>& taken, std::uint32_t node, std::uint32_t& last,
                         std::uint32_t begin, std::uint32_t end) {
@@ -101,7 +101,7 @@ struct FrameBuilder {
         return left;
     }
 
-    /// The left child of a node of a self query against the right one.
+    /// A root test of a self query: a left child against its sibling.
     void visit_root(std::uint8_t symbol) {
         if (header.kind != QueryKind::self || !pending.empty()) {
             failure = "a test without a parent stands within a query";

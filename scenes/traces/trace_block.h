@@ -12,21 +12,21 @@ namespace scb::scenes {
 // What TraceWriter and TraceReader share: the header and one frame as plain bytes, and deflate.
 
 std::vector<std::uint8_t> header_bytes(const TraceHeader& header);
-/// Nothing where the bytes are no header.
+/// Nothing if the bytes are no header.
 std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes);
 
-/// A frame as bytes; adds to `nodes` what it says about them.
+/// A frame as bytes. Adds the links that it writes to `nodes`.
 std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
                                       std::array<TraceNodes, 2>& nodes);
-/// Reads a frame into `frame` and `nodes`. Returns what is wrong with it, or nothing.
+/// Reads a frame into `frame` and `nodes`. Returns the error as a clause, or an empty text.
 std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> bytes,
                        std::array<TraceNodes, 2>& nodes, TraceFrame& frame);
 
-/// No packed block unpacks to more than so many times its size and 1024: bytes that repeat
-/// further are packed less well, so that a reader can refuse lengths that nobody wrote.
+/// A packed block unpacks to at most this many times its size plus 1024. Bytes that repeat more are
+/// packed less well, so that a reader can refuse larger lengths.
 inline constexpr std::size_t most_unpacked = 16;
 std::vector<std::uint8_t> pack(std::span<const std::uint8_t> plain);
-/// Nothing where the bytes do not unpack to this size.
+/// Nothing if the bytes do not unpack to this size.
 std::optional<std::vector<std::uint8_t>> unpack(std::span<const std::uint8_t> packed,
                                                 std::size_t size);
 /// zlib's CRC-32.

@@ -53,7 +53,7 @@ std::string missing_text(const std::vector<int>& frames, const std::string& owne
 
 bool has_same_pairs(const TraceDiff& d) { return d.pairs_only_in_a + d.pairs_only_in_b == 0; }
 
-/// Of another engine, whose tests are others anyway, pairs are what one asks for.
+/// Tests of another engine differ anyway, so pairs matter most.
 bool says_pairs_first(const TraceDiff& d) {
     return d.of_engines && d.pairs_comparable && d.common > 0;
 }
@@ -86,7 +86,7 @@ BodyNames printable_names(const BodyNames& names) {
     return {printable(names[0]), printable(names[1])};
 }
 
-// Which pairs one found and the other did not, and by which test it left them out.
+// The pairs that only one trace found, and the tests by which the other left them out.
 std::string lost_text(const TraceDiff& d, const TraceNames& names) {
     if (d.nodes_comparable && !d.pairs_comparable)
         return "\nThey stop at different levels, so their pairs cannot be compared.\n";

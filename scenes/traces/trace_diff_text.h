@@ -17,12 +17,12 @@ struct CountRow {
 std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b,
                                  const std::vector<std::string>& stages);
 
-/// How two traces differ, as lines: what was asked of only one of them, the frames, the counts, the
-/// pairs that only one found, and the first test at which they part.
+/// How two traces differ, as lines: the parameters that differ, the frames, the counts, the pairs
+/// that only one found, and the first test at which they part.
 std::string trace_diff_text(const TraceDiff& d, const TraceNames& names);
 
-/// "11 pairs only in the first, 0 pairs only in the second"; empty where both found the same, or it
-/// cannot be known.
+/// "11 pairs only in the first, 0 pairs only in the second"; empty if both found the same, or if
+/// the pairs cannot be compared.
 std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names);
 
 }  // namespace scb::scenes

@@ -12,7 +12,8 @@
 namespace scb::scenes {
 namespace {
 
-// A byte that no text has, and a line end that a transfer as text would change.
+// Begins with a byte that no text has, and ends with a line end that a transfer as text would
+// change.
 constexpr std::array<std::uint8_t, 8> magic = {0x89, 's', 'c', 'b', 't', 'r', '\r', '\n'};
 
 [[noreturn]] void refuse_truncated(const std::string& name) {
@@ -71,7 +72,7 @@ TraceReader::TraceReader(std::span<const std::uint8_t> bytes, std::string_view n
                          "; this one reads up to " + std::to_string(trace_version) +
                          "); use that scb, or record the trace again.");
     const auto asked = in.take(in.varint());
-    // Lengths first, so that a file that was cut off is not called damaged.
+    // Check the lengths first, so that a truncated file is not called damaged.
     blocks_ = in.bytes;
     while (in.ok) {
         const std::uint64_t packed = in.varint();

@@ -17,16 +17,16 @@ namespace scb::scenes {
 //
 //     magic      the eight bytes 89 's' 'c' 'b' 't' 'r' 0d 0a
 //     version    fixed32
-//     header     its length (varint), then what was asked
+//     header     its length (varint), then the parameters
 //     frames     per frame the length of its block packed and unpacked (varints), and the block,
 //                deflated; a packed length of 0 ends the frames
 //     checksum   fixed32: zlib's CRC-32 of all bytes before it
 //
-// A block holds, per volume test, one byte: how it ended, whether its triangles intersect, and
-// which of the two nodes was divided to get there. The order of a traversal makes nodes and depths
-// follow from that, given each node's children and each leaf's triangle, and these stand where the
-// file first needs them. So frames are read in order, and a test takes little: of `spheres-l1` (500
-// frames, symmetric, 8.8 million tests) 0.41 bytes.
+// A block has one byte per volume test: how the test ended, whether its triangles intersect, and
+// which of the two nodes was divided to get there. Nodes and depths follow from the order of a
+// traversal, given each node's children and each leaf's triangle, which are written where they are
+// first needed. So frames must be read in order. A test takes 0.41 bytes in `spheres-l1` (500
+// frames, symmetric, 8.8 million tests).
 
 /// The highest version that decode_trace reads, and the one that is written.
 inline constexpr std::uint32_t trace_version = 1;
@@ -34,13 +34,13 @@ inline constexpr std::uint32_t trace_version = 1;
 /// Whether the bytes start as a trace file does.
 bool starts_as_trace(std::span<const std::uint8_t> bytes);
 
-/// For one body, what the nodes met so far lead to.
+/// For one body, the links of the nodes met so far.
 struct TraceNodes {
     // Not hashed: a file could choose its nodes so that all have one hash.
-    std::map<std::uint32_t, std::uint32_t> left;      ///< of nodes that were divided
+    std::map<std::uint32_t, std::uint32_t> left;      ///< of divided nodes
     std::map<std::uint32_t, std::uint32_t> triangle;  ///< of leaves
-    std::set<std::uint32_t> lefts, triangles;         ///< a reader's: those taken
-    std::uint32_t last_left = 0, last_triangle = 0;   ///< what came last
+    std::set<std::uint32_t> lefts, triangles;         ///< for a reader: numbers in use
+    std::uint32_t last_left = 0, last_triangle = 0;   ///< the latest numbers
 };
 
 /// Turns a trace into the bytes of a file, frame by frame: memory holds these bytes and one frame.
@@ -49,8 +49,8 @@ class TraceWriter {
   public:
     explicit TraceWriter(const TraceHeader& header);
 
-    /// Frames must come ascending by number, each once, and be collide's, recorded: their counts
-    /// are not stored but N_u, since they follow from the tests. Throws InputError where the frame
+    /// Frames must be added ascending by number, each once, as recorded by collide: counts other
+    /// than N_u are not stored, since they follow from the tests. Throws InputError if the frame
     /// has more than 2^31 volume tests.
     void add(const TraceFrame& frame);
     /// The whole file. Nothing may be added after it.
@@ -64,12 +64,12 @@ class TraceWriter {
 
 /// Reads a trace from the bytes of a file, frame by frame: memory holds one frame.
 ///
-/// Throws InputError, one sentence that starts with `name`, where the bytes are no trace,
-/// truncated, longer than a trace, written by a newer scb, do not fit their checksum, or contradict
-/// themselves. All but the last is known after construction; contradictions, which only a made-up
-/// file has, may show in `next`. What is read can be trusted: node and triangle indices are within
-/// the meshes of the header, frames ascend, the tests are those of a traversal. A file of n bytes
-/// takes O(n log n) time and O(n) memory, and no block unpacks to more than 16 times its size.
+/// Throws InputError, one sentence that starts with `name`, if the bytes are no trace, truncated,
+/// longer than a trace, written by a newer scb, do not fit their checksum, or contradict
+/// themselves. The constructor finds all of these except contradictions, which only a made-up file
+/// has and `next` may find. The results can be trusted: node and triangle indices are within the
+/// meshes of the header, frames ascend, the tests form a traversal. A file of n bytes takes O(n log
+/// n) time and O(n) memory, and no block unpacks to more than 16 times its size plus 1024 bytes.
 class TraceReader {
   public:
     /// `bytes` must outlive the reader.

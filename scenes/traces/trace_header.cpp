@@ -44,7 +44,7 @@ std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes) {
     for (std::uint64_t words = in.varint(); words > 0 && in.ok; --words)
         header.source.push_back(in.text());
     header.scene = in.text();
-    // It becomes a part of file names.
+    // The name becomes a part of file names.
     bool legal = header.scene == file_name_of(header.scene);
     for (TraceBody& body : header.bodies) {
         body.name = in.text();

@@ -9,8 +9,8 @@
 namespace scb {
 
 /// How a test of two volumes A and B ended: with `overlapping`, or at the stage that rejected the
-/// pair. All tests share one list, so that counts, traces and colors agree. The rows behind the
-/// tests' stages say what followed where volumes overlap. An engine's stages come last, see
+/// pair. All tests share one list, so that counts, traces and colors agree. The values behind the
+/// tests' stages name what followed if the volumes overlap. An engine's stages come last, see
 /// StageTable.
 enum class Stage : std::uint8_t {
     overlapping,  ///< not rejected
@@ -51,18 +51,18 @@ enum class Stage : std::uint8_t {
     long_axes,      ///< along the product of the long axes
 
     // Convex volumes by their farthest points; center_line comes before.
-    search,  ///< along a direction that the search for the closest points came to
+    search,  ///< along a direction that the search for the closest points reached
 
     // What followed a test of two volumes that overlap. The path of the traversal ended:
     triangles_apart,  ///< at two leaves, whose triangles do not intersect
     triangles_meet,   ///< at two leaves, whose triangles intersect
     found,            ///< at nodes of the level at which the query stopped
     neighbors,        ///< at two leaves of a self query, whose triangles share a vertex
-    left_over,        ///< since the query had enough pairs before it divided these nodes
+    left_over,        ///< because the query had enough pairs before it divided these nodes
     // Or it went on, with the tests of children:
     divided_a,     ///< of A's node
     divided_b,     ///< of B's node
-    divided_both,  ///< of both nodes, as engines test them
+    divided_both,  ///< of both nodes, as some engines do
 };
 /// The number of results of a test: `overlapping`, and the stages that reject.
 inline constexpr std::size_t stage_count = 28;
@@ -75,7 +75,7 @@ using StageCounts = std::array<std::uint64_t, stage_count>;
 /// The sum of all counts: N_v of equation 1.
 std::uint64_t test_count(const StageCounts& counts);
 
-/// "overlapping", "ball-ball", "slab-cylinder", "axis-a0xb2", "triangles meet", ...; of a stage
+/// "overlapping", "ball-ball", "slab-cylinder", "axis-a0xb2", "triangles meet", ... `stage` must be
 /// below named_stage_count.
 std::string_view stage_name(Stage stage);
 /// The stage of this name, if any.

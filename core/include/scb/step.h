@@ -28,7 +28,7 @@ struct Step {
         depth_b = 0;            ///< depth of the node of B
     /// How the test ended.
     Stage stage = Stage::overlapping;
-    /// Number of the step whose division led to this step, a smaller number; of the roots no_step.
+    /// Number of the earlier step whose division led to this step; no_step for roots.
     std::uint32_t parent = no_step;
 
     /// Whether all members are equal.
@@ -43,7 +43,7 @@ struct ItemStep {
     std::uint32_t step = 0;
     /// Whether the triangles have a point in common.
     bool hit = false;
-    /// In a self query: the triangles share a vertex, so that they were not tested.
+    /// In a self query: whether the triangles share a vertex, and were not tested for that reason.
     bool neighbors = false;
 
     /// Whether all members are equal.
