@@ -175,6 +175,7 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     add_config(root, options.without_files, action);
     add_completion(root, action);
     add_man(root, action);
+    add_reference(root, action);
 }
 
 /// Reads the words behind the program's name. Returns the exit status if there is no command to
@@ -253,9 +254,10 @@ int run_program(const std::vector<std::string>& words, Watch& watch) {
     program.footer(
         "Exit status: 0 done; 1 a comparison found differences, or a test rejected volumes that "
         "overlap; 2 bad usage or\n"
-        "input; 3 the environment failed (disk full, cannot write); 77 no OpenGL context; 130, 143 "
-        "and 129 interrupted by\n"
-        "Ctrl-C, SIGTERM and SIGHUP.\n\n"
+        "input; 3 the environment failed (disk full, cannot write); 4 nothing is wrong in what "
+        "could be judged of a\n"
+        "recording; 77 no OpenGL context; 130, 143 and 129 interrupted by Ctrl-C, SIGTERM and "
+        "SIGHUP.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     OptionTable table;

@@ -45,6 +45,8 @@ void add_config(const Command& program, const bool& without_files, Action& actio
 void add_completion(const Command& program, Action& action);
 /// Hidden: for who installs scb.
 void add_man(const Command& program, Action& action);
+/// Hidden: for the manual.
+void add_reference(const Command& program, Action& action);
 void add_merge(const Command& program, const Console& console, const RunAgain& run_again,
                Action& action);
 void add_view(const Command& program, const Console& console, Action& action);

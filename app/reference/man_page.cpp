@@ -1,8 +1,9 @@
 #include "app/reference/man_page.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "app/reference/help_footer.h"
+#include "app/reference/synopsis.h"
 #include "app/reference/words.h"
 
 namespace scb::app {
@@ -38,17 +39,9 @@ std::string sentence(const std::string& text) {
     return roff(text) + (text.empty() || text.ends_with('.') ? "" : ".");
 }
 
-/// "-o DIR, --output DIR", set in the usual faces.
-std::string option_heading(const ReferenceOption& option) {
-    std::vector<std::string> names;
-    for (const std::string& name : option.names) names.push_back(bold(name));
-    std::string text = joined(names, ", ");
-    if (option.names.empty()) return italic(option.value);
-    return option.takes_value && !option.value.empty() ? text + " " + italic(option.value) : text;
-}
-
 std::string option_paragraph(const ReferenceOption& option) {
-    std::string text = ".TP\n" + option_heading(option) + "\n" + sentence(option.help);
+    std::string text =
+        ".TP\n" + option_heading(option, bold, italic) + "\n" + sentence(option.help);
     if (option.is_required && !option.names.empty()) text += " Must be given.";
     if (!option.default_text.empty()) text += "\nDefault: " + roff(option.default_text) + ".";
     if (!option.environment.empty())
@@ -56,57 +49,15 @@ std::string option_paragraph(const ReferenceOption& option) {
     return text + "\n";
 }
 
-/// The text below the options of a help, in sections: examples are one of their own. Lines that are
-/// indented stand as they are.
-struct Footer {
-    std::string description, examples, statuses;
-
-    explicit Footer(const std::string& text) {
-        std::istringstream lines(text);
-        std::string* section = &description;
-        bool is_literal = false;
-        const auto set_literal = [&](bool literal) {
-            if (literal != is_literal)
-                *section += !literal ? ".fi\n" : section->empty() ? ".nf\n" : ".PP\n.nf\n";
-            is_literal = literal;
-        };
-        bool begins = true;
-        for (std::string line; std::getline(lines, line);) {
-            if (line.empty()) {
-                begins = true;
-                continue;
-            }
-            const bool indented = line.starts_with("  ");
-            if (!indented) set_literal(false);
-            if (begins && !indented) {
-                const bool is_examples = line.starts_with("Example");
-                constexpr std::string_view status = "Exit status: ";
-                section = is_examples                ? &examples
-                          : line.starts_with(status) ? &statuses
-                                                     : &description;
-                begins = false;
-                if (is_examples) continue;
-                if (section == &statuses) line.erase(0, status.size());
-                if (!section->empty()) *section += ".PP\n";
-            }
-            begins = false;
-            if (indented) set_literal(true);
-            *section += (indented ? bold(line.substr(2)) : roff(line)) + "\n";
-        }
-        set_literal(false);
-    }
-};
-
-std::string synopsis(const ReferenceCommand& command) {
-    std::string text = bold(command.name) + (command.options.empty() ? "" : " [\\fIOPTION\\fR...]");
-    if (!command.commands.empty()) text += " \\fICOMMAND\\fR ...";
-    for (const ReferenceOption& option : command.options)
-        if (option.is_required) text += " " + option_heading(option);
-    for (const ReferenceOption& argument : command.arguments) {
-        const std::string shown = italic(argument.value);
-        text += argument.is_required ? " " + shown : " [" + shown + "]";
-        if (argument.takes_several)
-            text += command.most_arguments == 2 ? " [" + shown + "]" : "...";
+/// A section of the text below the options of a help. Indented lines stand as they are.
+std::string footer_text(const std::string& footer, FooterPart::Section section) {
+    std::string text;
+    for (const FooterPart& part : footer_parts(footer, section)) {
+        if (!text.empty()) text += ".PP\n";
+        if (part.is_literal) text += ".nf\n";
+        for (const std::string& line : part.lines)
+            text += (part.is_literal ? bold(line) : roff(line)) + "\n";
+        if (part.is_literal) text += ".fi\n";
     }
     return text;
 }
@@ -126,7 +77,7 @@ std::string man_page_name(const ReferenceCommand& command) {
 std::string man_page(const ReferenceCommand& command, const ReferenceCommand& program,
                      const std::string& version) {
     const bool is_program = command.name == program.name;
-    const Footer footer(command.footer);
+    using Section = FooterPart::Section;
     std::string title = man_page_name(command), arguments, options, commands, others;
     std::transform(title.begin(), title.end(), title.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -144,18 +95,19 @@ std::string man_page(const ReferenceCommand& command, const ReferenceCommand& pr
         others += (others.empty() ? ".BR " : ",\n.BR ") + roff(man_page_name(sub)) + " (1)";
     std::string help = command.help;
     if (help.starts_with("scb: ")) help.erase(0, 5);  // the program's
-    const std::string statuses =
-        footer.statuses.empty() ? Footer(program.footer).statuses : footer.statuses;
+    const std::string description = footer_text(command.footer, Section::description);
+    std::string statuses = footer_text(command.footer, Section::statuses);
+    if (statuses.empty()) statuses = footer_text(program.footer, Section::statuses);
     return ".TH " + roff(title) + " 1 \"\" \"scb " + version + "\"\n.ad l\n" +
            section("NAME", roff(man_page_name(command)) + " \\- " +
                                roff(help.substr(0, help.find_last_not_of('.') + 1)) + "\n") +
-           section("SYNOPSIS", synopsis(command) + "\n") +
-           section("DESCRIPTION", sentence(help) + "\n" +
-                                      (footer.description.empty() ? "" : ".PP\n") +
-                                      footer.description) +
+           section("SYNOPSIS", synopsis(command, bold, italic) + "\n") +
+           section("DESCRIPTION",
+                   sentence(help) + "\n" + (description.empty() ? "" : ".PP\n") + description) +
            section("COMMANDS", commands) + section("ARGUMENTS", arguments) +
            section("OPTIONS", options) + section("EXIT STATUS", statuses) +
-           section("EXAMPLES", footer.examples) + section("SEE ALSO", others + "\n");
+           section("EXAMPLES", footer_text(command.footer, Section::examples)) +
+           section("SEE ALSO", others + "\n");
 }
 
 }  // namespace scb::app

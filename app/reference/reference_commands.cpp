@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/reference/completion_scripts.h"
 #include "app/reference/man_page.h"
+#include "app/reference/markdown_page.h"
 #include "core/base/exit_status.h"
 #include "render/files/output_file.h"
 
@@ -54,6 +55,18 @@ void add_man(const Command& program, Action& action) {
     command.callback([&action, command, folder] {
         action = [command, folder] {
             return write_man_pages(reference_of_program(command), *folder);
+        };
+    });
+}
+
+void add_reference(const Command& program, Action& action) {
+    const Command command =
+        program.add_subcommand("reference", "Print the options of each command as Markdown");
+    command.hide();
+    command.callback([&action, command] {
+        action = [command] {
+            print_result(markdown_page(reference_of_program(command)));
+            return exit_done;
         };
     });
 }

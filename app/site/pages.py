@@ -29,6 +29,18 @@ MANUALS = [
     "app/site/README.md",
     "CHANGELOG.md",
 ]
+MANUALS += ["tests/volumes/README.md", "tests/tried.md"]
+# The pages that an index links to, in its folder, in the order of its links: guides, reference, topics.
+for index in ("app/README.md", "core/README.md"):
+    folder = os.path.dirname(index)
+    found = re.findall(r"\]\(((?:guides|reference|topics)/[\w-]+\.md)", pathlib.Path(index).read_text())
+    pages = [f"{folder}/{page}" for page in dict.fromkeys(found)]
+    missing = {path.as_posix() for name in ("guides", "reference", "topics") for path in pathlib.Path(folder, name).glob("*.md")} - set(pages)
+    if missing:
+        sys.exit(f"{index} links to these pages nowhere: {', '.join(sorted(missing))}.")
+    MANUALS[MANUALS.index(index) + 1 : MANUALS.index(index) + 1] = pages
+# The captions of the pages of some folders; the others are manuals.
+CAPTIONS = {"app/guides": "Guides", "app/reference": "Reference of the program", "core": "Library", "core/topics": "Library"}
 HEADERS = sorted(
     path.relative_to("core/include").as_posix()
     for path in pathlib.Path("core/include").rglob("*.h")
@@ -160,8 +172,11 @@ def main():
         folder = os.path.dirname(manual)
         text = CODE_OR_LINK.sub(lambda match: linked(folder, match), text)
         if manual == "README.md":
-            pages = [page_of(name).removesuffix(".md") for name in MANUALS if name != manual]
-            text += toctree("Manuals", pages) + toctree("Reference", ["gallery", "reference/index", "reference/python"])
+            captions = {caption: [] for caption in (*CAPTIONS.values(), "Manuals")}
+            for name in MANUALS[1:]:
+                captions[CAPTIONS.get(os.path.dirname(name), "Manuals")].append(page_of(name).removesuffix(".md"))
+            text += "".join(toctree(caption, pages) for caption, pages in captions.items())
+            text += toctree("Generated", ["gallery", "reference/index", "reference/python"])
         write(page_of(manual), text)
     write("gallery.md", gallery(texts))
     write("reference/index.md", reference(texts["core/README.md"]))
