@@ -1,4 +1,4 @@
-// What nearly every file of scenes includes.
+// The headers that nearly every file of scenes includes.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>

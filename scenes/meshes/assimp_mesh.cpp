@@ -56,8 +56,8 @@ struct Placed {
     Affine to_world;
 };
 
-/// Every mesh without a transform, for RAW files: of the nodes of their groups, which have none,
-/// assimp 5.2 keeps one, and null pointers for the others.
+/// Every mesh without a transform, for RAW files. Of the nodes of their groups, which have no
+/// transforms, assimp 5.2 keeps only one, and null pointers for the others.
 std::vector<Placed> meshes_as_they_are(const aiScene& scene) {
     std::vector<Placed> placed(scene.mNumMeshes);
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) placed[i].mesh = i;
@@ -126,8 +126,8 @@ void append(const aiMesh& source, const Affine& to_world, const std::string& nam
             std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
-/// An instance costs a file a few bytes and this program its whole mesh, so the sum is checked
-/// before anything grows.
+/// An instance takes a few bytes in a file, but a whole mesh in this program, so the sum is checked
+/// before any allocation.
 void check_sums(const aiScene& scene, const std::vector<Placed>& placed, const std::string& name) {
     constexpr std::size_t most = std::size_t{1} << 28;
     std::vector<std::size_t> corners_of(scene.mNumMeshes, 0);
@@ -154,7 +154,7 @@ Mesh joined(const aiScene& scene, const std::string& name) {
     return mesh;
 }
 
-/// What of the scene is not in its mesh.
+/// The parts of the scene that are not in its mesh.
 std::vector<std::string> left_out_of(const aiScene& scene) {
     bool skins = false, targets = false;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
@@ -171,14 +171,13 @@ std::vector<std::string> left_out_of(const aiScene& scene) {
 
 AssimpMesh assimp_mesh(const std::string& path, const std::optional<PlainFile>& plain,
                        const std::string& ending) {
-    // Kept: the scenes of some files are freed twice.
+    // Never freed: assimp frees the scenes of some files twice.
     static std::vector<Assimp::Importer*> kept;
     auto* const made = new Assimp::Importer;
     kept.push_back(made);
     Assimp::Importer& importer = *made;
-    // Its readers of the first three drop vertices whose numbers they do not like, and trust
-    // counts; those of scenes read the meshes that these name with every reader there is,
-    // unchecked.
+    // assimp's readers of the first three drop vertices with some numbers, and trust counts. Its
+    // readers of scenes read meshes named in these with all other readers, unchecked.
     for (const char* extension : {"obj", "ply", "off", "lws", "irr"})
         if (Assimp::BaseImporter* own = importer.GetImporter(extension))
             importer.UnregisterLoader(own);
@@ -190,8 +189,7 @@ AssimpMesh assimp_mesh(const std::string& path, const std::optional<PlainFile>& 
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD3_HANDLE_MULTIPART, false);
-    // No post-processing: it reorders, welds, drops and repairs, and each of that would change the
-    // counts.
+    // No post-processing: it reorders, welds, drops and repairs, which would change the counts.
     const aiScene* scene = importer.ReadFile(name, 0);
     if (!scene) {
         const std::string reason = importer.GetErrorString();

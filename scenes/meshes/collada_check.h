@@ -5,9 +5,9 @@
 
 namespace scb::scenes {
 
-/// Checks that the triangles of a COLLADA file have whole numbers of 32 bits as indices: of others,
-/// assimp's reader takes what it can read for one. Those that name no vertex it refuses by itself.
-/// Throws InputError that names the file and the place.
+/// Checks that the indices of triangles of a COLLADA file are integers of 32 bits: from other
+/// texts, assimp's reader takes the part that it can read. It refuses indices without a vertex
+/// itself. Throws InputError that names the file and the place.
 void check_collada(std::string_view bytes, const std::string& name);
 
 }  // namespace scb::scenes

@@ -15,7 +15,7 @@
 namespace scb::scenes {
 namespace {
 
-/// What a skin or morph controller deforms, by the id of the controller.
+/// The geometry that a skin or morph controller deforms, by the id of the controller.
 struct Controller {
     std::string_view source;
     bool is_skin = false;
@@ -38,7 +38,7 @@ Controllers controllers_of(std::string_view bytes, const std::string& name) {
 
 struct NumberArray {
     std::uint64_t count = 0;
-    bool has_numbers = false;  ///< and not names
+    bool has_numbers = false;  ///< numbers, not names
 };
 
 struct Accessor {
@@ -69,7 +69,7 @@ class ColladaReducer {
     }
 
   private:
-    /// `depth`: how many elements it is in.
+    /// `depth`: the number of elements around it.
     static bool is_kept(std::string_view element, std::size_t depth) {
         constexpr std::string_view libraries[] = {"asset", "library_geometries", "library_nodes",
                                                   "library_visual_scenes", "scene"};
@@ -114,10 +114,10 @@ class ColladaReducer {
                 plain_.bytes += c;
     }
 
-    /// The geometry that a controller deforms, in place of it.
+    /// Appends the geometry that a controller deforms, in place of the controller.
     void append_geometry(const XmlEvent& event) {
         std::string_view url = xml_attribute(event.attributes, "url").value_or("");
-        // As often as there are controllers, since they may name each other in a ring.
+        // At most as many steps as there are controllers, since they may name each other in a ring.
         for (std::size_t i = 0; i <= controllers_.size() && url.starts_with('#'); ++i) {
             const auto found = controllers_.find(url.substr(1));
             if (found == controllers_.end()) break;
@@ -130,7 +130,7 @@ class ColladaReducer {
         plain_.bytes.append("<instance_geometry url=\"").append(url).append("\"/>");
     }
 
-    /// Takes what the check of accessors needs.
+    /// Stores the data for the check of accessors.
     void note(const XmlEvent& event) {
         if (event.name.ends_with("_array")) {
             const std::string_view id = identifier(event, "id");
@@ -148,7 +148,7 @@ class ColladaReducer {
         }
     }
 
-    /// An attribute that names an array, in letters that mean themselves.
+    /// An attribute that names an array, without escaped letters.
     std::string_view identifier(const XmlEvent& event, const char* attribute) const {
         const std::string_view text = xml_attribute(event.attributes, attribute).value_or("");
         for (const char c : text)
@@ -200,7 +200,7 @@ class ColladaReducer {
 
 std::optional<PlainFile> plain_collada(std::string_view bytes, const std::string& name) {
     check_collada(bytes, name);
-    // assimp's reader stops there.
+    // assimp's reader stops at a zero byte.
     return ColladaReducer(bytes.substr(0, bytes.find('\0')), name).reduced();
 }
 

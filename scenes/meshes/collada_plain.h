@@ -8,12 +8,12 @@
 
 namespace scb::scenes {
 
-/// A COLLADA file, after check_collada, with its geometries, nodes and scenes, and nothing else:
-/// assimp's reader has been seen to crash on images without a name, and on skins that name what is
-/// not there. A skin or morph is its geometry.
+/// A COLLADA file, after check_collada, reduced to its geometries, nodes and scenes: assimp's
+/// reader may crash on images without a name, and on skins that name missing things. A skin or
+/// morph is replaced by its geometry.
 ///
-/// Every accessor of a geometry lies within its array: assimp's reader takes what is behind the
-/// array for numbers. Throws InputError that names the array, or the line where the XML is not
+/// Every accessor of a geometry is within its array; otherwise assimp's reader would read memory
+/// behind the array. Throws InputError that names the array, or the line if the XML is not
 /// well-formed.
 ///
 /// Source: Khronos, "COLLADA - Digital Asset Schema Release 1.4.1", accessor and array elements.

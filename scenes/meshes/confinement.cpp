@@ -18,7 +18,7 @@ namespace scb::scenes {
 namespace {
 
 #ifdef SCB_SANITIZED
-// Its shadow takes the whole address space.
+// The sanitizer's shadow takes the whole address space.
 constexpr bool limits_memory = false;
 constexpr rlim_t slowness = 20;
 #else
@@ -26,12 +26,12 @@ constexpr bool limits_memory = true;
 constexpr rlim_t slowness = 1;
 #endif
 
-/// The files that were opened.
+/// The size of the opened files.
 std::uint64_t opened_bytes = 0;
 bool memory_is_inherited = false;
 
-/// The soft limits. A process is killed at the hard limit of its time; the soft one, below it,
-/// tells it why (SIGXCPU). False where they cannot be set.
+/// Sets the soft limits. At the hard limit of its time, a process is killed without a reason; the
+/// soft limit, below it, sends SIGXCPU. False if they cannot be set.
 bool set_limits(std::uint64_t file_bytes) {
     constexpr rlim_t mega = 1'000'000, gibi = rlim_t{1} << 30;
     const rlim_t bytes = std::min<rlim_t>(file_bytes, gibi);
@@ -58,7 +58,8 @@ bool set_limits(std::uint64_t file_bytes) {
     return ::setrlimit(RLIMIT_AS, &limits) == 0;
 }
 
-/// What reading files, memory and the end of a process take. Everything else is refused.
+/// The calls for reading files, for memory and for the end of a process. Everything else is
+/// refused.
 constexpr int harmless_calls[] = {
     SCMP_SYS(read),
     SCMP_SYS(readv),
@@ -113,7 +114,7 @@ constexpr int harmless_calls[] = {
     SCMP_SYS(exit),
     SCMP_SYS(exit_group),
 #ifdef SCB_SANITIZED
-    // The sanitizers ask whether memory is there by writing it to a pipe.
+    // The sanitizers check that memory is readable by writing it to a pipe.
     SCMP_SYS(pipe),
     SCMP_SYS(pipe2),
     SCMP_SYS(prctl),
@@ -157,7 +158,7 @@ std::string confine_this_process(int answers) {
         return std::string(what) + ": " + std::generic_category().message(error);
     };
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return reason("prctl", errno);
-    // Who started it may be gone by now.
+    // The starting process may have ended by now.
     pollfd pipe{answers, 0, 0};
     if (::poll(&pipe, 1, 0) < 0) return reason("poll", errno);
     if ((pipe.revents & POLLERR) != 0) return "nobody waits for it";

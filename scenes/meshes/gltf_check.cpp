@@ -42,7 +42,7 @@ std::optional<GltfElements> indices_of(GltfDocument& document, const json& acces
                      " vertices, numbered from 0; repair the index.");
 }
 
-/// Refuses positions that lie elsewhere than their accessor may look.
+/// Refuses positions outside of the range that their accessor may read.
 void check_position(GltfDocument& document, const json& position, bool in_draco,
                     const std::string& place) {
     const std::size_t type = gltf_natural(position, "componentType");
@@ -61,7 +61,7 @@ void check_position(GltfDocument& document, const json& position, bool in_draco,
     if (position.at("type") != "VEC3")
         throw InputError(place + ": its positions are not of the type VEC3; export it again.");
     if (in_draco) {
-        // Where assimp decodes them, it takes no factor.
+        // If assimp decodes them, it applies no factor.
         if (quantized && position.contains("normalized") && position.at("normalized").get<bool>())
             throw InputError(place +
                              ": its positions are normalized (KHR_mesh_quantization) and packed by "
@@ -73,7 +73,7 @@ void check_position(GltfDocument& document, const json& position, bool in_draco,
     const GltfElements elements =
         gltf_elements(document, number, gltf_natural(position, "byteOffset"), type, 3,
                       gltf_natural(position, "count"));
-    // Buffers that are not there are for assimp to refuse.
+    // assimp refuses missing buffers.
     if (!elements.bytes.empty() && !elements.are_there())
         throw InputError(place + ": its " + std::to_string(elements.count) +
                          " positions reach beyond buffer view " + std::to_string(number) +
@@ -82,7 +82,7 @@ void check_position(GltfDocument& document, const json& position, bool in_draco,
 
 void check_primitive(GltfDocument& document, const json& primitive, const std::string& place) {
     if (!gltf_has_triangles(primitive)) return;
-    // assimp takes what starts like this for the positions as well.
+    // assimp also reads attributes with this prefix as positions.
     for (const auto& [attribute, accessor] : primitive.at("attributes").items())
         if (attribute.starts_with("POSITION") && attribute != "POSITION")
             throw InputError(place + ": its attribute \"" + excerpt(attribute) +
@@ -117,7 +117,7 @@ void check_primitive(GltfDocument& document, const json& primitive, const std::s
     }
 }
 
-/// What assimp would read in another way than it is written.
+/// Refuses buffers that assimp would misread.
 void check_buffers(const JsonPlace& root, bool has_chunks) {
     if (!has(root, "buffers")) return;
     const JsonPlace buffers = field(root, "buffers");
@@ -130,7 +130,8 @@ void check_buffers(const JsonPlace& root, bool has_chunks) {
             refuse(buffer,
                    "it has a uri, but the first buffer of a .glb is read from its binary chunk; "
                    "export a .gltf.");
-        // assimp puts the path of the folder before an absolute one, and looks in other places too.
+        // assimp prepends the path of the folder to an absolute path, and also searches other
+        // places.
         if (uri.starts_with("data:")) continue;
         if (uri.starts_with('/') ||
             !side_file(std::filesystem::path(root.file).parent_path() / uri, root.file))
@@ -176,7 +177,7 @@ void check_nodes(const JsonPlace& root) {
     }
 }
 
-/// Those of how a surface looks change no triangle.
+/// Extensions for the look of surfaces change no triangle.
 void check_extensions(const JsonPlace& root) {
     if (!has(root, "extensionsRequired")) return;
     const JsonPlace required = field(root, "extensionsRequired");

@@ -10,23 +10,23 @@ namespace scb::scenes {
 
 /// Whether a primitive has triangles, strips or fans. Throws json::exception.
 bool gltf_has_triangles(const nlohmann::json& primitive);
-/// Whether its numbers are packed by KHR_draco_mesh_compression.
+/// Whether its numbers are compressed by KHR_draco_mesh_compression.
 bool gltf_is_in_draco(const nlohmann::json& primitive);
 
-/// Takes each primitive, and what to begin a refusal with. A json::exception becomes an InputError.
+/// Calls the function with each primitive, and the begin of messages about it. A json::exception
+/// becomes an InputError.
 void for_each_primitive(GltfDocument& document,
                         const std::function<void(nlohmann::json&, const std::string&)>& action);
 
 /// Checks that the triangles of a glTF 2 file (`.gltf` or `.glb`) name vertices that exist: every
 /// index against the count of the primitive's POSITION accessor; that positions are three numbers
-/// each and lie within their buffer view; and that nothing else in it is what assimp's reader takes
-/// for something else without a word: fields that stand twice, damaged base64, the first buffer of
-/// a `.glb` with a name (`has_chunks`: it is one), required extensions that are not known, and
-/// transforms of the wrong length. `root` must have an array `meshes`.
+/// each and lie within their buffer view; and that it has nothing that assimp's reader would
+/// silently misread: fields that occur twice, damaged base64, the first buffer of a `.glb` with a
+/// name (`has_chunks`: it is a .glb), unknown required extensions, and transforms of the wrong
+/// length. `root` must have an array `meshes`.
 ///
-/// Says nothing about what this cannot look into: accessors that are broken otherwise, and
-/// compressed indices (KHR_draco_mesh_compression, EXT_meshopt_compression). Those are for assimp
-/// to read or refuse.
+/// Does not check accessors with other errors, or compressed indices (KHR_draco_mesh_compression,
+/// EXT_meshopt_compression). assimp reads or refuses those.
 ///
 /// Throws InputError that names the file and the line or field, or the mesh, primitive and index at
 /// fault.

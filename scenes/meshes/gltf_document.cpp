@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Nothing where a letter is none of the code.
+/// Nothing if a letter is not of the code.
 std::optional<std::string> decode_base64(std::string_view text) {
     std::string bytes;
     text = text.substr(0, text.find_last_not_of('=') + 1);
@@ -49,7 +49,7 @@ std::string bytes_or_nothing(const std::filesystem::path& buffer, const std::str
     }
 }
 
-/// 0 where there is no such type.
+/// 0 if there is no such type.
 std::size_t size_of_component(std::size_t type) {
     switch (type) {
         case gltf_int8:
@@ -66,7 +66,7 @@ std::size_t size_of_component(std::size_t type) {
     }
 }
 
-/// Normalized as glTF 2.0, section 3.6.2.2, says.
+/// Normalized by glTF 2.0, section 3.6.2.2.
 double number_at(std::string_view bytes, std::size_t at, std::size_t type, bool normalized) {
     const std::uint32_t bits = little_endian(bytes, at, size_of_component(type));
     const auto scaled = [&](double value, double most) {
@@ -97,7 +97,7 @@ GltfParts gltf_parts(std::string_view bytes) {
     if (bytes.size() < 20) return {};
     const std::size_t length = little_endian(bytes, 12, 4);
     GltfParts parts{bytes.substr(20, length), {}};
-    // Some writers pad with zeros, not with spaces.
+    // Some writers pad with zeros instead of spaces.
     parts.text = parts.text.substr(0, parts.text.find_last_not_of('\0') + 1);
     if (bytes.size() < 28 || length > bytes.size() - 28) return parts;
     parts.binary = bytes.substr(28 + length, little_endian(bytes, 20 + length, 4));
@@ -119,7 +119,7 @@ std::string_view GltfDocument::buffer(std::size_t index) {
     constexpr std::string_view mark = ";base64,";
     const std::size_t data = uri.find(mark);
     if (!uri.starts_with("data:")) {
-        // However many buffers name it.
+        // Once for all buffers that name it.
         const auto [file, is_new] = files.try_emplace(gltf_path(uri));
         if (is_new)
             file->second =

@@ -20,7 +20,7 @@ struct GltfParts {
 /// first is the JSON, the second the buffer without a URI.
 GltfParts gltf_parts(std::string_view bytes);
 
-/// The uri of a buffer as assimp looks for it.
+/// The path that assimp makes of a buffer's uri.
 std::string gltf_path(std::string uri);
 
 /// The document of a glTF 2 file and the bytes of its buffers, each fetched once.
@@ -29,18 +29,18 @@ struct GltfDocument {
     std::string_view binary;
     std::string name;                                      ///< of the file
     std::map<std::string, std::string> files{};            ///< bytes, by uri
-    std::map<std::size_t, std::string> decoded_buffers{};  ///< those of data uris
-    std::map<std::size_t, std::string_view> fetched{};     ///< either
+    std::map<std::size_t, std::string> decoded_buffers{};  ///< buffers of data uris
+    std::map<std::size_t, std::string_view> fetched{};     ///< both kinds, fetched
 
-    /// Empty where the bytes are missing. Throws json::exception where the document has no such
-    /// buffer, and InputError where its base64 is damaged.
+    /// Empty if the bytes are missing. Throws json::exception if the document has no such buffer,
+    /// and InputError if its base64 is damaged.
     std::string_view buffer(std::size_t index);
 
   private:
     std::string decoded(std::string_view text, std::size_t index) const;
 };
 
-/// A field that is a whole number from 0. Throws json::exception where it is another value.
+/// A field that is an integer from 0. Throws json::exception if it is another value.
 std::size_t gltf_natural(const nlohmann::json& object, const char* key, std::size_t otherwise = 0);
 
 /// The type of an accessor's numbers.
@@ -64,14 +64,14 @@ struct GltfElements {
     }
 };
 
-/// `count` elements of `components` numbers each, of a buffer view. Throws json::exception where
-/// the document has no such view.
+/// `count` elements of `components` numbers each, of a buffer view. Throws json::exception if the
+/// document has no such view.
 GltfElements gltf_elements(GltfDocument& document, std::size_t view, std::size_t offset,
                            std::size_t component_type, std::size_t components, std::size_t count);
 
-/// All numbers of an accessor, with what is sparse in it, and normalized where it says so.
-/// `place` begins a refusal. Throws InputError where the accessor reaches beyond its bytes, is
-/// compressed, or is of another type; json::exception where a field is missing.
+/// All numbers of an accessor, including sparse ones, and normalized if it says so. `place` begins
+/// messages. Throws InputError if the accessor reaches beyond its bytes, is compressed, or is of
+/// another type; json::exception if a field is missing.
 std::vector<double> gltf_numbers(GltfDocument& document, const nlohmann::json& accessor,
                                  const std::string& type, const std::string& place);
 

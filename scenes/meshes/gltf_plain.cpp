@@ -48,13 +48,13 @@ class WrittenAccessors {
   public:
     explicit WrittenAccessors(GltfDocument& document) : document_(document) {}
 
-    /// The accessor that has the numbers of another one, once for all that name it.
+    /// The written accessor with the numbers of another one, the same for all uses.
     std::size_t written(std::size_t accessor, bool positions, const std::string& place) {
         const auto [found, is_new] = numbers_.try_emplace({accessor, positions}, std::size_t{0});
         if (is_new) found->second = write(accessor, positions, place);
         return found->second;
     }
-    /// The same accessor, as one of floats, once for all that name it.
+    /// The same accessor with floats, the same for all uses.
     std::size_t as_floats(std::size_t accessor) {
         const auto [found, is_new] = floats_.try_emplace(accessor, std::size_t{0});
         if (!is_new) return found->second;
@@ -65,11 +65,11 @@ class WrittenAccessors {
         return found->second = accessors.size() - 1;
     }
 
-    /// Adds the buffers; until then the document has those of the file.
+    /// Adds the buffers; until then the document has the file's buffers.
     void add_buffers() {
         if (buffers_.empty()) return;
         json& buffers = document_.root["buffers"];
-        // The first of a .glb is its binary chunk.
+        // The first buffer of a .glb is its binary chunk.
         if (buffers.empty()) buffers.push_back({{"byteLength", std::size_t{0}}});
         for (json& buffer : buffers_) buffers.push_back(std::move(buffer));
     }
@@ -139,7 +139,7 @@ void write_out(WrittenAccessors& written, const GltfDocument& document, json& pr
         primitive["indices"] = written.written(indices, false, place);
 }
 
-/// The instances of a node as nodes below it.
+/// Adds the instances of a node as nodes below it.
 void place_instances(GltfDocument& document, std::size_t node, const std::string& place) {
     json& nodes = document.root.at("nodes");
     const json attributes = nodes.at(node).at("extensions").at(instancing).at("attributes");
@@ -180,7 +180,7 @@ void place_instances(GltfDocument& document, std::size_t node, const std::string
                     part.numbers.begin() + static_cast<std::ptrdiff_t>(i * part.components);
                 instance[part.field] = std::vector<double>(
                     first, first + static_cast<std::ptrdiff_t>(part.components));
-                // JSON has no others.
+                // JSON has no NaN or infinity.
                 for (const json& number : instance.at(part.field))
                     if (!std::isfinite(number.get<double>()))
                         throw InputError(place + ": instance " + std::to_string(i) + " has a " +

@@ -60,7 +60,7 @@ struct Descriptor {
     }
 };
 
-/// What a new process gets; the first error of what was asked for.
+/// The settings of a new process, and the first error of the calls.
 struct SpawnSettings {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -74,8 +74,8 @@ struct SpawnSettings {
             keep(posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0));
         keep(posix_spawn_file_actions_adddup2(&files, answers, mesh_answer_descriptor));
         keep(posix_spawn_file_actions_addclosefrom_np(&files, mesh_answer_descriptor + 1));
-        // A session of its own: Ctrl-C is for who starts it, and so is the terminal. No signal is
-        // blocked or ignored.
+        // A session of its own: Ctrl-C and the terminal belong to the starting process. No signal
+        // is blocked or ignored.
         sigset_t none, all;
         sigemptyset(&none);
         sigfillset(&all);
@@ -96,7 +96,7 @@ struct SpawnSettings {
     }
 };
 
-/// A reader that runs, and the pipe that its answer comes from.
+/// A running reader process, and the pipe of its answer.
 class Reader {
   public:
     explicit Reader(std::string path) : program_(mesh_reader().string()) {
@@ -123,7 +123,7 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// False where there is no more, or nothing comes any more.
+    /// False at the end of the answer, or if the deadline has passed.
     bool read(std::span<std::byte> bytes) {
         while (!bytes.empty()) {
             pollfd pipe{answers_.number, POLLIN, 0};
@@ -139,14 +139,14 @@ class Reader {
         return true;
     }
 
-    /// Ends it where it still runs. Returns its status as waitpid has it; nothing where nobody
-    /// learns it, because SIGCHLD is ignored.
+    /// Ends the process if it still runs. Returns its status as from waitpid; nothing if SIGCHLD is
+    /// ignored, since the system then does not report it.
     std::optional<int> end() {
         answers_.close();
         if (id_ < 0) return std::nullopt;
         if (whole_) give_time_to_end();
-        // The id is kept for a process that has ended, until it is waited for; but not where
-        // SIGCHLD is ignored.
+        // The system keeps the id of an ended process until it is waited for, except if SIGCHLD is
+        // ignored.
         siginfo_t ignored;
         if (::waitid(P_PID, static_cast<id_t>(id_), &ignored, WEXITED | WNOHANG | WNOWAIT) == 0)
             ::kill(id_, SIGKILL);
@@ -159,7 +159,7 @@ class Reader {
         return status;
     }
 
-    /// Waits for its end, once it has closed the pipe; else ends it, as if it had failed.
+    /// Waits for its end if it has closed the pipe; else ends it, as if it had failed.
     std::optional<int> wait() {
         std::byte rest{};
         whole_ = !read(std::span(&rest, 1));
@@ -179,7 +179,7 @@ class Reader {
         return static_cast<int>(std::max<std::int64_t>(left.count(), 0));
     }
 
-    /// Some milliseconds where it has closed the pipe, since then it ends by itself.
+    /// Waits up to some seconds after it has closed the pipe, since it then ends by itself.
     void give_time_to_end() const {
         for (int i = 0; i < 2000; ++i) {
             siginfo_t ended{};
@@ -190,7 +190,7 @@ class Reader {
         }
     }
 
-    // It ends itself before, unless its file has taken it over.
+    // It ends itself before, unless its file has taken control of it.
     std::chrono::steady_clock::time_point deadline_ =
         std::chrono::steady_clock::now() + std::chrono::seconds(reader_patience + 30);
     bool is_late_ = false;

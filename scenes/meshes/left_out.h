@@ -5,8 +5,8 @@
 
 namespace scb::scenes {
 
-/// Notes that a mesh file has more than the mesh that is read from it: "skins", "morph targets".
-/// Any thread may call this.
+/// Notes parts of a mesh file that are not in the mesh: "skins", "morph targets". Any thread may
+/// call this.
 void note_left_out(const std::string& file, const std::vector<std::string>& what);
 
 /// A sentence for each file that was noted since the last call, in the order of their names.

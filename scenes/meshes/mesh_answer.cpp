@@ -7,11 +7,11 @@
 namespace scb::scenes {
 namespace {
 
-// Twice what assimp_mesh gives at most; and more than any sentence and any names.
+// Twice the limits of assimp_mesh, and more than any sentence and any names.
 constexpr std::uint64_t most_values = std::uint64_t{1} << 29,
                         most_characters = std::uint64_t{1} << 20;
 
-/// For people to read, whatever sent it.
+/// Makes a received text safe for people to read.
 void make_plain(std::string& text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';

@@ -52,7 +52,7 @@ aiVector3D vector_of(const Vec3& v) {
     return {static_cast<ai_real>(v[0]), static_cast<ai_real>(v[1]), static_cast<ai_real>(v[2])};
 }
 
-// The scene owns what is put into it, so everything is made with new, as assimp wants it.
+// The scene owns its parts, so everything is made with new, as assimp requires.
 aiMesh* mesh_of(const ExportPart& part, unsigned material) {
     auto* mesh = new aiMesh;
     mesh->mName = part.name;
@@ -108,8 +108,8 @@ std::vector<std::uint8_t> encode_mesh(const std::vector<ExportPart>& parts,
     scene.mRootNode->addChildren(count, nodes.data());
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, format);
-    // Into memory, of what was checked: a writer fails only where memory runs out, and then gives
-    // no reason or an odd one.
+    // The scene is checked, and the output is in memory, so a writer fails only if memory runs out,
+    // and then gives no reason or an odd one.
     if (blob == nullptr) throw std::bad_alloc();
     const auto* bytes = static_cast<const std::uint8_t*>(blob->data);
     return {bytes, bytes + blob->size};

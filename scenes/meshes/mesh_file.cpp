@@ -35,12 +35,13 @@ bool is_ply(const std::string& path) {
     return start.starts_with("ply") && start.find_first_of(" \t\r\n", 3) == 3;
 }
 
-/// By content only where the name is of no format.
+/// By content only if the name has no known format.
 bool is_off_file(const std::string& path, const std::string& extension) {
     return extension == ".off" || (extension != ".obj" && is_off(file_bytes(path, 4096)));
 }
 
-/// Formats of CAD programs, whose surfaces are no triangles, and which nothing here reads.
+/// Refuses formats of CAD programs, whose surfaces are not triangles, and which this program cannot
+/// read.
 void refuse_cad(const std::string& path, const std::string& extension) {
     struct CadFormat {
         const char *extension, *name;
@@ -96,7 +97,7 @@ Mesh load_mesh(const fs::path& path) {
     check_file(path);
     note_input(path);
     try {
-        // assimp's readers have been seen to crash on broken files.
+        // assimp's readers may crash on broken files.
         Mesh mesh = read_mesh(name);
         check_mesh(mesh, name);
         return mesh;

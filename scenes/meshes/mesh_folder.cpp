@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// RFC 3986, section 2.1. Control characters stay as they are written.
+/// RFC 3986, section 2.1. Control characters stay encoded.
 std::string percent_decoded(std::string_view uri) {
     std::string decoded;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -103,7 +103,7 @@ Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
     if (*found == mesh_ && contents_)
         return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(contents_->data()),
                                           contents_->size());
-    // Its readers open a file more than once.
+    // assimp's readers open a file more than once.
     std::error_code error;
     const std::uintmax_t size = fs::file_size(*found, error);
     if (!error && *found != mesh_ && opened_.insert(found->string()).second) allow_for(size);

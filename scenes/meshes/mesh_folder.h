@@ -11,23 +11,22 @@
 
 namespace scb::scenes {
 
-/// The file that a mesh means by a name, such as that of a buffer, which is a path or the URI of
-/// one (with %20 for a space); nothing unless it is a regular file in the folder of the mesh or
-/// below it, once links are followed.
+/// The file for a name in a mesh, such as the name of a buffer: a path or the URI of a path (with
+/// %20 for a space). Nothing unless it is a regular file in the folder of the mesh or below it,
+/// after links are followed.
 std::optional<std::filesystem::path> side_file(const std::filesystem::path& name,
                                                const std::filesystem::path& mesh);
 
-/// Throws InputError for a name that is no side file.
+/// Throws InputError for a name that is not a side file.
 [[noreturn]] void refuse_side_file(const std::string& mesh, const std::string& name);
 
-/// The files that assimp may open: the mesh, whatever name assimp knows it by, and its side files.
-/// Where it does not find one it tries others of the same name, in the folder of the mesh: these
-/// are not what the mesh names, so it does not get them. allow_for is told of the files that it
-/// opens.
+/// The files that assimp may open: the mesh, under its name for assimp, and its side files. If
+/// assimp does not find a side file, it tries others of the same name in the folder of the mesh; it
+/// does not get these, since the mesh does not name them. Calls allow_for for opened files.
 class MeshFolder : public Assimp::DefaultIOSystem {
   public:
-    /// `name` is what assimp takes the mesh for, in the same folder; `contents`, where there are
-    /// any, are what it gets as the mesh, and must outlive this.
+    /// `name` is the name of the mesh for assimp, in the same folder. `contents`, if any, replace
+    /// the mesh file, and must outlive this.
     MeshFolder(std::filesystem::path mesh, std::filesystem::path name,
                std::optional<std::string_view> contents);
 
@@ -36,8 +35,8 @@ class MeshFolder : public Assimp::DefaultIOSystem {
 
     /// The side files that were opened.
     const std::set<std::string>& opened() const { return opened_; }
-    /// The first name that was asked for and may not be opened, though something has it, or that
-    /// another file would have stood in for.
+    /// The first requested name that exists but may not be opened, or that assimp would have
+    /// replaced by another file.
     const std::string& refused() const { return refused_; }
     /// The first name that was not opened.
     std::string missed() const { return missed_.empty() ? "" : missed_.front().string(); }

@@ -56,18 +56,18 @@ bool write_mesh(const AssimpMesh& read) {
            write_all(std::span<const char>(names));
 }
 
-/// Whether the word is in the text, in upper or lower case.
+/// Whether the word is in the text, in upper or lower case letters.
 bool has_word(std::string start, std::string_view word) {
     for (char& c : start)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return start.find(word) != start.npos;
 }
 
-/// After the checks that assimp's readers of these formats lack. They go by content as well as by
-/// name, as assimp does.
+/// Reads a mesh after the checks that assimp's readers of these formats lack. Formats are
+/// recognized by content as well as by name, as in assimp.
 AssimpMesh checked_mesh(const std::string& path) {
     allow_for(std::filesystem::file_size(path));
-    // assimp takes it for a slash, so that side files would come from another folder.
+    // assimp treats a backslash as a slash, so side files would come from another folder.
     if (path.find('\\') != path.npos)
         throw InputError(path +
                          ": a backslash in the path of a mesh is not understood; rename it.");
@@ -79,7 +79,7 @@ AssimpMesh checked_mesh(const std::string& path) {
     if (extension == ".gltf" || extension == ".glb" || is_glb ||
         (first != start.npos && start[first] == '{')) {
         plain = plain_gltf(file_bytes(path), path);
-        // assimp goes by the ending where it tells them apart.
+        // assimp distinguishes the two by their ending.
         const std::string known = is_glb ? ".glb" : ".gltf";
         if (plain && extension != known) ending = known;
     }
@@ -98,7 +98,7 @@ AssimpMesh checked_mesh(const std::string& path) {
 bool answer_for(const std::string& path) {
     try {
         const AssimpMesh mesh = checked_mesh(path);
-        // Now it waits for who started it, who may be stopped.
+        // Now it waits for the starting process, which may be stopped.
         ::alarm(0);
         return write_mesh(mesh);
     } catch (const InputError& error) {

@@ -28,7 +28,7 @@ class ObjLines {
             file_.skip(byte_order_mark.size());
     }
 
-    /// Nothing behind the last one. Valid until the next call.
+    /// Nothing after the last line. Valid until the next call.
     std::optional<std::string_view> next() {
         joined_.clear();
         for (;;) {
@@ -44,7 +44,7 @@ class ObjLines {
         }
     }
 
-    /// Of the line that was taken last, or of the last of those that it is joined of; from 1.
+    /// The number of the latest line, from 1; for joined lines, of their last.
     std::uint64_t number() const { return number_; }
 
   private:
@@ -148,12 +148,12 @@ class ObjReader {
             check_count(corners_.size());
             corners_.push_back(corner(word));
         }
-        // Those without a corner would take more memory than their files.
+        // Faces without a corner would take more memory than their files.
         if (faces_.empty() ? !corners_.empty() : corners_.size() > faces_.back().end)
             faces_.push_back({corners_.size(), lines_.number()});
     }
 
-    /// What stands before the first slash, from 1 or from -1, as an index from 0.
+    /// The number before the first slash, from 1 or from -1, as an index from 0.
     std::uint32_t corner(std::string_view word) const {
         const char* const end = word.data() + word.size();
         std::int64_t number = 0;

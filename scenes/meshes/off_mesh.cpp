@@ -32,14 +32,14 @@ class OffWords {
         line_ = words.rest;
         return word;
     }
-    /// Passes over what is left of this line; says how many words that are.
+    /// Skips the rest of this line; returns the number of its words.
     std::size_t skip_line() {
         std::size_t words = 0;
         while (!next_on_line().empty()) ++words;
         return words;
     }
-    /// The only word of the next line that has words; empty, and nothing is taken, where it has
-    /// several.
+    /// The only word of the next line with words; if it has several, takes nothing and returns an
+    /// empty word.
     std::string_view next_alone() {
         OffWords ahead = *this;
         const std::string_view word = ahead.next();
@@ -70,7 +70,7 @@ std::optional<std::uint32_t> whole_in(std::string_view word) {
 /// The first word of an OFF file.
 struct Magic {
     bool more = false;         ///< vertices have normals, colors or texture coordinates
-    bool homogeneous = false;  ///< and a fourth number
+    bool homogeneous = false;  ///< vertices have a fourth number
     bool says_dimension = false;
 };
 
@@ -95,7 +95,7 @@ class OffReader {
 
     Mesh read() {
         read_header();
-        // Each takes two bytes.
+        // Each vertex takes at least two bytes.
         mesh_.vertices.reserve(std::min<std::size_t>(vertices_, size_ / 2));
         mesh_.triangles.reserve(std::min<std::size_t>(faces_, size_ / 2));
         for (std::uint32_t i = 0; i < vertices_; ++i) read_vertex(i);
@@ -145,7 +145,7 @@ class OffReader {
         for (std::uint32_t axis = 0; axis < dimension_; ++axis) at[axis] = number();
         const double weight = magic_.homogeneous ? number() : 1;
         for (double& coordinate : at) coordinate /= weight;
-        // A color has three or four numbers, or is the index of one.
+        // A color has three or four numbers, or is an index.
         const std::size_t more = words_.skip_line();
         if (!magic_.more && (more == 2 || more > 4))
             throw InputError(name_ + ": vertex " + std::to_string(i) + " is followed by " +

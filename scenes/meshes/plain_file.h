@@ -5,10 +5,10 @@
 
 namespace scb::scenes {
 
-/// A file as assimp's reader of its format gets it, in place of the file.
+/// Contents that assimp's reader gets in place of a file.
 struct PlainFile {
     std::string bytes;
-    std::vector<std::string> left_out{};  ///< what of the file has no place in a mesh ("skins")
+    std::vector<std::string> left_out{};  ///< parts of the file that are not in the mesh ("skins")
 };
 
 }  // namespace scb::scenes

@@ -25,8 +25,8 @@ std::optional<PlyType> type_of(std::string_view word) {
     return std::nullopt;
 }
 
-/// Whether the words after an unknown keyword read as those of an element or a property: without
-/// that line the rest of the file would be misread.
+/// Whether the words after an unknown keyword look like an element or a property: if such a line
+/// was ignored, the rest of the file would be misread.
 bool looks_like_declaration(Words words) {
     const std::string_view second = words.next(), third = words.next();
     const bool is_count = !third.empty() && words.next().empty() &&
@@ -75,10 +75,10 @@ class HeaderReader {
         if (alone) line_end_ = '\r';
     }
 
-    /// Valid until the next one.
+    /// Valid until the next call.
     std::string_view next_line() {
         ++line_;
-        // No header is long: without a bound all of a file without an end would be read.
+        // No header is long; without a bound, an endless file would be read forever.
         constexpr std::size_t longest_line = std::size_t{1} << 16;
         constexpr int most_lines = 10'000;
         const std::string_view ahead = file_.ahead(longest_line);

@@ -14,14 +14,14 @@ enum class PlyEncoding { text, little_endian, big_endian };
 
 /// A type of numbers: char, ushort, float64 and so on.
 struct PlyType {
-    std::size_t size = 0;  ///< bytes, where the encoding is binary
+    std::size_t size = 0;  ///< bytes, if the encoding is binary
     bool is_float = false, is_signed = false;
 };
 
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> list_length;  ///< set where the property is a list
+    std::optional<PlyType> list_length;  ///< set if the property is a list
 };
 
 struct PlyElement {
@@ -36,9 +36,10 @@ struct PlyHeader {
 };
 
 /// Reads the header of a PLY file, up to the first byte of its first element (Greg Turk, The PLY
-/// Polygon File Format, 1994). Header lines of unknown words are remarks, which some writers leave
-/// without the word comment, unless they read as a misspelled element or property. Lines end as the
-/// first one does: with a line feed, with or without a carriage return, or with that alone.
+/// Polygon File Format, 1994). Header lines with unknown words count as remarks, since some writers
+/// omit the word comment, unless they look like a misspelled element or property. Lines end like
+/// the first one: with a line feed, with or without a carriage return, or with a carriage return
+/// alone.
 ///
 /// Throws InputError that names the file and the line.
 PlyHeader read_ply_header(FileWindow& file);

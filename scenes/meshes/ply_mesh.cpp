@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::uint64_t most = std::uint64_t{1} << 28;
 
-/// The numbers behind the header, one after the other. `ok` turns false at the end of the file and
-/// where a word is not a number.
+/// The numbers behind the header, one after the other. `ok` becomes false at the end of the file
+/// and at a word that is not a number.
 class PlyNumbers {
   public:
     PlyNumbers(FileWindow& file, PlyEncoding encoding) : file_(file), encoding_(encoding) {}
@@ -37,10 +37,10 @@ class PlyNumbers {
         return value;
     }
 
-    /// Steps over numbers that nobody looks at.
+    /// Skips unused numbers.
     void skip(const PlyType& type, std::uint64_t count) {
         if (encoding_ != PlyEncoding::text)
-            ok = file_.skip_far(count * type.size);  // a list has less than 2^32
+            ok = file_.skip_far(count * type.size);  // a list has fewer than 2^32 elements
         else
             for (std::uint64_t i = 0; i < count && ok; ++i) text(type);
     }
@@ -82,7 +82,7 @@ class PlyNumbers {
         const std::string_view word = next_word();
         float value = 0;
         const char* const end = word.data() + word.size();
-        // The float nearest to the decimal number, not to the double that is nearest to it.
+        // The float nearest to the decimal number itself, not to the double nearest to it.
         if (type.is_float && type.size == 4)
             if (const auto parsed = std::from_chars(word.data(), end, value);
                 parsed.ec == std::errc{} && parsed.ptr == end)
@@ -93,7 +93,7 @@ class PlyNumbers {
                                                : *number;
     }
 
-    /// Empty at the end of the file, and where it is longer than numbers are.
+    /// Empty at the end of the file, and if the word is longer than numbers are.
     std::string_view next_word() {
         constexpr std::size_t longest = 512;
         std::string_view ahead = file_.ahead(longest + 1);
@@ -132,7 +132,7 @@ bool names_vertices(const PlyProperty& property) {
     return std::find(names.begin(), names.end(), property.name) != names.end();
 }
 
-/// What a property of an element is for: an axis, or the list of vertices.
+/// The use of a property of an element: an axis, or the list of vertices.
 constexpr int unused = -1, vertex_list = 3;
 
 class PlyReader {
@@ -150,7 +150,7 @@ class PlyReader {
             std::any_of(header_.elements.begin(), vertices, [](const PlyElement& element) {
                 return role_of(element) == Role::faces || role_of(element) == Role::strips;
             });
-        // Polygons are cut where their corners are known.
+        // Polygons are cut once their corners are known.
         if (late) {
             for (auto element = header_.elements.begin(); element <= vertices; ++element)
                 read_element(*element, element == vertices ? Role::vertices : Role::passed_over);
@@ -160,7 +160,7 @@ class PlyReader {
             const Role role = role_of(element);
             read_element(element, late && role == Role::vertices ? Role::passed_over : role);
         }
-        // Blanks at the end are no harm in binary files either.
+        // Blanks at the end are also allowed in binary files.
         for (std::string_view rest = file_.ahead(1); !rest.empty(); rest = file_.ahead(1)) {
             if (std::any_of(rest.begin(), rest.end(), [](char c) { return !Words::is_blank(c); }))
                 refuse(
@@ -176,7 +176,7 @@ class PlyReader {
         throw InputError(file_.name() + ": " + sentence);
     }
 
-    /// What each property of an element is for. Each use once.
+    /// The use of each property of an element. Each use occurs at most once.
     std::vector<int> uses(const PlyElement& element) const {
         constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
         const Role role = role_of(element);
@@ -204,7 +204,7 @@ class PlyReader {
         std::array<bool, 3> seen{};
         for (const PlyElement& element : header_.elements) {
             const Role role = role_of(element);
-            // Without properties an element takes no room, and its count would be believed.
+            // An element without properties takes no bytes, so its count would go unchecked.
             if (element.properties.empty() && element.count > 0)
                 refuse("the header declares element " + excerpt(element.name) +
                        " without any property; repair the header.");
@@ -270,7 +270,7 @@ class PlyReader {
         }
     }
 
-    /// The list of vertices becomes corners_.
+    /// Reads a list; the list of vertices becomes corners_.
     void read_list(const PlyElement& element, std::uint64_t i, const PlyProperty& property,
                    Role role) {
         const double length = numbers_.next(*property.list_length);
@@ -309,7 +309,7 @@ class PlyReader {
                            mesh_.triangles);
     }
 
-    /// Every second triangle of a strip stands the other way round.
+    /// Every second triangle of a strip has the opposite orientation.
     void append_strip() {
         std::size_t start = 0;
         for (std::size_t k = 0; k < corners_.size(); ++k) {
@@ -330,7 +330,7 @@ class PlyReader {
     Mesh mesh_;
     PolygonCutter cutter_;
     std::uint64_t vertices_ = 0, all_corners_ = 0;
-    std::vector<std::uint32_t> corners_;  ///< of the face or strip that is read
+    std::vector<std::uint32_t> corners_;  ///< of the current face or strip
 };
 
 }  // namespace

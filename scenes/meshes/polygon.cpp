@@ -16,7 +16,7 @@ struct Point2 {
     bool operator==(const Point2&) const = default;
 };
 
-/// Twice the signed area, > 0 where a, b, c run counterclockwise.
+/// Twice the signed area, > 0 if a, b, c run counterclockwise.
 double area2(const Point2& a, const Point2& b, const Point2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -35,8 +35,8 @@ Vec3 area_normal(std::span<const std::uint32_t> corners, const std::vector<Vec3>
 bool fan_covers(std::span<const std::uint32_t> corners, const std::vector<Vec3>& vertices,
                 const Vec3& normal) {
     const Vec3& origin = vertices[corners[0]];
-    // Rounding may turn a triangle of three collinear corners slightly backwards; that harms
-    // nobody.
+    // Rounding may turn a triangle of three collinear corners slightly backwards, which is
+    // harmless.
     const double tolerance = -1e-9 * squared_norm(normal);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
         const Vec3 a = vertices[corners[i]] - origin, b = vertices[corners[i + 1]] - origin;
@@ -47,7 +47,7 @@ bool fan_covers(std::span<const std::uint32_t> corners, const std::vector<Vec3>&
     return true;
 }
 
-/// The polygon seen against its normal, along the coordinate axis nearest to it.
+/// The polygon projected along the coordinate axis nearest to its normal, seen against it.
 std::vector<Point2> flattened(std::span<const std::uint32_t> corners,
                               const std::vector<Vec3>& vertices, const Vec3& normal) {
     Eigen::Index drop = 0;
@@ -61,7 +61,7 @@ std::vector<Point2> flattened(std::span<const std::uint32_t> corners,
     return points;
 }
 
-/// Ear cutting. `steps` is how many corners may be looked at, and what is left of that.
+/// Ear cutting. `steps` is the number of corners that may still be visited; it is reduced.
 class EarCutter {
   public:
     EarCutter(std::span<const std::uint32_t> corners, const std::vector<Point2>& points,
@@ -70,8 +70,8 @@ class EarCutter {
         for (std::size_t i = 0; i < ring_.size(); ++i) ring_[i] = i;
     }
 
-    /// No triangles where a polygon without any ear is left over: it crosses itself; or where the
-    /// steps do not suffice, of which none are left then.
+    /// Returns no triangles if a polygon without any ear is left, since it crosses itself; or if
+    /// the steps do not suffice, and then no step is left.
     std::vector<Triangle> run() {
         double whole = 0;
         for (std::size_t i = 1; i + 1 < points_.size(); ++i)
@@ -82,13 +82,12 @@ class EarCutter {
             if (!is_ear(at)) {
                 ++at;
                 if (++refused <= ring_.size()) continue;
-                // Rounding leaves corners between collinear ones, which are no ears but harm
-                // nobody.
+                // Rounding leaves corners between collinear ones, which are not ears but harmless.
                 const auto flat = flat_corner(1e-9 * std::abs(whole));
                 if (!flat || steps_ == 0) return {};
                 at = *flat;
             }
-            // Staying at the neighbour of the ear keeps the search short.
+            // The search continues at the neighbour of the ear, which keeps it short.
             cut(at);
             refused = 0;
         }
@@ -112,8 +111,8 @@ class EarCutter {
             --steps_;
             const Point2& p = points_[k];
             if (k == ia || k == ib || k == ic) continue;
-            // A corner at the place of one of the ear's is where a hole is bridged; it does not
-            // block the ear.
+            // A corner at the place of a corner of the ear bridges a hole; it does not block the
+            // ear.
             if (p == a || p == b || p == c) continue;
             if (area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0) return false;
         }

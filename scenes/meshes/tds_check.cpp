@@ -10,8 +10,8 @@
 namespace scb::scenes {
 namespace {
 
-/// A file is chunks in chunks: a number of 16 bits that says what it is, the size of all of it in
-/// 32 bits, and what is in it (the ids of Autodesk's 3D Studio).
+/// A file is nested chunks: an id of 16 bits, the size of the whole chunk in 32 bits, and its
+/// content (the ids of Autodesk's 3D Studio).
 constexpr std::uint32_t file_id = 0x4d4d, scene_id = 0x3d3d, object_id = 0x4000, mesh_id = 0x4100,
                         vertices_id = 0x4110, faces_id = 0x4120;
 
@@ -36,7 +36,7 @@ class Check {
         if (id == object_id && inside.find('\0') != inside.npos)
             return run(inside.substr(inside.find('\0') + 1));
         if (id == mesh_id) {
-            // The vertices may stand behind the faces.
+            // The vertices may be behind the faces.
             vertices_ = 0;
             faces_ = {};
             run(inside);
@@ -63,7 +63,7 @@ class Check {
     }
 
     const std::string& name_;
-    std::vector<std::string_view> faces_;  ///< of the mesh that is read
+    std::vector<std::string_view> faces_;  ///< of the current mesh
     std::uint32_t vertices_ = 0;
     std::size_t meshes_ = 0;
 };

@@ -5,9 +5,9 @@
 
 namespace scb::scenes {
 
-/// Checks that the triangles of a 3DS file name vertices that exist: assimp's reader quietly takes
-/// the last vertex for others. Says nothing about files that are broken otherwise, which are for
-/// assimp to refuse. Throws InputError that names the file, the mesh, the face and the index.
+/// Checks that the triangles of a 3DS file name vertices that exist: assimp's reader silently
+/// replaces missing vertices by the last one. Does not report other errors, which assimp refuses.
+/// Throws InputError that names the file, the mesh, the face and the index.
 void check_3ds(std::string_view bytes, const std::string& name);
 
 }  // namespace scb::scenes

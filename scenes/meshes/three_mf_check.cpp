@@ -12,7 +12,7 @@
 namespace scb::scenes {
 namespace {
 
-/// The file of a package that was opened; empty where it cannot be unpacked.
+/// The opened file of a package; empty if it cannot be unpacked.
 std::string unpacked(unzFile package) {
     std::string bytes;
     std::array<char, 1 << 16> part{};
@@ -56,7 +56,7 @@ void check_3mf(const std::string& path) {
         if (unzOpenCurrentFile(package.get()) != UNZ_OK) continue;
         const std::string bytes = unpacked(package.get());
         unzCloseCurrentFile(package.get());
-        // A package may name its models as it likes.
+        // Models may have any name in a package.
         if (bytes.find("<model") != bytes.npos || bytes.find(":model") != bytes.npos)
             check_3mf_model(bytes, path);
     }

@@ -27,7 +27,7 @@ std::uint32_t next_index(const Mesh& mesh) {
     return static_cast<std::uint32_t>(mesh.vertices.size());
 }
 
-/// Lengths up to this cannot be told from 0 in coordinates of this size.
+/// Lengths up to this cannot be distinguished from 0 in coordinates of this size.
 double resolution(const Vec3& center, double size) {
     return 1e-12 * (center.cwiseAbs().maxCoeff() + size);
 }
@@ -43,8 +43,8 @@ Mesh volume_mesh(const Scb& s, int segments) {
     const Vec3 &u = axes.first, &v = axes.second;
     const auto corners = static_cast<std::uint32_t>(segments);
 
-    // Circles of latitude from the bottom to the top. A cut through a pole has none, and the fan of
-    // its middle reaches to the next circle.
+    // Circles of latitude from the bottom to the top. A cut through a pole has no circle, and the
+    // fan of its middle extends to the next circle.
     const double pole = std::max(1e-6 * s.r, least);
     const auto radius_at = [&](double height) {
         return std::sqrt(std::max(0.0, s.r * s.r - height * height));
@@ -93,8 +93,8 @@ Mesh volume_mesh(const Scb& s, int segments) {
 
 namespace {
 
-/// What the slabs leave of the disc in which a plane across the long axis cuts the ball: a region
-/// that holds its axis, in coordinates along the two normals.
+/// The part inside the slabs of the disc in which a plane across the long axis cuts the ball: a
+/// region that contains the axis, in coordinates along the two normals.
 struct Slice {
     double radius;
     std::array<double, 2> lower, upper;
@@ -126,7 +126,8 @@ struct Slice {
     }
 
   private:
-    /// As far from the middle towards (x, y) from it, on the rectangle, as the circle allows.
+    /// The point on the way from the middle to (x, y), a point of the rectangle, that is as far as
+    /// the circle allows.
     std::array<double, 2> on_border(const std::array<double, 2>& middle, double x, double y) const {
         const double squared = x * x + y * y, along = middle[0] * x + middle[1] * y,
                      rest = radius * radius - middle[0] * middle[0] - middle[1] * middle[1];
@@ -138,7 +139,8 @@ struct Slice {
     }
 };
 
-/// Heights of circles of latitude about the long axis, poles left out, those of corners among them.
+/// Heights of circles of latitude about the long axis, including the heights of corners, without
+/// poles.
 std::vector<double> latitudes(const Scb2& s, int segments, double pole) {
     std::vector<double> heights;
     const int belts = std::max(2, segments / 2);
@@ -265,7 +267,7 @@ Mesh volume_mesh(const Obb& box, int) {
 }
 
 Mesh volume_mesh(const ConvexShape& shape, int segments) {
-    // An even number, so that the directions of the frame's faces are among them.
+    // An even number, so that the grid includes the directions of the frame's faces.
     constexpr int most_steps = 12;
     const DirectionGrid grid = direction_grid(std::clamp((segments + 7) / 8 * 2, 2, most_steps));
     const double size = diameter(shape),

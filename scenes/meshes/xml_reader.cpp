@@ -18,7 +18,7 @@ struct Attribute {
     std::string_view name, value;
 };
 
-/// Takes the first of the attributes; nothing where it is none.
+/// Takes the first of the attributes; nothing if it is invalid.
 std::optional<Attribute> take_attribute(std::string_view& attributes) {
     skip_blanks(attributes);
     Attribute attribute;

@@ -12,25 +12,25 @@ struct XmlEvent {
     enum Kind { start, end, text };
     Kind kind = start;
     std::string_view name{};        ///< of the element that starts or ends
-    std::string_view attributes{};  ///< of the element that starts, as they are written
+    std::string_view attributes{};  ///< of the element that starts, as written
     std::string_view content{};     ///< the text
-    bool is_cdata = false;          ///< its content is taken as it is written
+    bool is_cdata = false;          ///< its content is literal
 };
 
 /// The parts of an XML document in UTF-8, one after the other; an empty element starts and ends.
-/// Comments, processing instructions and the document type are passed over, and nothing is decoded.
+/// Comments, processing instructions and the document type are skipped, and nothing is decoded.
 class XmlReader {
   public:
-    /// Both must outlive this. `name` begins a refusal.
+    /// Both must outlive this. `name` begins messages.
     XmlReader(std::string_view text, const std::string& name);
 
-    /// Nothing behind the end of the document. Throws InputError where it is not well-formed.
+    /// Nothing at the end of the document. Throws InputError if it is not well-formed.
     std::optional<XmlEvent> next();
 
   private:
     XmlEvent start_element();
     XmlEvent end_element();
-    /// Passes over what ends with these characters.
+    /// Skips text up to these characters; returns it.
     std::string_view take_until(std::string_view end);
     void skip_document_type();
     [[noreturn]] void refuse(const char* what) const;
@@ -42,7 +42,7 @@ class XmlReader {
     bool is_empty_ = false;  ///< the element that started last ends at once
 };
 
-/// The value of an attribute as it is written; nothing where it is missing.
+/// The value of an attribute as written; nothing if it is missing.
 std::optional<std::string_view> xml_attribute(std::string_view attributes, std::string_view name);
 
 }  // namespace scb::scenes

@@ -37,7 +37,7 @@ struct Scene {
     std::vector<NamedMesh> meshes;
     std::vector<Body> bodies;
     int frames = 1;
-    std::vector<int> listed{};  ///< of these the frames that were told, ascending; empty: all
+    std::vector<int> listed{};  ///< the recorded frames among these, ascending; empty: all
     std::optional<CameraView> camera;
     int default_frame = 0;         ///< the frame to show by default
     std::filesystem::path file{};  ///< its source: a scene file or its only mesh; else empty
