@@ -30,7 +30,7 @@ struct BenchFigure {
     std::string scene;
     std::vector<std::uint64_t> triangles;  ///< of each body
     std::vector<BenchSeries> series;       ///< rows of the legend, top down
-    /// Frames to shade, such as those of parallel close proximity. The legend compares the times
+    /// Frames to shade, such as frames of parallel close proximity. The legend compares the times
     /// within the first range, too.
     std::vector<PlotRange> ranges;
     std::string footnote;  ///< such as how the program was compiled; small, wrapped
