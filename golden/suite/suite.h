@@ -51,10 +51,10 @@ struct Suite {
     std::vector<GoldenCase> cases;
 };
 
-/// Reads a suite, see golden/README.md. Throws InputError, naming file and place, for anything
-/// unknown, missing or out of range, for a name or a preset that occurs twice, for no cases, for
-/// arguments that a case must not have (of its outputs), for a picture of several frames or
-/// volumes, and for a comparison or a tolerance of outputs that the run does not make.
+/// Reads a suite, see golden/README.md. Throws InputError, naming file and place: something is
+/// unknown, missing or out of range; a name or a preset occurs twice; there is no case; a case has
+/// arguments of its outputs, which it must not; a picture is of several frames or volumes; a
+/// comparison or a tolerance is of outputs that the run does not make.
 Suite load_suite(const std::filesystem::path& file);
 
 }  // namespace scb::golden

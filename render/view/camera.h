@@ -36,9 +36,8 @@ Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees);
 Mat3 orbit_axes(double azimuth_degrees, double elevation_degrees, const Vec3& up);
 
 /// A camera with orbit_axes, `distance` away from `target` (world units, above 0). The depth range
-/// is `distance` / 100 to `distance` * 100, and the orthographic view height is the span of the
-/// field of view at the target, until the caller sets better values (see set_depth_range in
-/// fit_camera.h).
+/// is `distance` / 100 to `distance` * 100. The orthographic view height is the span of the field
+/// of view at the target. The caller may set better values (see set_depth_range in fit_camera.h).
 Camera orbit_camera(double azimuth_degrees, double elevation_degrees, const Vec3& target,
                     double distance, bool orthographic = false, double vertical_fov = 30);
 

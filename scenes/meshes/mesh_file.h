@@ -10,9 +10,9 @@ namespace scb::scenes {
 /// assimp: STL, glTF, GLB, DAE, 3DS, FBX and more; not scenes that name other mesh files (LWS,
 /// IRR).
 ///
-/// Every mesh that a node of the file's scene refers to is placed by the transforms of its node and
-/// of the nodes above it, and all are joined, in the order of a walk from the root (a node's own
-/// meshes before its children).
+/// Every mesh of a node of the file's scene is placed by the transforms of this node and of the
+/// nodes above it. All are joined in the order of a walk from the root (a node's own meshes before
+/// its children).
 ///
 /// Polygons become triangles in place (see PolygonCutter); points and lines are dropped. Triangles
 /// keep the order and the corners that they have in the file. Degenerate and duplicate triangles,

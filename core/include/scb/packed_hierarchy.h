@@ -148,10 +148,10 @@ PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& option
                                     LeafCorners corners = LeafCorners::stored,
                                     std::string_view name = "mesh");
 
-/// Checks that every triangle is in exactly one leaf, that every vertex below a node or leaf is in
-/// its own volume and in the decoded volume that its parent stores for it, and that corners are the
-/// nearest floats. Returns an empty string if so, else a sentence that names the first offender.
-/// O(n log n).
+/// Checks that every triangle is in exactly one leaf, and that corners are the nearest floats.
+/// Every vertex below a node or leaf must be in its own volume, and in the decoded volume that its
+/// parent stores for it. Returns an empty string if so, else a sentence that names the first
+/// offender. O(n log n).
 template <class Codec>
 std::string validate(const PackedHierarchy<Codec>& packed, const Mesh& mesh);
 
