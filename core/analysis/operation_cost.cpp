@@ -69,10 +69,10 @@ std::uint32_t of_boxes(Stage stage, std::uint32_t transformation, std::uint32_t 
 }
 
 /// Convex volumes: 24 for B's center. Each direction takes 46 to turn it into B's frame and its
-/// farthest point back, two farthest points and, from the second direction on, 80 for the closest
-/// point of the simplex. Searches differ in length, and count as four directions: in queries of
-/// horse, tr12j and boeing they had 4.5 for k-DOPs, 3.7 for rectangle swept spheres and 2.4 for
-/// capsules.
+/// farthest point back, and two farthest points. From the second direction on it also takes 80 for
+/// the closest point of the simplex. Searches differ in length, and count as four directions: in
+/// queries of horse, tr12j and boeing they had 4.5 for k-DOPs, 3.7 for rectangle swept spheres and
+/// 2.4 for capsules.
 std::uint32_t of_search(Stage stage, std::uint32_t support) {
     const std::uint32_t direction = 46 + 2 * support;
     return stage == Stage::center_line ? 24 + direction : 24 + 4 * direction + 3 * 80;

@@ -115,8 +115,8 @@ bool same_meshes(const TraceHeader& a, const TraceHeader& b);
 
 /// The first common frame at which two engines' trees of A (side 0) or B (1) differ.
 std::optional<int> other_tree_at(const TraceEngine& a, const TraceEngine& b, std::size_t side);
-/// Whether node indices mean the same in both. They do not if the splits differ, if the trees of
-/// two engines differ at a common frame, or if only one of the two traces is an engine's.
+/// Whether node indices mean the same in both. They do not if the splits differ, if trees of two
+/// engines differ at a common frame, or if only one trace is an engine's.
 bool same_nodes(const TraceHeader& a, const TraceHeader& b);
 
 /// The parameters in a fixed order: scene, bodies, meshes, "query" of a self query, split, volume;

@@ -54,9 +54,9 @@ std::vector<TuneSetting> first_trials(const TuneSetting& base);
 /// balls, each with the tests `symmetric`, `extents` and `corrected`. Each once.
 std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
-/// The indices of first trials whose volume and split should be refined. With the test, descent and
-/// growth of the base, they take at most `worth_refining` times the least N_v, or the least
-/// estimated cost, of all such trials.
+/// The indices of first trials whose volume and split should be refined. With the base's test,
+/// descent and growth, they take at most `worth_refining` times the least N_v, or the least
+/// estimated cost, of such trials.
 inline constexpr double worth_refining = 1.3;
 std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
                                            std::span<const Work> counts);

@@ -24,9 +24,9 @@ struct WronglyRejectedPair {
     Step test;
 };
 
-/// The costliest false pairs of one reason in all added frames, by the number of volume and
-/// triangle tests below them, then by frame, then by test. Each pair of nodes appears once, at its
-/// worst frame: some are in the way at every frame.
+/// The costliest false pairs of one reason in all added frames. The cost is the number of volume
+/// and triangle tests below the pair; equal costs go by frame, then by test. Each pair of nodes
+/// appears once, at its worst frame: some are in the way at every frame.
 ///
 /// Weak tests are listed if they are not below another weak test, loose fits if they are not below
 /// any false pair. If these are too few, parts of them follow, each with at most a quarter of the

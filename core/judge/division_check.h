@@ -5,8 +5,8 @@
 namespace scb {
 
 /// Counts the tests that divided a node, and among them the tests that skipped a child. A child is
-/// skipped if it was not tested although its volume overlaps the other node or, if both nodes were
-/// divided, one of the other node's children. A child that overlaps neither need not be tested.
+/// skipped if it overlaps the other node, but was not tested. If both nodes were divided, the other
+/// node's children count in its place. A child that is apart need not be tested.
 DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests);
 
 }  // namespace scb

@@ -176,8 +176,8 @@ PairProblem MissedPairs::untested(PairProblem problem, const Ways& ways) const {
     return below_faulty(problem, ways);
 }
 
-/// If no test is known, a node on a way that does not contain its item explains the miss, as does a
-/// node with an invalid volume. Returns the problem with that node, or the problem unchanged.
+/// If no test is known, a node on a way explains the miss if it does not contain its item, or has
+/// an invalid volume. Returns the problem with that node, or the problem unchanged.
 PairProblem MissedPairs::below_faulty(PairProblem problem, const Ways& ways) const {
     for (std::uint32_t side = 0; side < 2; ++side) {
         const std::uint32_t item = side == 0 ? problem.items.a : problem.items.b;

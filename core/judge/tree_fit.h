@@ -24,12 +24,12 @@ struct OtherMesh {
     std::function<Mesh()> mesh;  ///< called if no earlier mesh fits
 };
 
-/// Looks for one change of the mesh that explains why nodes do not contain what is below them:
-/// first these other meshes; then, where it is a quarter of the nodes and at least eight, a mirror,
-/// axes in another order, common bounds, triangles in another order, and a rotation, a scale and a
-/// shift. Nothing where no such change leaves less than a tenth of these nodes. `outside` is how
-/// many there are. The mesh must be finite.
-std::optional<TreeFit> find_tree_fit(const EngineNodes& tree, const TreeShape& shape,
+/// Looks for one change of the mesh that explains why `outside` nodes do not contain the triangles
+/// below them. Tries `others` first. If `outside` is at least eight and a quarter of the nodes,
+/// tries more: a mirror, another order of the axes, common bounds, another order of the triangles,
+/// and a similarity. Returns the first change that leaves at most a tenth of `outside`, or nothing.
+/// The mesh must be finite.
+std::optional<TreeFit> find_tree_fit(const RecordedNodes& tree, const TreeShape& shape,
                                      const Mesh& mesh, double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others);
 

@@ -61,9 +61,8 @@ Box box_about(const ConvexShape& shape);
 
 /// The exact verdict on two volumes, in A's frame. They touch if the gap or depth is within
 /// `tolerance`, a length. There is no verdict if one has no volume. There is none for a ball cut by
-/// two slabs if the other volume has another type, or if its center is outside of a slab. There is
-/// none for two open boxes that are turned against each other and do not meet near their finite
-/// sides.
+/// two slabs with a volume of another type, or with its center outside of a slab. There is none for
+/// two open boxes that are turned against each other and do not meet near their finite sides.
 std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
                                                  const Pose& b_to_a, double tolerance);
 /// The same; without a verdict the contact is touching, which claims nothing.

@@ -16,9 +16,9 @@ namespace scb::scenes {
 /// objects, poses and settings. A query that a recording leaves open is ended as incomplete. One
 /// end is written if each recording has one. A single recording is passed on unchanged.
 ///
-/// Throws InputError, one sentence that names the recording and the record, if two recordings
-/// describe the same mesh, stage, tree, node or body differently before the first frame or in one
-/// frame, if frames do not ascend, and if a reader throws.
+/// Throws InputError, one sentence that names the recording and the record. The causes: two
+/// recordings describe a mesh, stage, tree, node or body differently, before the first frame or in
+/// one frame; frames do not ascend; a reader throws.
 void join_recordings(std::span<RecordingReader> readers,
                      const std::function<void(const Record&)>& write);
 

@@ -12,7 +12,7 @@ namespace scb::scenes {
 /// Frames, stages, names of bodies and counts of a whole recording.
 struct RecordingSummary {
     std::vector<int> frames;        ///< the recorded frames, ascending; only 0 if there is none
-    std::set<std::uint8_t> stages;  ///< at which tests were rejected
+    std::set<std::uint8_t> stages;  ///< stages at which tests rejected
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` announces recorded pairs, though there may be none.
     bool tells_pairs = false;

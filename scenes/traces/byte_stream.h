@@ -45,8 +45,7 @@ struct ByteWriter {
 };
 
 /// Reads what ByteWriter wrote. If bytes run out, or a varint is invalid, `ok` becomes false and
-/// all further values are 0 or empty, so that one check at the end is enough. `take` refers to the
-/// bytes.
+/// all further values are 0 or empty: one check at the end is enough. `take` refers to the bytes.
 struct ByteReader {
     std::span<const std::uint8_t> bytes;
     bool ok = true;

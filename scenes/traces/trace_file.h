@@ -24,8 +24,8 @@ namespace scb::scenes {
 //
 // A block has one byte per volume test: how the test ended, whether its triangles intersect, and
 // which of the two nodes was divided to get there. Nodes and depths follow from the order of a
-// traversal, given each node's children and each leaf's triangle, which are written where they are
-// first needed. So frames must be read in order. A test takes 0.41 bytes in `spheres-l1` (500
+// traversal, each node's children and each leaf's triangle. The latter two are written where they
+// are first needed, so frames must be read in order. A test takes 0.41 bytes in `spheres-l1` (500
 // frames, symmetric, 8.8 million tests).
 
 /// The highest version that decode_trace reads, and the one that is written.
