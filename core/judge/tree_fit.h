@@ -29,7 +29,7 @@ struct OtherMesh {
 /// tries more: a mirror, another order of the axes, common bounds, another order of the triangles,
 /// and a similarity. Returns the first change that leaves at most a tenth of `outside`, or nothing.
 /// The mesh must be finite.
-std::optional<TreeFit> find_tree_fit(const RecordedNodes& tree, const TreeShape& shape,
+std::optional<TreeFit> find_tree_fit(const EngineNodes& tree, const TreeShape& shape,
                                      const Mesh& mesh, double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others);
 
