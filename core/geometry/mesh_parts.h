@@ -12,7 +12,7 @@ namespace scb {
 /// at its place (0 and -0 are equal). The vertices that triangles use must be finite. O(n log n).
 std::vector<Triangle> joined_triangles(const Mesh& mesh);
 
-/// Which triangles are connected by common corners.
+/// The parts of a mesh: triangles connected by common corners.
 struct MeshParts {
     std::size_t count = 0;
     std::vector<std::uint32_t> of_triangle;  ///< per triangle its part; parts are ordered by their

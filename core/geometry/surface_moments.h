@@ -13,10 +13,10 @@ struct SurfaceMoments {
     Mat3 scatter = Mat3::Zero();
 };
 
-/// Of one triangle.
+/// The moments of one triangle.
 SurfaceMoments triangle_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Of two surfaces together (the parallel axis theorem).
+/// The moments of two surfaces together (the parallel axis theorem).
 SurfaceMoments merge(const SurfaceMoments& a, const SurfaceMoments& b);
 
 }  // namespace scb

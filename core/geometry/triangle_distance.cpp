@@ -12,15 +12,15 @@ double clamped_share(double part, double whole) {
 
 double squared_distance(const Vec3& p, const Vec3& q) { return squared_norm(Vec3(p - q)); }
 
-/// Of a point and the segment from s to t.
+/// The squared distance of a point and the segment from s to t.
 double squared_distance(const Vec3& p, const Vec3& s, const Vec3& t) {
     const Vec3 along = t - s;
     return squared_distance(
         p, Vec3(s + clamped_share(dot(Vec3(p - s), along), squared_norm(along)) * along));
 }
 
-/// Of the segments from p to q and from s to t: between the closest points of their lines if both
-/// are on the segments, else at an end of one.
+/// The squared distance of the segments from p to q and from s to t: between the closest points of
+/// their lines if both are on the segments, else at an end of one.
 double squared_distance(const Vec3& p, const Vec3& q, const Vec3& s, const Vec3& t) {
     double least = std::min({squared_distance(p, s, t), squared_distance(q, s, t),
                              squared_distance(s, p, q), squared_distance(t, p, q)});
@@ -36,8 +36,8 @@ double squared_distance(const Vec3& p, const Vec3& q, const Vec3& s, const Vec3&
     return least;
 }
 
-/// Of a point and a triangle if the point is above its inside; else infinity, since then an edge is
-/// as close.
+/// The squared distance of a point and a triangle if the point is above its inside; else infinity,
+/// since then an edge is as close.
 double squared_distance_above(const Vec3& p, const TriangleCorners& t) {
     const Vec3 normal = cross(Vec3(t[1] - t[0]), Vec3(t[2] - t[0]));
     for (std::size_t k = 0; k < 3; ++k)

@@ -6,7 +6,7 @@ namespace scb::render {
 
 using scb::AnyVolume;
 
-/// Of the volume's type, see core/volumes/placed_volume.h.
+/// The `placed` of the volume's type, see core/volumes/placed_volume.h.
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
 /// Whether two volumes are the same numbers.

@@ -56,8 +56,8 @@ struct Placed {
     Affine to_world;
 };
 
-/// Every mesh without a transform, for RAW files. Of the nodes of their groups, which have no
-/// transforms, assimp 5.2 keeps only one, and null pointers for the others.
+/// Every mesh without a transform, for RAW files. assimp 5.2 keeps only one node of their groups,
+/// which have no transforms, and null pointers for the others.
 std::vector<Placed> meshes_as_they_are(const aiScene& scene) {
     std::vector<Placed> placed(scene.mNumMeshes);
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) placed[i].mesh = i;
