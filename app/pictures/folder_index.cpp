@@ -15,14 +15,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// That of a million pictures.
+// The size of an index of a million pictures.
 constexpr std::size_t largest_index = std::size_t{1} << 30;
 
 bool has_field(const Json& object, const char* name, Json::value_t type) {
     return object.contains(name) && object[name].type() == type;
 }
 
-/// Whether it is what a run of scb says of its pictures.
+/// Whether the value describes a run of scb and its pictures.
 bool is_run(const Json& json) {
     if (!json.is_object() || !has_field(json, "command", Json::value_t::string) ||
         !has_field(json, "versions", Json::value_t::object) || !json["versions"].contains("scb") ||
@@ -33,7 +33,7 @@ bool is_run(const Json& json) {
     return true;
 }
 
-/// The runs of an index, the latest first; none where it is not one.
+/// The runs of an index, the latest first; none if the value is no index.
 std::vector<Json> runs_of(Json index) {
     if (!is_run(index)) return {};
     std::vector<Json> runs;
@@ -51,7 +51,7 @@ std::vector<Json> runs_of(Json index) {
     return runs;
 }
 
-/// Whether runs are of one command and read the same, as far as both say it.
+/// Whether runs have the same command and inputs, as far as both name them.
 bool are_of_same_source(const Json& a, const Json& b) {
     for (const char* name : {"command", "source", "recording"})
         if (a.contains(name) && b.contains(name) && a[name] != b[name]) return false;
@@ -86,7 +86,7 @@ void FolderIndex::read_if_changed() {
     try {
         index = scenes::parse_ordered_json(text, file_.string());
     } catch (const InputError&) {
-        // See below.
+        // Reported below, since there are no runs.
     }
     for (Json& json : runs_of(std::move(index))) {
         Run& run = runs_.emplace_back();

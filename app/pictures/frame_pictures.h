@@ -8,17 +8,16 @@
 
 namespace scb::app {
 
-/// Its queries at a frame.
+/// The queries of the sources at a frame.
 inline QueryFrames queries_at(QuerySources& sources, int frame) {
     QueryFrames queries;
     for (QuerySource& source : sources) queries.push_back(&source.frame(frame));
     return queries;
 }
 
-/// Calls `make(frame, watch)` for each frame that was asked for until a signal comes; then finishes
-/// the pictures with the index that `head` gives, or the shard. `make` returns whether it made all
-/// of the frame, and may stop between two pictures where the watch has a signal. Returns the exit
-/// status.
+/// Calls `make(frame, watch)` for each frame to show until a signal comes; then finishes the
+/// pictures with the index from `head`, or the shard. `make` returns whether it made the whole
+/// frame; it may stop between two pictures if the watch has a signal. Returns the exit status.
 template <class Make, class Head>
 int make_frames(const QuerySources& sources, PictureRun& pictures, const Console& console,
                 Make make, Head head) {
@@ -43,8 +42,8 @@ int make_frames(const QuerySources& sources, PictureRun& pictures, const Console
     return exit_interrupted(watch.signal());
 }
 
-/// The same where each frame is a part of the run: `draw(queries)` draws it, and returns what
-/// `take`, which gets it from shards too, needs in the end.
+/// The same, with each frame as a part of the run. `draw(queries)` draws a frame and returns a
+/// value for `take`, which also gets the values from shards.
 template <class Draw, class Take, class Head>
 int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& console, Draw draw,
                 Take take, Head head) {
@@ -57,7 +56,7 @@ int draw_frames(QuerySources& sources, PictureRun& pictures, const Console& cons
         head);
 }
 
-/// For pictures of which nothing is needed in the end.
+/// For pictures without values to collect.
 inline void take_nothing(const nlohmann::ordered_json&) {}
 
 }  // namespace scb::app

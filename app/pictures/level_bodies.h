@@ -8,12 +8,12 @@
 
 namespace scb::app {
 
-/// The bodies as pictures of levels need them; their nodes have ids from 1 on, body after body.
-/// `handles` is empty where no mesh is drawn. Throws InputError where ids run out.
+/// The bodies for pictures of levels; their nodes have ids from 1 on, body after body. `handles` is
+/// empty if no mesh is drawn. Throws InputError if there are not enough ids.
 std::vector<render::LevelBody> level_bodies(const std::vector<scenes::BodyAtFrame>& bodies,
                                             const std::vector<render::MeshHandle>& handles);
 
-/// How levels of these bodies look.
+/// The style of levels of these bodies.
 render::LevelStyle level_style(const LevelOptions& options,
                                const std::vector<scenes::BodyAtFrame>& bodies, int deepest);
 

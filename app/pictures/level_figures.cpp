@@ -9,7 +9,7 @@
 namespace scb::app {
 namespace {
 
-// The frame, and every option that changes what is drawn but cannot be seen.
+// The frame, and every option that affects the picture but cannot be seen in it.
 std::string subtitle_of(const LevelOptions& options, const LevelSubject& subject,
                         const render::Camera& camera) {
     const scenes::Scene& scene = subject.scene;

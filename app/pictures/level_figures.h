@@ -12,25 +12,24 @@ namespace scb::app {
 /// "level 7", "leaves".
 std::string level_title(int level);
 
-/// What the pictures of a run of `scb render levels` have in common, and each of them: one camera
-/// and one scale for all.
+/// The pictures of a run of `scb render levels`, with one camera and one scale for all.
 class LevelFigures {
   public:
-    /// Takes the meshes to the GPU, where they are to be drawn. The subject must outlive this.
+    /// Uploads the meshes to the GPU, if they are drawn. The subject must outlive this object.
     LevelFigures(const LevelOptions& options, const LevelSubject& subject,
                  render::Renderer& renderer);
 
-    /// The figure of the subject's trees of that place at a level.
+    /// The figure of the subject's trees with index `kind`, at a level.
     render::LevelFigure figure(std::size_t kind, int level) const;
 
-    /// All but titles, bodies and level.
+    /// A figure without titles, bodies and level.
     const render::LevelFigure& common() const { return common_; }
     const scenes::CameraView& wish() const { return wish_; }
-    /// The bodies with trees of that place.
+    /// The bodies with the trees of index `kind`.
     const std::vector<render::LevelBody>& bodies(std::size_t kind) const { return bodies_[kind]; }
-    /// The support of what these levels show of all trees.
+    /// The support of all drawn parts at these levels, over all trees.
     render::Support support_of(const std::vector<int>& levels) const;
-    /// The same of all the subject's levels.
+    /// The same for all levels of the subject.
     const render::Support& support() const { return support_; }
 
   private:

@@ -11,7 +11,7 @@
 
 namespace scb::app {
 
-/// What `scb render levels` understands.
+/// Options of `scb render levels`.
 struct LevelOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
@@ -21,21 +21,20 @@ struct LevelOptions {
     std::optional<render::ColorBy> color_by;  ///< none: auto
     std::optional<double> opacity;
     bool mesh = false, edges = false, no_sheet = false;
-    /// What was given of what a recording already knows, see given_recording_options.
+    /// The given options that a recording already has, see given_hierarchy_options.
     std::vector<std::string> recording{};
 
-    /// Refuses what makes no sense before any work is done; throws InputError.
+    /// Refuses invalid options before any work is done; throws InputError.
     void check() const;
 
-    /// What colors tell: as asked for, or else the body where there are several and the thickness
-    /// where there is one.
+    /// `color_by`; by default the body if there are several bodies, else the thickness.
     render::ColorBy resolved_color_by(std::size_t bodies) const;
-    /// As asked for, or else such that a mesh that was asked for shows through.
+    /// `opacity`; by default low enough that a drawn mesh shows through.
     double resolved_opacity() const;
 };
 
 void add_level_options(const Command& command, LevelOptions& options);
-/// Of these colors, opacity and meshes alone.
+/// Only the options of colors, opacity and meshes.
 void add_level_look(const Command& command, LevelOptions& options);
 
 }  // namespace scb::app

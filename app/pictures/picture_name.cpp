@@ -10,7 +10,7 @@
 namespace scb::app {
 namespace {
 
-// Names of files may have 255 bytes, of which endings take some.
+// File names may have 255 bytes, including endings.
 constexpr std::size_t most_of_options = 100, most_of_name = 220;
 
 std::string shortened(const std::string& text, std::size_t most) {
@@ -34,8 +34,8 @@ std::string list_part(const std::vector<int>& numbers) {
     return list;
 }
 
-/// "orbit-40-15"; of a file its name, and what tells its camera from others: that of each
-/// index.json is in a file of the same name.
+/// "orbit-40-15". For a file, its name and a hash of the camera, since every index.json has the
+/// same name.
 std::string camera_part(const std::string& camera) {
     if (camera == "fit" || camera == "contact" || camera.starts_with("orbit:")) return camera;
     return std::filesystem::path(camera).stem().string() + "-" +
@@ -102,7 +102,7 @@ void name_query(NamedOptions& named, const QuerySource& query, const QuerySource
     usual.split = build.split;
     usual.growth = build.fit.growth;
     usual.margin = build.fit.margin;
-    // Which test it is decides whether there is a threshold.
+    // The test determines whether there is a threshold.
     const OverlapTest test = usual.options.overlap.test;
     usual.options = {};
     usual.options.overlap.test = test;
@@ -138,7 +138,7 @@ void name_view(NamedOptions& named, const PictureOptions& options, const CameraO
     named.add_if(camera.orthographic, "ortho");
     if (const std::optional<FacePlane> clip = camera.clip_plane()) {
         const std::string plane = plane_part(*clip);
-        // A value loses a minus that it begins with.
+        // NamedOptions drops a minus at the beginning of a value.
         named.add(plane.starts_with('-') ? "clip-" : "clip", plane);
     }
     named.add_if(options.samples != PictureOptions{}.samples, "samples",

@@ -9,9 +9,9 @@
 
 namespace scb::app {
 
-/// The options that a picture is drawn with, as the names of files say them:
-/// "_test-extents_by-share". Only what differs from the default is named, so that what was drawn
-/// with other options never takes the name of another picture, and usual names are short.
+/// The options of a picture, for file names: "_test-extents_by-share". Only options that differ
+/// from the default are named. So pictures drawn with different options never have the same name,
+/// and usual names are short.
 class NamedOptions {
   public:
     /// An option; a flag has no value.
@@ -19,9 +19,9 @@ class NamedOptions {
     void add_if(bool differs, const std::string& option, const std::string& value = "") {
         if (differs) add(option, value);
     }
-    /// These, and then others.
+    /// These options, then the others.
     NamedOptions operator+(const NamedOptions& others) const;
-    /// Empty where nothing differs. A long text ends with a hash in place of the rest.
+    /// Empty if all options are the default. A hash replaces the rest of a long text.
     std::string text() const;
 
   private:
@@ -30,12 +30,12 @@ class NamedOptions {
 
 /// How hierarchies are built.
 void name_build(NamedOptions& named, const BuildOptions& options);
-/// The pose of the second of two meshes, [R|t] row by row; empty is the identity.
+/// The pose of the second of two meshes, [R|t] row by row; empty: the identity.
 void name_pose(NamedOptions& named, const std::vector<double>& pose);
-/// What stands for the volumes of such queries in file names: "scb"; of another engine its name.
+/// The volumes of such queries in file names: "scb"; for another engine its name.
 std::string volume_file_part(const TraceHeader& header);
-/// What is asked of a query: which bodies, where the scene leaves a choice, and how. Of two queries
-/// that are compared, what they have in common.
+/// The bodies, if the scene leaves a choice, and the options of a query. For two compared queries,
+/// the options that they have in common.
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other);
 /// Size and background.
 void name_picture(NamedOptions& named, const PictureOptions& options);
@@ -44,8 +44,8 @@ void name_view(NamedOptions& named, const PictureOptions& options, const CameraO
 /// The frames of a picture that shows several; `frames` is ascending.
 void name_frames(NamedOptions& named, const std::vector<int>& frames);
 
-/// SCENE_WHAT_OPTIONS_WHICH, without the extension: "spheres-l1_scb_pairs_frame-0250". The only
-/// place where pictures are named.
+/// SCENE_WHAT_OPTIONS_WHICH, without the extension: "spheres-l1_scb_pairs_frame-0250". All names of
+/// pictures are made here.
 std::string picture_name(const std::string& scene, const std::string& what,
                          const NamedOptions& options, const std::string& which);
 /// "frame-0250".

@@ -13,8 +13,8 @@
 namespace scb::app {
 namespace {
 
-// Smaller ones have no room for a heading and numbers, or show nothing; larger ones no OpenGL
-// library draws.
+// Smaller pictures have no room for a heading and numbers, or show nothing. OpenGL libraries cannot
+// draw larger ones.
 constexpr int smallest_width = 320, smallest_height = 240, smallest_view = 64, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
@@ -38,7 +38,7 @@ void PictureOptions::check() const {
                                   width() <= largest && height() <= largest
                               ? ", or twice that with --samples 1."
                               : "."));
-    // What a program asks for has not been through the parser.
+    // Options set by a program have not been checked by the parser.
     if (samples != 1 && samples != 4)
         throw InputError("--samples " + std::to_string(samples) + ": give 1 or 4.");
     if (background != "light" && background != "dark")
@@ -153,7 +153,7 @@ void add_jobs(const Command& command, PictureOptions& options) {
         .show_default();
 }
 
-/// Where pictures go besides their files.
+/// Outputs of pictures besides their files.
 void add_copies(const Command& command, PictureOptions& options) {
     command
         .add_flag("--svg", options.svg,
@@ -193,7 +193,7 @@ void add_panel_option(const Command& command, PictureOptions& options) {
 }
 
 void add_picture_options(const Command& command, PictureOptions& options) {
-    // Nothing but the overlay, which is not sampled.
+    // Only the overlay is drawn, which is not sampled.
     options.samples = 1;
     add_output_size(command, options, "Folder for the pictures");
     add_drawing(command, options);

@@ -19,7 +19,7 @@ struct PixelPosition {
     int x = 0, y = 0;
 };
 
-/// What every command that draws understands.
+/// Options of every command that draws.
 struct PictureOptions {
     std::string size = "1280x720";
     int samples = 4;
@@ -30,41 +30,40 @@ struct PictureOptions {
     bool ids = false;
     bool json = false;
     bool show = false;                    ///< pictures are shown in the terminal
-    bool open = false;                    ///< what was made is opened, see open_file
-    bool no_panel = false;                ///< the view alone
-    bool svg = false;                     ///< each picture as SVG too
+    bool open = false;                    ///< the result is opened, see open_file
+    bool no_panel = false;                ///< only the view
+    bool svg = false;                     ///< each picture also as SVG
     bool shift_color = false;             ///< see shifted_colors
-    std::optional<PixelPosition> pick{};  ///< the pixel to be identified: what it shows is printed
+    std::optional<PixelPosition> pick{};  ///< the pixel whose content is to be printed
     VideoOptions video{};
     ShardOptions shards{};
-    std::optional<Command> command{};  ///< whose options these are
+    std::optional<Command> command{};  ///< the command that has these options
 
-    /// Throws InputError where one of them makes no sense.
+    /// Throws InputError if an option is invalid.
     void check() const;
 
     int width() const;
     int height() const;
-    /// Of a picture with one view.
+    /// For a picture with one view.
     render::FigureLayout layout() const;
     const render::Theme* theme() const;
     render::GlBackend backend() const;
     std::size_t jobs() const;
-    /// The folder, made where it was missing; throws OutputError where that fails.
+    /// The folder, created if missing; throws OutputError if that fails.
     std::filesystem::path output_folder() const;
 };
 
 void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera);
-/// --gl alone.
+/// Only --gl.
 void add_gl_option(const Command& command, std::string& gl);
-/// Whether there is anything beside the view.
+/// --no-panel.
 void add_panel_option(const Command& command, PictureOptions& options);
-/// Of pictures without a view of the scene: neither camera nor samples nor ids.
+/// For pictures without a view of the scene: neither camera nor samples nor ids.
 void add_picture_options(const Command& command, PictureOptions& options);
-/// Of a page that has one picture in it: a file in place of the folder.
+/// For a page with one picture in it: a file in place of the folder.
 void add_page_options(const Command& command, PictureOptions& options, CameraOptions& camera,
                       const char* page);
-/// Of the pictures that go with tables into a folder: `files` says which, and without -o there are
-/// none.
+/// For pictures that accompany tables: `files` describes them. Without -o there are none.
 void add_figure_options(const Command& command, PictureOptions& options, const char* files);
 
 }  // namespace scb::app

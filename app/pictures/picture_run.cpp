@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// That of a shard. Throws InputError where it has another size.
+/// The picture of a shard. Throws InputError if it has another size.
 render::Image picture_of(const std::filesystem::path& file, int width, int height) {
     render::Image image = render::read_png(file);
     if (image.width != width || image.height != height)
@@ -56,7 +56,7 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
 void PictureRun::plan(std::size_t parts, const Parts::Subject& subject) {
     const render::GlInfo info = context_.info();
     Json versions = versions_json(&info);
-    // It also tells the processor's vector instructions, which change no picture.
+    // It also names the processor's vector instructions, which do not affect pictures.
     versions.erase("gl");
     parts_ = Parts(options_.shards, parts, std::move(versions), subject, folder_);
     if (is_shard()) make_shards_folder(folder_);
@@ -146,7 +146,7 @@ void PictureRun::draw(const std::string& name, const render::Picture& picture, J
         sheet_view_.reset();
         if (is_shard()) {
             picture_of_shard["explanation"] = sheet_->explanation();
-            // Each picture's own; what several have in common is seen where they are joined.
+            // Each picture has its own explanation; `scb merge` joins them.
             sheet_->sheet.keys.clear();
             sheet_->sheet.scale.reset();
             const std::filesystem::path cell = shards_folder("") / (name + ".png");
@@ -228,7 +228,7 @@ std::filesystem::path PictureRun::to_open(bool with_video) const {
 }
 
 std::vector<std::filesystem::path> PictureRun::to_show() const {
-    // The sheet in place of what is in it.
+    // If there is a sheet, show it in place of its pictures.
     const bool has_sheet = std::any_of(files_.begin(), files_.end(),
                                        [](const Json& file) { return file.contains("sheet"); });
     std::vector<std::filesystem::path> files;

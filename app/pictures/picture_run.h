@@ -19,16 +19,15 @@
 
 namespace scb::app {
 
-/// The pictures of one run of a command: drawn one after the other, encoded and written beside the
-/// drawing, and listed in index.json at the end.
+/// The pictures of one run of a command: drawn one after the other, encoded and written in the
+/// background, and listed in index.json at the end.
 class PictureRun {
   public:
-    /// Makes the folder and removes from it what would describe other pictures should this run not
-    /// finish: the `tables` that are written at the end. Throws InputError where its index.json is
-    /// not one of scb's, see FolderIndex. The pictures say that they
-    /// are of `scene`, see picture_texts. By then all must have been
-    /// read. Nothing that was read is removed or replaced, now or later: that throws InputError.
-    /// Also OutputError, GlError.
+    /// Makes the folder. Removes the `tables`, which are written at the end: they would describe
+    /// other pictures if this run did not finish. Throws InputError if index.json is not from scb,
+    /// see FolderIndex. The pictures name `scene`, see picture_texts. All inputs must have been
+    /// read before. Throws InputError, now or later, instead of removing or replacing an input.
+    /// Also throws OutputError, GlError.
     PictureRun(const PictureOptions& options, const std::string& scene,
                const std::vector<std::string>& tables = {});
 
@@ -36,32 +35,32 @@ class PictureRun {
     const render::Context& context() const { return context_; }
     render::Overlay& overlay() { return overlay_; }
 
-    /// Says how many parts() there will be, which shards of the run share, and what tells the scene
-    /// from others. Throws as Parts does.
+    /// Sets the number of parts(), which shards of the run share, and the identity of the scene.
+    /// Throws as Parts does.
     void plan(std::size_t parts, const Parts::Subject& subject);
-    /// Whether this run makes only some parts: their pictures and nothing that is of all of them.
+    /// Whether this run makes only some parts: their pictures, but no summaries of all.
     bool is_shard() const { return parts_.are_of_shard(); }
-    /// The next part. `draw` draws its pictures and returns what the run needs of it in the end, or
-    /// nothing where it was interrupted: then this returns false. Where a shard has made the part,
-    /// its pictures are taken over. `take` gets what `draw` returned, here or there, but not in a
-    /// shard.
+    /// The next part. `draw` draws its pictures and returns a value for the end of the run; or
+    /// nothing if it was interrupted, and then this returns false. If a shard has made the part,
+    /// its pictures are taken over. `take` gets the value of `draw`, from here or from the shard,
+    /// but is not called in a shard.
     using Drawn = std::optional<nlohmann::ordered_json>;
     bool part(const std::function<Drawn()>& draw,
               const std::function<void(const nlohmann::ordered_json&)>& take);
 
-    /// Makes a contact sheet of the sequence's pictures too.
+    /// Also makes a contact sheet of the sequence's pictures.
     void begin_sheet(SheetRun sheet) { sheet_ = std::move(sheet); }
-    /// What the colors of the picture that comes next mean, for the sheet, if there is one.
+    /// The meaning of the colors of the next picture, for the sheet, if there is one.
     void explain(const std::string& title, const std::vector<render::PanelItem>& panel);
 
-    /// The same of a view of the scene, which the sheet draws anew in its own size: text of a
-    /// picture that is shrunk cannot be read.
+    /// The same for a view of the scene. The sheet draws the view again in its own size, since text
+    /// of a shrunk picture cannot be read.
     void explain(const render::SceneFigure& figure);
 
-    /// Draws the picture with overlay(), and hands it on to be written as NAME.png; and, where it
-    /// is `of_sequence` and not a summary of the run, with ids, as NAME_ids.png, as a frame of the
-    /// video and as a cell of the sheet, each where that was asked for. `entry` is what the index
-    /// says of it beside the file names.
+    /// Draws the picture with overlay(), and queues it to be written as NAME.png. A picture
+    /// `of_sequence`, which is not a summary of the run, is also written with ids as NAME_ids.png,
+    /// as a frame of the video and as a cell of the sheet, if asked for. `entry`: its entry in the
+    /// index, without the file names.
     void draw(const std::string& name, const render::Picture& picture, nlohmann::ordered_json entry,
               bool of_sequence = true);
 
@@ -70,38 +69,36 @@ class PictureRun {
 
     /// Notes a line that is printed before the file names.
     void say(std::string line) { said_ += std::move(line) + "\n"; }
-    /// Has finish() print this and nothing else.
+    /// finish() prints only this text.
     void print_instead(std::string text) { instead_ = std::move(text); }
-    /// The id of the thing that owns a pixel of the picture that was drawn last with ids.
+    /// The id at a pixel of the latest picture with ids.
     std::uint32_t id_at(int x, int y) const;
 
-    /// Of a shard: waits until its pictures are written, keeps what else `scb merge` needs of them,
-    /// and prints the names of all files.
+    /// For a shard: waits until its pictures are written, keeps the other data that `scb merge`
+    /// needs, and prints the names of all files.
     void finish_shard(const Console& console);
 
-    /// Draws the sheet, and waits until everything is written, the video too; then writes
-    /// index.json, in which `head` with `files` and the versions at its end is the latest run, and
-    /// prints that run, or the names of all files, as was asked for, and opens what was made where
-    /// that was.
+    /// Draws the sheet, and waits until everything is written, including the video. Then writes
+    /// index.json, with `head`, `files` and the versions as the latest run. Prints that run, or the
+    /// names of all files, and opens the result, as the options say.
     void finish(nlohmann::ordered_json head, const Console& console);
 
   private:
     void draw_sheet();
-    /// Takes over a picture that a shard has drawn, from the folder of its pictures.
+    /// Takes over a picture of a shard, from the folder of its pictures.
     void take_picture(const nlohmann::ordered_json& picture, const std::filesystem::path& from);
     /// A file of that picture.
     void take_file(const std::string& name, const std::filesystem::path& from);
     std::string written_list() const;
-    /// Of the picture that the overlay belongs to.
+    /// The picture that the overlay belongs to.
     void write_svg(const std::string& name, const render::Picture& picture);
-    /// What --terminal shows.
+    /// The pictures for --terminal.
     std::vector<std::filesystem::path> to_show() const;
-    /// What a user wants to see first: the page, the video, the sheet, the only picture, or the
-    /// folder.
+    /// The page, the video, the sheet, the only picture, or the folder: the first that there is.
     std::filesystem::path to_open(bool with_video) const;
-    /// Where a file of that name goes; throws where it must not.
+    /// The path of a file of that name; throws if it must not be written.
     std::filesystem::path place(const std::string& name) const;
-    /// The same for a picture, of which the index says nothing until the end.
+    /// The same for a picture, and removes it from the index until the end.
     std::filesystem::path place_picture(const std::string& name);
 
     const PictureOptions& options_;
@@ -112,13 +109,13 @@ class PictureRun {
     render::EncodeQueue queue_;
     std::unique_ptr<render::Animation> video_;  ///< or null
     std::optional<SheetRun> sheet_;
-    render::OverlayShapes shapes_;  ///< of the overlay, where pictures are wanted as SVG too
+    render::OverlayShapes shapes_;  ///< of the overlay, if SVG is asked for
     render::Overlay overlay_;
     std::vector<std::string> written_;
     std::string said_;
     std::optional<std::string> instead_;
-    std::optional<render::Image> sheet_view_;  ///< of the picture that comes next
-    render::IdImage last_ids_;                 ///< kept where a pixel is to be picked
+    std::optional<render::Image> sheet_view_;  ///< of the next picture
+    render::IdImage last_ids_;                 ///< kept if a pixel is to be picked
     nlohmann::ordered_json files_ = nlohmann::ordered_json::array();
     Parts parts_;
     std::size_t next_part_ = 0;

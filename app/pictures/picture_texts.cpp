@@ -6,7 +6,7 @@
 namespace scb::app {
 namespace {
 
-/// Options that change nothing in a picture.
+/// Options that do not affect a picture.
 const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--json",
                                          "--ids",    "--pick",   "--video",  "--fps",
                                          "--open",   "--shard",  "--merged", "--terminal"};
@@ -16,7 +16,7 @@ const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--
 std::vector<render::PngText> picture_texts(const PictureOptions& options,
                                            const std::string& scene) {
     std::vector<render::PngText> texts = {{"Software", "scb " SCB_VERSION}};
-    // Names of files need not be UTF-8, and a text has no line ends of theirs.
+    // File names need not be UTF-8, and their line ends must not come into the text.
     if (!scene.empty()) texts.push_back({"Scene", scenes::printable(scene)});
     if (options.command)
         texts.push_back({"Command", scenes::printable(told_command(*options.command, untold))});

@@ -8,9 +8,8 @@
 
 namespace scb::app {
 
-/// What the PNG files of a run say of themselves: the program and its version, the scene (none
-/// where it is empty), and the command. The same on every machine, with names of files, but not of
-/// their folders.
+/// Texts in the PNG files of a run: the program and its version, the scene (none if empty), and the
+/// command. They are the same on every machine, since they name files without folders.
 std::vector<render::PngText> picture_texts(const PictureOptions& options, const std::string& scene);
 
 }  // namespace scb::app

@@ -9,7 +9,7 @@
 
 namespace scb::app {
 
-/// A plot that goes beside tables, being composed and written.
+/// A plot that accompanies tables.
 class PlotFile {
   public:
     explicit PlotFile(const PictureOptions& options) : options_(options) {
@@ -18,7 +18,7 @@ class PlotFile {
 
     render::Overlay overlay;
 
-    /// Writes it as FILE, a PNG, and where that was asked for as SVG. `scene`: see picture_texts.
+    /// Writes FILE as PNG, and as SVG if asked for. `scene`: see picture_texts.
     void write(const render::Picture& picture, render::Renderer& renderer,
                const std::filesystem::path& file, const std::string& scene) const;
 

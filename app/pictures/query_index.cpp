@@ -21,7 +21,7 @@ void add_ids(Json& list, const QueryView& view, const char* what,
                         {"count", ranges[side].count}});
 }
 
-/// What the ids of nodes stand for where they are another engine's.
+/// The engine's node numbers, for the ids of nodes.
 void add_node_numbers(Json& entry, const TraceFrame& frame) {
     Json numbers = Json::array();
     bool own = false;

@@ -7,11 +7,12 @@
 
 namespace scb::app {
 
-/// What index.json says of a run that draws queries: scene, bodies, what was asked, camera, ids.
+/// The description of a run that draws queries in index.json: scene, bodies, parameters, camera,
+/// ids.
 nlohmann::ordered_json query_index_head(const QueryView& view, const std::string& command);
 
-/// What it says of one picture: the counts of its query, or of both as `queries`; and, of a view of
-/// the bodies, the camera, where it moves, and what numbers_by_id says where ids were asked for.
+/// The entry of one picture: the counts of its query, or of both as `queries`. For a view of the
+/// bodies also the camera, if it moves, and numbers_by_id, if ids were asked for.
 nlohmann::ordered_json query_index_entry(const QueryView& view, const QueryFrames& frames,
                                          const render::Camera& camera);
 nlohmann::ordered_json query_index_entry(const QueryView& view, const QueryFrames& frames);

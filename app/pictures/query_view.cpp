@@ -17,9 +17,9 @@
 namespace scb::app {
 namespace {
 
-/// The nodes whose volumes a camera has to hold: some that cover the mesh closely; or all leaves;
-/// or, since a volume may stick out of its parent's, all of the upper levels, below which they
-/// stick out little.
+/// The nodes whose volumes the camera has to show: some that cover the mesh closely, or all leaves.
+/// If volumes are drawn, all of the upper levels, since a volume may stick out of its parent;
+/// deeper volumes stick out little.
 std::vector<std::uint32_t> held_nodes(const Tree& tree, Shown shown) {
     constexpr std::uint32_t levels = 6;
     const TreeShape& shape = tree.shape();
@@ -49,14 +49,14 @@ class HeldNodes {
     std::unordered_map<const Tree*, std::vector<std::uint32_t>> of_;  // lookups only
 };
 
-/// What is unusual about the settings that two queries, or one and itself, have in common.
+/// Unusual settings that two queries, or one and itself, have in common.
 std::vector<std::string> settings_in_common(const TraceHeader& header, const TraceHeader& other,
                                             const std::function<bool(const char*)>& common) {
     std::vector<std::string> parts;
     const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
     if (of_scb.volume == VolumeKind::scb) {
         const OverlapOptions& overlap = of_scb.options.overlap;
-        // Of two kinds of volumes the captions say it, since it is that of one of them.
+        // For two kinds of volumes the captions name the test, since only one kind has it.
         if (common("test") && other.volume == header.volume)
             parts.push_back("test " + std::string(overlap_test_name(overlap.test)));
         if (common("threshold") && has_threshold(overlap.test) &&
@@ -100,7 +100,7 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
         double most = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t node : nodes->of(*body.tree))
             most = std::max(most, render::reach(render::volume_of(body, node), direction));
-        // Of trees without volumes there is the mesh.
+        // Trees without volumes: use the mesh.
         return std::isfinite(most) ? most : mesh_reach(body, direction);
     };
     support_ = support_over_frames(of_volumes);
@@ -118,7 +118,8 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
 }
 
 render::Support QueryView::support_over_frames(Reach reach) const {
-    // The pictures of a run have one direction of view, so these are some twenty directions.
+    // All pictures of a run have the same direction of view, so there are only some twenty
+    // directions.
     const auto known = std::make_shared<std::vector<std::pair<Vec3, double>>>();
     return [this, reach = std::move(reach), known](const Vec3& direction) {
         for (const auto& [of, most] : *known)
@@ -221,7 +222,7 @@ std::string QueryView::subtitle(std::optional<int> frame) const {
     const auto add = [&text](const std::string& part) {
         text += (text.empty() ? "" : ", ") + part;
     };
-    // Of two queries, what they have in common; captions say the rest.
+    // For two queries, only what they have in common; captions have the rest.
     const std::vector<TraceField> of_first = fields_of(header), of_other = fields_of(other);
     const auto common = [&](const char* name) {
         for (const TraceField& x : of_first)

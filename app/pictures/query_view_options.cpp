@@ -46,7 +46,7 @@ std::optional<SheetRun> QueryViewOptions::planned_sheet(
     SheetRun run;
     run.view = picture.layout().view;
     if (layout) {
-        // Both views, and what is between them.
+        // Both views, and the space between them.
         const render::PixelRect &first = layout->sides[0].view, &second = layout->sides[1].view;
         run.view = {first.x, first.y, second.x + second.width - first.x,
                     second.y + second.height - first.y};

@@ -14,10 +14,10 @@
 
 namespace scb::app {
 
-/// What of the bodies a picture shows, and a camera therefore has to hold.
+/// The parts of the bodies that a picture shows, and that the camera must include.
 enum class Shown { nothing, meshes, leaves, volumes };
 
-/// What every command that draws queries understands.
+/// Options of every command that draws queries.
 struct QueryViewOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
@@ -27,24 +27,24 @@ struct QueryViewOptions {
     CameraOptions camera;
     std::string pick;  ///< "X,Y", see PictureOptions::pick
     bool sheet = false;
-    /// What was given of what a trace already knows, see given_recording_options.
+    /// The given options that a trace already has, see given_recording_options.
     std::vector<std::string> recording;
     std::string compare;  ///< see CompareOptions::names
     Shown shown = Shown::meshes;
-    /// How far the camera holds what sticks out of the bodies, see support_between.
+    /// Share of the parts outside of the meshes that the camera includes, see support_between.
     double held_part = 1;
-    NamedOptions named;  ///< what of the command's own options changes its pictures
+    NamedOptions named;  ///< the command's own options that affect its pictures
 
-    /// Refuses what makes no sense before any work is done, and reads `pick`; throws InputError.
+    /// Refuses invalid options before any work is done, and reads `pick`; throws InputError.
     void check();
-    /// Opens what was asked for.
+    /// Opens the queries.
     QuerySources open(const Console& console) const;
-    /// A sheet for this many pictures, where one is asked for; with `layout` where two queries are
-    /// compared. Throws InputError where they are too many: ask before anything is written.
+    /// A sheet for this many pictures, if asked for; with `layout` if two queries are compared.
+    /// Throws InputError if there are too many pictures: call this before anything is written.
     std::optional<SheetRun> planned_sheet(
         std::size_t count, const std::optional<render::ComparisonLayout>& layout) const;
 };
-/// Sets QueryViewOptions::shown; where that is nothing, there are no options of a view.
+/// Sets QueryViewOptions::shown; with Shown::nothing, adds no options of a view.
 void add_query_view_options(const Command& command, QueryViewOptions& options, Shown shown);
 
 }  // namespace scb::app

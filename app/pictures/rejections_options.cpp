@@ -14,8 +14,8 @@
 namespace scb::app {
 namespace {
 
-/// Of the ended paths, unless told otherwise: without the volumes at which the others ended, most
-/// of a CAD model can be seen.
+/// The default share of ended paths. Without the volumes of the other paths, most of a CAD model
+/// can be seen.
 constexpr double default_focus = 0.5;
 
 std::string names_of(const TraceHeader& header, const std::vector<Stage>& endings) {
@@ -74,7 +74,7 @@ render::RejectionsStyle RejectionsOptions::style(const QuerySources& sources) co
     if (!body.empty()) {
         for (std::size_t side = 0; side < 2; ++side)
             result.sides[side] = header.bodies[side].name == body;
-        // A and B are the first and the second, whatever they are called.
+        // A and B always mean the first and the second body.
         if (!result.sides[0] && !result.sides[1]) result.sides = {body == "A", body == "B"};
         if (!result.sides[0] && !result.sides[1])
             throw InputError("--body " + body + ": the bodies are " + header.bodies[0].name +

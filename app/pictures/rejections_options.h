@@ -10,7 +10,7 @@
 
 namespace scb::app {
 
-/// What `scb render rejections` understands.
+/// Options of `scb render rejections`.
 struct RejectionsOptions : QueryViewOptions {
     render::NodeColor by = render::NodeColor::dominant;
     std::string stages, depths, body;
@@ -19,13 +19,13 @@ struct RejectionsOptions : QueryViewOptions {
     std::optional<double> focus;
     std::optional<std::int64_t> steps;
 
-    /// Throws InputError where these queries have no such endings, levels or bodies.
+    /// Throws InputError if these queries have no such endings, levels or bodies.
     render::RejectionsStyle style(const QuerySources& sources) const;
-    /// A subtitle, and which nodes are shown, where not all are.
+    /// The subtitle, with the filter if only some nodes are shown.
     std::string filtered(std::string subtitle) const;
-    /// What the pictures are, for their titles.
+    /// The kind of picture, for titles.
     std::string title() const;
-    /// Those that are not as by default, for the names of files.
+    /// The options that differ from the default, for file names.
     NamedOptions changed() const;
 };
 

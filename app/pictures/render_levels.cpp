@@ -41,7 +41,7 @@ std::string level_name(const NamedOptions& named, const std::string& stem,
     return picture_name(stem, volumes + which, named, frame_part(frame));
 }
 
-/// Which volumes and levels a sheet shows is a part of its name, as they are of the others'.
+/// The name of a sheet has its volumes and levels, as other pictures' names do.
 std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
                        const std::string& stem, int frame) {
     const LevelOptions usual;
@@ -52,7 +52,7 @@ std::string sheet_name(const NamedOptions& named, const LevelOptions& options,
     return picture_name(stem, "levels_sheet", of_sheet + named, frame_part(frame));
 }
 
-// Its volumes are too large for a view to be shared with deeper levels.
+// The level's volumes are too large to share a view with deeper levels.
 bool has_own_view(int level) { return level != leaf_level && level < render::first_shared_level; }
 
 /// All volumes and levels side by side.
@@ -63,7 +63,7 @@ render::LevelSheet sheet_of(const LevelSubject& subject, const LevelFigures& fig
     std::vector<int> shared = levels;
     std::erase_if(shared, has_own_view);
     const render::Support held = figures.support_of(shared.empty() ? levels : shared);
-    // Of one level the volumes stand side by side.
+    // If there is one level, the volumes stand side by side.
     const bool one_row = levels.size() == 1;
     render::LevelSheet sheet;
     sheet.layout = render::level_sheet_layout(
@@ -142,7 +142,7 @@ int run(const LevelOptions& options, const Console& console) {
                       render::compose(sheet_of(subject, figures), options.picture.samples,
                                       pictures.overlay()),
                       {{"sheet", true}}, false);
-    // Behind plan(): shards of one run may have their meshes in other folders.
+    // After plan(): shards of one run may have their meshes in other folders.
     head["source"] = utf8_names(options.scene.names);
     pictures.finish(head, console);
     return exit_done;

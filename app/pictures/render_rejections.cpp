@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 /// See QueryViewOptions::held_part.
 constexpr double held_in_focus = 0.15;
 
-/// Roots that are leaves are a single test too.
+/// Roots that are leaves also need only one test.
 bool rejects_roots(const TraceFrame& frame) {
     return frame.found.n_v == 1 && frame.found.n_p == 0 && frame.found.pairs.empty();
 }
@@ -37,7 +37,7 @@ struct Shot {
     const RejectionsOptions& options;
     PictureRun& pictures;
 
-    /// `step`: how many tests of `whole` the frame has, where it is an animation's.
+    /// `step`: in an animation, the number of tests of `whole` in the frame.
     void draw(const TraceFrame& frame, const Outcomes& outcomes, std::optional<std::size_t> step,
               const TraceFrame& whole) const {
         const QuerySource& source = sources.front();
@@ -88,7 +88,7 @@ struct Shot {
         draw(frame, outcomes_of(sources.front().header(), frame), std::nullopt, frame);
     }
 
-    /// The animation of a query, or a part of it where it is interrupted: then false.
+    /// Draws the animation of a query. Returns false if interrupted.
     bool draw_steps(const TraceFrame& frame, const InterruptWatch& watch) const {
         const TraceHeader& header = sources.front().header();
         const Outcomes outcomes = outcomes_of(header, frame);
@@ -122,7 +122,7 @@ struct Shot {
                         options, pictures);
     }
 
-    /// The pair that was tested last, and what its test gave.
+    /// The pair that was tested last, and its test's outcome.
     void show_current_pair(render::SceneFigure& figure, const render::QueryBodies& bodies,
                            const TraceFrame& frame, const Outcomes& outcomes,
                            std::uint64_t all) const {
@@ -146,7 +146,7 @@ struct Shot {
     }
 };
 
-/// How the paths of each frame ended: a picture for each query.
+/// How the paths of each frame ended: a picture per query.
 void draw_stages(std::vector<render::StagesFigure>& stages, const QuerySources& sources,
                  const QueryView& view, const render::RejectionsStyle& style,
                  const RejectionsOptions& options, PictureRun& pictures) {
@@ -174,7 +174,7 @@ void draw_stages(std::vector<render::StagesFigure>& stages, const QuerySources& 
     }
 }
 
-/// How many pictures there will be. An animation's queries are made for it: a sheet is laid out
+/// The number of pictures. For an animation this makes the queries, since a sheet is laid out
 /// before the first picture is drawn.
 std::size_t picture_count(const QuerySource& source, std::optional<std::int64_t> steps) {
     if (!steps) return source.frames().size();
@@ -189,7 +189,7 @@ int run(RejectionsOptions& options, const Console& console) {
     options.named = options.changed();
     QuerySources sources = options.open(console);
     const render::RejectionsStyle style = options.style(sources);
-    // Volumes that are left out need no room.
+    // Volumes that are left out need no room in the view.
     if (style.focus < 1) options.held_part = held_in_focus;
     if (options.steps && *options.steps < 1)
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
@@ -249,7 +249,7 @@ int run(RejectionsOptions& options, const Console& console) {
                 return ending_counts_of(frames);
             },
             take, head);
-    // Each step is a part.
+    // Each step is a part of the run.
     pictures.plan(picture_count(sources.front(), options.steps),
                   [&] { return subject_of(sources); });
     return make_frames(

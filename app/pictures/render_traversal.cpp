@@ -26,7 +26,7 @@ struct TraversalOptions : QueryViewOptions {
     std::string root;
 };
 
-/// So many of a query's largest parts are in index.json.
+/// Number of a query's largest parts in index.json.
 constexpr std::size_t most_parts = 8;
 
 std::string pair_text(IndexPair numbers) {
@@ -61,7 +61,7 @@ std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>
     return text;
 }
 
-/// The part of the frame that begins with the test of these nodes.
+/// The part of the frame below the test of these nodes.
 TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, IndexPair root) {
     if (const std::optional<IndexPair> nodes = nodes_of(frame, root))
         if (const std::optional<std::uint32_t> test = test_of(frame.steps, *nodes))
@@ -73,7 +73,7 @@ TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, IndexPair
         (parts.empty() ? "leave out --root." : "try " + parts + ", its largest parts."));
 }
 
-/// The largest parts by their roots, with their tests: {"5,7": 1234}.
+/// The largest parts: their roots and numbers of tests, {"5,7": 1234}.
 nlohmann::ordered_json parts_json(const TraceFrame& frame) {
     const std::vector<std::uint32_t> sizes = subtree_sizes(frame.steps);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -82,7 +82,7 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame) {
     return json;
 }
 
-/// Of another engine, trees may be lists, for whose depths there is no matrix.
+/// Trees of other engines may be lists, too deep for a matrix.
 void check_depths(const TraceHeader& header, const TraceFrame& frame) {
     if (!header.engine) return;
     std::size_t deepest = 0;

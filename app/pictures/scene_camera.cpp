@@ -12,20 +12,19 @@
 namespace scb::app {
 namespace {
 
-// The default angle, taken from the side on which the first mesh is longer: a horse is seen from
-// its flank.
+// The default angle, from the side on which the first mesh is longer: shows a horse's flank.
 double azimuth_for(const scenes::Scene& scene, const Vec3& up) {
     const double azimuth = scenes::CameraView{}.azimuth;
     const Box box = bounding_box(scene.meshes[0].mesh);
     const Vec3 sides = box.upper - box.lower;
-    // What orbit_axes turns x and y to.
+    // The directions of x and y after orbit_axes.
     const Mat3 front = render::orbit_axes(0, 0, up);
     const double along_x = std::abs(dot(Vec3(front.col(0)), sides)),
                  along_y = std::abs(dot(Vec3(front.col(2)), sides));
     return along_x >= along_y ? azimuth : 90 - azimuth;
 }
 
-/// Whether all meshes are of files whose format says that y points up: glTF 2.0, Section 3.4.
+/// Whether all meshes come from files whose format has y up: glTF 2.0, Section 3.4.
 bool has_y_up(const scenes::Scene& scene) {
     return std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const auto& mesh) {
         std::string ending = mesh.file.extension().string();
@@ -43,7 +42,7 @@ bool guesses_up(const CameraOptions& options, const scenes::Scene& scene) {
 
 /// The same half space.
 FacePlane with_unit_normal(const FacePlane& plane) {
-    // First by its largest coordinate, so that no square is too small or too large.
+    // First divide by the largest coordinate, so that no square overflows or vanishes.
     const double scale = plane.normal.cwiseAbs().maxCoeff();
     const Vec3 normal = plane.normal / scale;
     const double length = std::sqrt(squared_norm(normal));
@@ -128,7 +127,7 @@ render::Camera camera_for(const scenes::CameraView& wish, const render::Support&
     const Vec3 target = wish.target.value_or(render::center_of(support));
     const double distance = wish.distance.value_or(dot(back, Vec3(camera.position - target)));
     camera.position = target + distance * back;
-    // What a perspective camera at this distance sees of the target's plane.
+    // The height that a perspective camera sees at this distance, in the target's plane.
     if (wish.distance && !wish.view_height) {
         const SinCos half = sin_cos_degrees(wish.field_of_view / 2);
         camera.view_height = 2 * distance * half.sin / half.cos;

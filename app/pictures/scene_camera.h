@@ -9,7 +9,7 @@
 
 namespace scb::app {
 
-/// How the user wants to look at the scene.
+/// How to look at the scene.
 struct CameraOptions {
     std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
     bool orthographic = false;
@@ -19,32 +19,31 @@ struct CameraOptions {
     /// Whether the camera is to follow the contact: `--camera contact`.
     bool follows_contact() const { return camera == "contact"; }
 
-    void check() const;      ///< throws InputError where one of them makes no sense
+    void check() const;      ///< throws InputError if an option is invalid
     Vec3 up_vector() const;  ///< throws InputError
-    /// The plane of the world with its normal as given; none where none is asked for. Throws
-    /// InputError.
+    /// The plane of the world with its normal as given; none if not given. Throws InputError.
     std::optional<FacePlane> clip_plane() const;
 };
 
-/// The wish that holds: the command line's, or else the scene's, or else the default angles, with
-/// z up, or y where all meshes are of glTF files.
+/// The wish in effect: the command line's, else the scene's, else the default angles with z up, or
+/// y up if all meshes are glTF files.
 scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene);
 
-/// What a picture says of the axis that points up where that was guessed; else empty.
+/// A text about the axis that points up, if it was guessed; else empty.
 std::string up_words(const CameraOptions& options, const scenes::Scene& scene);
 
-/// The camera of a wish for a view of this aspect (width / height); what the wish leaves open is
+/// The camera of a wish, for a view of this aspect (width / height). Values missing in the wish are
 /// fitted to `support`.
 render::Camera camera_for(const scenes::CameraView& wish, const render::Support& support,
                           double aspect);
 
-/// A camera with the same axes that looks at a detail: a ball of `radius` about `center` fills the
-/// view. Orthographic, so that lengths in it can be compared.
+/// A camera with the same axes for a detail: a ball of `radius` about `center` fills the view.
+/// Orthographic, so that lengths in the view can be compared.
 render::Camera detail_camera(const scenes::CameraView& wish, const scenes::Inset& inset,
                              const render::Support& support, double aspect);
 
-/// The camera as a wish that leaves nothing open: what `--camera` reads back to the same view.
-/// `center` is that of the scene; the distance counts from it.
+/// The camera as a wish with all values: `--camera` reads it back as the same view. `center`: of
+/// the scene; the distance is measured from it.
 scenes::CameraView exact_camera_view(const scenes::CameraView& wish, const render::Camera& camera,
                                      const Vec3& center);
 

@@ -4,8 +4,8 @@
 
 namespace scb::app {
 
-/// The picture with volumes and meshes that have one more of 255 in their green, or one less where
-/// it is 255: an error on purpose, for `scb golden selftest`, which no eye sees.
+/// The picture with the green of volumes and meshes changed by 1 of 255 (up, or down from 255): a
+/// deliberate, invisible error for `scb golden selftest`.
 render::Picture shifted_colors(render::Picture picture);
 
 }  // namespace scb::app

@@ -7,7 +7,7 @@
 
 namespace scb::app {
 
-/// Shows PNG files in the terminal, where it can; else a note says so.
+/// Shows PNG files in the terminal. If the terminal cannot show them, prints a note.
 void show_pictures(const std::vector<std::filesystem::path>& files, const Console& console);
 
 }  // namespace scb::app

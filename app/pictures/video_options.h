@@ -10,14 +10,14 @@ namespace scb::app {
 
 /// A video of the pictures of a run, beside them.
 struct VideoOptions {
-    std::string file;  ///< none where empty
+    std::string file;  ///< empty: no video
     std::optional<int> frames_per_second;
 
     bool wanted() const { return !file.empty(); }
     int rate() const { return frames_per_second.value_or(25); }
 
-    /// Refuses what makes no sense, and a video that could not be made, before any work is done;
-    /// throws InputError and OutputError. `folder` is going to be made where it is missing.
+    /// Refuses invalid options and a video that could not be made, before any work is done; throws
+    /// InputError and OutputError. `folder` will be made if it is missing.
     void check(const std::string& folder) const;
 };
 

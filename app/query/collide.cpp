@@ -40,7 +40,7 @@ struct CollideCommandOptions {
     std::string pairs_out;
 };
 
-// A Collision holds its pairs; the counts alone are kept for the summary.
+// Totals of all frames. Collisions are not kept, since each holds its pairs.
 struct Sums {
     std::size_t frames = 0, pairs = 0;  ///< `frames` counts whole frames
     std::uint64_t n_v = 0, n_p = 0, n_u = 0;
@@ -86,7 +86,7 @@ std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
 
 bool is_of_many(const SceneQuery& query) { return query.pairs.size() > 1; }
 
-/// The two bodies of the queries; of several pairs all bodies of the scene.
+/// The two bodies of the queries; with several pairs, all bodies of the scene.
 std::vector<std::size_t> queried_bodies(const SceneQuery& query) {
     if (!is_of_many(query)) return {query.a, query.b};
     std::vector<std::size_t> all(query.scene.bodies.size());
@@ -162,8 +162,8 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
     return text + "\n\n";
 }
 
-/// Where queries find nothing: which body lies inside the other, or how far apart the boxes of the
-/// bodies are, in A's frame.
+/// For queries that find nothing: which body lies inside the other, or how far apart the boxes of
+/// the bodies are, in A's frame.
 std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
     if (query.is_self()) return "\nNo triangles intersect but those that share a vertex.\n";
     if (const std::string claims = inside.claims(query.frames.size()); !claims.empty())
@@ -193,10 +193,10 @@ std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
            name_of(query, query.a) + ").\n";
 }
 
-/// What a recording has of a query beside the exact pairs.
+/// Counts of a recorded query, compared with the exact pairs.
 struct RecordedCounts {
     std::uint64_t pairs = 0, wrong = 0, grazing = 0;
-    std::optional<std::uint64_t> missed;  ///< none where the engine ended early, or told no results
+    std::optional<std::uint64_t> missed;  ///< none if the engine ended early or recorded no results
 
     RecordedCounts(const scenes::RecordedResults& results, bool knows_missed)
         : pairs(results.reported), wrong(results.wrong), grazing(results.grazing) {
@@ -212,7 +212,7 @@ std::string recorded_row(const RecordedCounts& counts) {
                   wide(counts.wrong));
 }
 
-/// The row with more columns before its end.
+/// Adds columns to the row, before "  stopped".
 std::string with_columns(std::string row, const std::string& columns) {
     const std::size_t stopped = row.rfind("  stopped\n");
     return row.insert(stopped != std::string::npos ? stopped : row.rfind('\n'), columns);
@@ -238,7 +238,7 @@ class CollideReport {
             inside_.emplace_back(query);
         }
         const bool is_table = !options.json && !options.csv;
-        // The sixteen of boxes make no table.
+        // The sixteen stages of boxes are too many for a table.
         if (is_table && stages_.size() > 8) stages_.clear();
         if (options.csv)
             text_ = csv_header(stages_);
@@ -263,7 +263,7 @@ class CollideReport {
     const Sums& sums() const { return sums_; }
     const std::string& pairs() const { return pairs_; }
 
-    /// The whole text, of the frames so far; to be called once.
+    /// The text of all frames so far; to be called once.
     std::string text() {
         if (options_.json) {
             Json json = json_of(options_, query_, sums_, std::move(json_frames_));
@@ -350,7 +350,7 @@ class CollideReport {
                                        wide(grazing_)));
     }
 
-    /// Says of frames without contact whether a body lies inside the other.
+    /// For frames without contact: whether a body lies inside the other.
     std::string apart_words() const {
         if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
         if (sums_.pairs == 0) return nothing_text(query_, inside_.front());
@@ -358,7 +358,7 @@ class CollideReport {
         return claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n";
     }
 
-    /// Of several pairs of bodies: the pairs that never met, and bodies that lie inside others.
+    /// For several pairs of bodies: the pairs that never met, and bodies that lie inside others.
     std::string many_words() {
         if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
         std::string apart, inside;
@@ -394,7 +394,7 @@ class CollideReport {
     std::vector<bool> met_;            ///< per pair of bodies
 };
 
-/// Throws InputError if the exact pairs are no measure of the recorded queries.
+/// Throws InputError if the recorded queries cannot be compared with exact pairs.
 void check_recorded(const scenes::RecordedTrace& recorded, const std::string& file) {
     if (recorded.header().engine->objects)
         throw InputError(file +
@@ -411,7 +411,7 @@ int run(CollideCommandOptions& options, const Console& console) {
         throw InputError("--json and --csv exclude each other; give one of them.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     std::optional<scenes::RecordedTrace> recorded;
-    // Exact pairs that are cut, or of nodes, are no measure.
+    // Recorded pairs can only be compared with all exact pairs of triangles.
     const bool whole = !options.first && options.limits.levels.empty() &&
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
     if (options.scene.is_recording() && whole) {

@@ -16,7 +16,7 @@ std::uint64_t tests_at(const Collision& found, Stage stage) {
     return found.stages[static_cast<std::size_t>(stage)];
 }
 
-/// The sixteen stages of boxes make no table.
+/// The sixteen stages of boxes are too many for a table.
 constexpr std::size_t most_columns = 8;
 
 int column_width(const std::string& name) { return std::max(9, static_cast<int>(name.size()) + 1); }

@@ -17,7 +17,7 @@
 namespace scb::app {
 namespace {
 
-// Viewers choke on more, and so does a 32-bit index.
+// Larger meshes are too much for viewers and for 32-bit indices.
 constexpr std::size_t most_triangles = 40'000'000;
 
 struct ExportOptions {

@@ -10,22 +10,21 @@
 
 namespace scb::app {
 
-/// Which of the two bodies of a query lies inside the other, at the frames without contact.
+/// Which of the two bodies of a query lies inside the other, in frames without contact.
 class InsideReport {
   public:
     /// Refers to the query.
     explicit InsideReport(const SceneQuery& query);
 
-    /// A frame at which no triangles intersect; a list of what lies inside the other body there.
+    /// Adds a frame in which no triangles intersect. Lists what lies inside the other body there.
     nlohmann::ordered_json add(int frame);
-    /// Bodies that are not closed, of which it is therefore not known what lies inside them.
+    /// Names of the bodies that are not closed: whether something lies inside them is unknown.
     std::vector<std::string> not_closed() const;
 
-    /// "inner lies inside outer in 3 of 5 frames"; empty where no part lies inside. `frames`: how
-    /// many there are, with and without contact.
+    /// "inner lies inside outer in 3 of 5 frames"; empty if no part lies inside. `frames`: the
+    /// number of all frames, with and without contact.
     std::string claims(std::size_t frames) const;
-    /// A sentence where nothing lies inside as far as is known, but a body that is not closed keeps
-    /// something unknown; else empty.
+    /// A sentence if nothing is known to lie inside but a body is not closed; else empty.
     std::string doubts() const;
 
   private:
@@ -34,7 +33,8 @@ class InsideReport {
     const SceneQuery& query_;
     BodiesInside bodies_;
     std::array<PartsInside, 2> last_{};
-    /// In how many frames all or some of the parts of a body lie inside the other, or may.
+    /// Number of frames in which all or some parts of a body lie inside the other, or could not be
+    /// judged.
     std::array<std::size_t, 2> whole_{}, some_{}, not_judged_{};
 };
 

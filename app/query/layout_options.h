@@ -9,15 +9,15 @@
 
 namespace scb::app {
 
-/// "float2, float4, ...": what --layout knows besides the reference.
+/// "float2, float4, ...": the values of --layout except the reference.
 std::string layout_names(const std::string& separator = ", ");
 
-/// All that --layout knows.
+/// All values of --layout.
 std::vector<std::string> layout_words();
 
-/// Those of a list for --layout, with at most so many triangles in a leaf; nothing stands for the
-/// reference. Throws InputError for a name that is unknown or
-/// repeated, or another number than 1 to 4.
+/// The layouts in a list for --layout, with at most `leaf_triangles` triangles in a leaf; nullopt
+/// is the reference. Throws InputError if a name is unknown or repeated, or if `leaf_triangles` is
+/// not 1 to 4.
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles);
 
 /// --leaf, for layouts_of.
@@ -26,7 +26,7 @@ void add_leaf_option(const Command& command, int& leaf_triangles);
 /// --threads, for check_threads.
 void add_threads_option(const Command& command, int& threads, const std::string& description);
 
-/// Throws InputError, naming --threads, where it is not 1 to 256.
+/// Throws InputError, naming --threads, if the number is not 1 to 256.
 void check_threads(int threads);
 
 }  // namespace scb::app

@@ -11,7 +11,7 @@
 namespace scb::app {
 namespace {
 
-/// The deepest node of which a volume is drawn or counted.
+/// The depth of the deepest node whose volume is drawn or counted.
 int deepest_of(const std::vector<int>& levels) {
     if (std::find(levels.begin(), levels.end(), leaf_level) != levels.end())
         return FittedNodes{}.deepest;
@@ -28,7 +28,7 @@ LevelSubject recorded_subject(const SceneOptions& scene, const std::string& leve
         shapes.push_back(&body.tree->shape());
         subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
     }
-    // A tree may be a list.
+    // A recorded tree may be a list, with very many levels.
     std::vector<int> telling = scenes::telling_levels(shapes);
     constexpr std::size_t most = 40;
     if (telling.size() > most) {

@@ -14,19 +14,19 @@ struct LevelMeasure {
     double (*of)(const LevelMeasures&);
 };
 
-/// Those that LevelStatistics does not have.
+/// The measures that LevelStatistics does not have.
 std::span<const LevelMeasure> level_measures();
 
-/// A measure of a whole hierarchy alone.
+/// A measure of a whole hierarchy only.
 struct WholeMeasure {
     const char* name;
     double HierarchyMeasures::*value;
 };
 std::span<const WholeMeasure> whole_measures();
 
-/// Those of the whole hierarchy.
+/// The measures of the whole hierarchy.
 nlohmann::ordered_json measures_json(const HierarchyMeasures& measures);
-/// A row per level and one of all.
+/// A row per level, and one for all levels.
 std::string measures_table(const HierarchyMeasures& measures);
 
 }  // namespace scb::app

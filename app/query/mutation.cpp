@@ -30,7 +30,7 @@ void mutate(Mutation mutation, AnyHierarchy& hierarchy) {
         [mutation]<class V>(Hierarchy<V>& of) {
             const bool drops = mutation == Mutation::drop_node;
             V& volume = of.volumes[node_at(*of.topology, drops ? 7 : 5)];
-            // Of a convex volume no more is known than how to make one.
+            // Convex volumes cannot be scaled: replace the volume.
             if constexpr (ConvexVolume<V>)
                 volume = drops ? V{} : of.volumes[0];
             else

@@ -12,7 +12,7 @@ void check_output(const std::string& path, const std::string& option,
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
     scenes::refuse_input(path, option);
-    // Before the work, not after it.
+    // Fail before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";
     const auto folder_of = [](const std::filesystem::path& file) {

@@ -4,9 +4,9 @@
 
 namespace scb::app {
 
-/// Throws InputError where `path` is standard output or a file that was read (see note_input), and
-/// OutputError where there cannot be such a file. `folder_to_make` is one that will be there by
-/// then. To be called before what takes time, and again when all has been read.
+/// Throws InputError if `path` is standard output or an input file (see note_input), and
+/// OutputError if the file cannot be created. `folder_to_make`: a folder that will be made before
+/// the file is written. Call this before long work, and again after all inputs have been read.
 void check_output(const std::string& path, const std::string& option,
                   const std::string& folder_to_make = "");
 

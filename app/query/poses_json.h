@@ -10,11 +10,11 @@ namespace scb::app {
 /// A pose as twelve numbers: the matrix [R|t], row by row, as --pose reads it.
 nlohmann::ordered_json pose_json(const Pose& pose);
 
-/// Where every body is in the world, at the first and the last of these frames: what was asked of
-/// all between follows from the scene. {"0": {"A": [12 numbers], "B": [...]}, "490": {...}}
+/// The pose of every body in the world, at the first and the last of these frames; the scene
+/// determines the poses between. {"0": {"A": [12 numbers], "B": [...]}, "490": {...}}
 nlohmann::ordered_json poses_json(const scenes::Scene& scene, const std::vector<int>& frames);
 
-/// The same at each of these frames.
+/// The same for each of these frames.
 nlohmann::ordered_json all_poses_json(const scenes::Scene& scene, const std::vector<int>& frames);
 
 }  // namespace scb::app

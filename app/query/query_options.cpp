@@ -57,7 +57,7 @@ void QueryLimits::apply(CollideOptions& options, int deepest_level) const {
     options.stop_level = -1;
     if (levels.empty()) return;
     const int level = parse_level(levels, deepest_level);
-    // Where all nodes are leaves or above that level, leaves are what is left.
+    // No node is deeper than this level: only leaves are left.
     options.stop_level = level == leaf_level ? deepest_level : level;
 }
 

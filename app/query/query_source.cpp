@@ -56,8 +56,8 @@ std::string mesh_words(const TraceBody& then, const MeshFingerprint& now,
            " has another of " + text_of(now);
 }
 
-/// Why the scene of a trace cannot be opened, without what its files hold: a trace may come from
-/// anybody and name any file.
+/// Why the scene of a trace cannot be opened, without contents of its files: a trace may come from
+/// a stranger and name any file.
 std::string plain_reason(const InputError& error, const SceneOptions& scene) {
     std::string there;
     for (const std::string& name : scene.names) {
@@ -65,9 +65,9 @@ std::string plain_reason(const InputError& error, const SceneOptions& scene) {
         std::filesystem::path file = name;
         if (!std::filesystem::exists(file, ignored))
             file = std::filesystem::path(scene.models_dir) / name;
-        // What is said of a missing file, or of a built-in scene, is nothing that a file holds.
+        // Messages about missing files and built-in scenes reveal no file contents.
         if (!std::filesystem::exists(file, ignored)) return error.what();
-        // The sentence begins with the file at fault.
+        // The message begins with the faulty file.
         if (there.empty() || std::string_view(error.what()).starts_with(file.string() + ":"))
             there = file.string();
     }
@@ -121,7 +121,7 @@ scenes::BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
 
 namespace {
 
-/// "1.2" of "1.2.3": with a change of these, hierarchies may have other nodes.
+/// "1.2" of "1.2.3": another minor version may build other nodes.
 std::string minor_version(const std::string& version) {
     return version.substr(0, version.find('.', version.find('.') + 1));
 }
@@ -141,7 +141,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
                          SCB_VERSION + ", whose nodes may be others; " + record_again + ".");
     RecordedOptions recorded = recorded_options(header_, scene);
     if (header_.source.size() == 2) {
-        // Two meshes: the first is at the identity pose, and the second was where the frame says.
+        // Two meshes: the first has the identity pose, the frame has the pose of the second.
         scenes::TraceInput first(path);
         const scenes::PoseRows rows = scenes::rows_of(first.reader.next()->b_to_a);
         recorded.scene.pose.assign(rows.begin(), rows.end());
@@ -154,7 +154,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
         throw InputError(path + ": the query that it recorded cannot be opened from here: " +
                          plain_reason(error, recorded.scene));
     }
-    // A and B may be names for bodies that are called otherwise; those of a trace are not.
+    // A and B are aliases for bodies of other names; a trace has the names themselves.
     const std::vector<scenes::Body>& bodies = query_.scene.bodies;
     if (header_.source.size() != 2 && (bodies[query_.a].name != header_.bodies[0].name ||
                                        bodies[query_.b].name != header_.bodies[1].name))

@@ -10,43 +10,42 @@
 namespace scb::app {
 
 /// Queries with all their tests, frame by frame: made now, read from a trace, or from another
-/// engine's recording. Whoever draws them cannot tell which.
+/// engine's recording. Pictures treat all three alike.
 class QuerySource {
   public:
-    /// Of a scene; or, where the one name is that of a trace, of the scene that it names, which
-    /// must still have the same meshes; or of a recording, where `recorded` says so, and else of
-    /// its meshes and poses. Throws InputError.
+    /// The queries of a scene. If its one name is a trace: of the scene that the trace names, which
+    /// must still have the same meshes. If it is a recording: the recorded queries if `recorded`,
+    /// else queries of its meshes and poses. Throws InputError.
     QuerySource(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                 const QueryOptions& query, const QueryLimits& limits, bool recorded);
-    /// Of the bodies and frames of a recording that the options name. Throws InputError.
+    /// The recorded queries of the bodies and frames in the options. Throws InputError.
     QuerySource(std::shared_ptr<const scenes::Recording> recording, const QueryOptions& query);
 
-    /// What this project builds and asks itself: not of a recording.
+    /// The query that this project makes; not for recordings.
     const SceneQuery& query() const { return query_; }
     bool is_recording() const { return recorded_ != nullptr; }
     const TraceHeader& header() const { return recorded_ ? recorded_->header() : header_; }
     const scenes::Scene& scene() const { return recorded_ ? recorded_->scene() : query_.scene; }
     /// The body A (0) or B (1), as an index of Scene::bodies.
     std::size_t body_index(std::size_t side) const;
-    /// What there is of it at one of the frames.
+    /// The body at one of the frames.
     scenes::BodyAtFrame body(std::size_t side, int frame) const;
-    /// The frames that were asked for, ascending.
+    /// The frames to show, ascending.
     const std::vector<int>& frames() const {
         return recorded_ ? recorded_->frames() : query_.frames;
     }
-    /// All that the trace or the recording has of these bodies; of a scene those that were asked
-    /// for.
+    /// All frames that the trace or recording has of these bodies; for a scene, frames().
     std::vector<int> all_frames() const;
 
-    /// How many tests of volumes the query of a frame has; made, or read, for this alone.
+    /// The number of volume tests in the query of a frame; makes or reads the query.
     std::uint64_t test_count(int frame) const;
 
-    /// The query of one of these frames; valid until the next call. They must be asked for
-    /// ascending. Throws InputError where a trace says that the bodies were elsewhere.
+    /// The query of one of these frames; valid until the next call. Ask for frames in ascending
+    /// order. Throws InputError if the bodies of a trace had other poses.
     const TraceFrame& frame(int number);
-    /// The verdicts on the tests of the query that was asked for last.
+    /// The verdicts on the tests of the latest frame().
     Attribution attribution(const TraceFrame& frame);
-    /// Of its two bodies, see core/analysis/level_overlaps.h: by the query's own test, or, of a
+    /// Of the two bodies, see core/analysis/level_overlaps.h: by the query's own test; in a
     /// recording, by the exact verdict on its volumes.
     std::vector<std::size_t> level_overlaps(const TraceFrame& frame, std::size_t most);
 
@@ -55,13 +54,13 @@ class QuerySource {
 
     SceneQuery query_;
     TraceHeader header_;
-    std::unique_ptr<scenes::TraceInput> trace_;  ///< null where queries are made now
+    std::unique_ptr<scenes::TraceInput> trace_;  ///< null if queries are made now
     std::string trace_path_;
     TraceFrame made_;
     StepRecorder recorder_;
-    /// Of the two bodies, where they were asked for.
+    /// Of the two bodies, built on demand.
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
-    std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null but of a recording
+    std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null unless a recording
 };
 
 }  // namespace scb::app

@@ -16,7 +16,7 @@
 namespace scb::app {
 namespace {
 
-/// In --compare, the query that a recording has.
+/// In --compare, the name of the recorded query.
 constexpr const char* recorded_name = "recorded";
 
 /// The options of one of two queries that are compared.
@@ -75,8 +75,8 @@ void check_comparable(const QuerySources& sources) {
             "the traces have other frames; name frames that are in both with --frames.");
 }
 
-/// Where each of two files has another frame to show by default, both show one that both have: that
-/// of a recording, which is the one with the most pairs, if it can be.
+/// If two files show different frames by default, shows one frame of both files: preferably the
+/// default of a recording, which is its frame with the most pairs.
 void show_one_frame(QuerySources& sources,
                     const std::function<QuerySource(std::size_t, const std::string&)>& open) {
     if (sources[0].frames() == sources[1].frames()) return;
@@ -100,7 +100,7 @@ void show_one_frame(QuerySources& sources,
         if (sources[i].frames() != std::vector{shown}) sources[i] = open(i, std::to_string(shown));
 }
 
-/// Letters, digits, points and hyphens of a text.
+/// The text with "-" in place of all but letters, digits, points and hyphens.
 std::string file_name_part(const std::string& text) {
     std::string part;
     for (const char c : text) {
@@ -111,7 +111,7 @@ std::string file_name_part(const std::string& text) {
     return part;
 }
 
-/// With the overlap test, where there is a choice.
+/// The volume's title, with the overlap test if the volume has several.
 std::string volume_caption(const TraceHeader& header) {
     const std::string title = render::volume_title(header);
     return !header.engine && header.volume == VolumeKind::scb
@@ -119,7 +119,7 @@ std::string volume_caption(const TraceHeader& header) {
                : title;
 }
 
-/// A recording as it is beside the query that this project makes of its meshes and poses.
+/// A recorded query, and the query that this project makes of the recording's meshes and poses.
 QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                               const QueryOptions& query, const QueryLimits& limits,
                               const CompareOptions& compare) {
@@ -138,7 +138,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
     QuerySources sources;
     QueryOptions of_both = query;
     sources.emplace_back(scene, own, of_both, limits, true);
-    // What the recording has of these bodies.
+    // The frames and bodies of the recording.
     of_both.frames.clear();
     for (const int frame : sources[0].frames())
         of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);

@@ -11,25 +11,25 @@ namespace scb::app {
 
 /// The queries that a picture shows: one, or two that are compared.
 using QuerySources = std::vector<QuerySource>;
-/// The same at one frame.
+/// The same queries at one frame.
 using QueryFrames = std::vector<const TraceFrame*>;
 
-/// What to compare, and what must therefore be left open.
+/// What to compare, and the options given, which must not set the same.
 struct CompareOptions {
     std::string names;               ///< two overlap tests or two volumes: "corrected,printed"
     std::vector<std::string> given;  ///< the options that were given, see given_recording_options
 };
 
-/// One query of a scene or a trace; two where `compare` names two; or those of two traces of one
-/// scene. Notes what may surprise. Throws InputError.
+/// One query of a scene or a trace; two if `compare` names two, or of two traces of one scene.
+/// Notes surprising options. Throws InputError.
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                           const QueryOptions& query, const QueryLimits& limits,
                           const CompareOptions& compare, const Console& console);
 
-/// What tells the scenes of queries, with the poses of their frames, from others.
+/// Identifies the scenes of queries, with the poses of their frames.
 nlohmann::ordered_json subject_of(const QuerySources& sources);
 
-/// What two queries are called where they are compared: by what was asked differently.
+/// Names of two compared queries, from the options in which they differ.
 struct QueryLabel {
     std::string caption;  ///< "corrected"; "ball (Ritter), descent by area"
     std::string name;     ///< the same for file names and scripts: "corrected", "ritter-area"

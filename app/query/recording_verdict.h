@@ -7,8 +7,8 @@
 
 namespace scb::app {
 
-/// The verdict on a recording, and the parts that could not be judged: a sentence each, as reports
-/// and pages begin with them.
+/// The verdict on a recording, and the parts that could not be judged: one sentence each, for the
+/// beginning of reports and pages.
 std::vector<std::string> verdict_lines(const scenes::RecordingJudgement& judged);
 
 /// "tree 0 is 199 deep, where 8 would do".

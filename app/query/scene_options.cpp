@@ -86,7 +86,7 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
 
 namespace {
 
-/// Of scene files, meshes in common formats, traces and recordings.
+/// File endings of scenes, meshes in common formats, traces and recordings.
 std::vector<std::string> scene_endings() {
     return {".json", ".ply", ".obj", ".stl", ".off",      ".gltf",   ".glb",  ".dae",
             ".3ds",  ".fbx", ".ac",  ".x",   ".scbtrace", ".scbrec", ".jsonl"};
@@ -146,7 +146,7 @@ BuildOptions HierarchyOptions::build() const {
 
 namespace {
 
-/// All that can be asked for, in a sentence.
+/// All volumes, for a sentence.
 std::string volume_names(const char* separator) {
     std::string names;
     for (const VolumeKind kind : all_volume_kinds())

@@ -79,7 +79,7 @@ std::vector<BodyPair> body_pairs(const scenes::Scene& scene, const std::string& 
     for (const std::string& name : scenes::split_list(names)) {
         std::size_t i = 0;
         while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
-        // The only two may also be called so.
+        // Two bodies may also be called A and B.
         if (i == 2 && scene.bodies.size() == 2 && name == "A") i = 0;
         if (i == 2 && scene.bodies.size() == 2 && name == "B") i = 1;
         if (i == scene.bodies.size())

@@ -10,7 +10,7 @@ namespace scb::app {
 /// Two bodies by their indices in Scene::bodies; equal in a self query.
 using BodyPair = std::array<std::size_t, 2>;
 
-/// Bodies of a scene, ready for queries frame by frame: of two of them, or of one with itself.
+/// Bodies of a scene, ready for queries frame by frame: of two bodies, or of one with itself.
 struct SceneQuery {
     scenes::Scene scene;
     VolumeKind kind = VolumeKind::scb;
@@ -29,26 +29,26 @@ struct SceneQuery {
     void choose(const BodyPair& pair);
     const Mesh& mesh(std::size_t body) const;
     const AnyHierarchy& hierarchy(std::size_t body) const;
-    /// Where A and B are.
+    /// The poses of A and B in the world.
     std::array<Pose, 2> poses(int frame) const;
-    /// The pose of B as A sees it.
+    /// The pose of B in A's frame.
     Pose b_to_a(int frame) const;
     Collision collide(int frame) const;
     Collision collide(int frame, StepRecorder& recorder) const;
 
   private:
-    /// What is asked, which pictures and tables say, with the error that the mutation puts into it.
+    /// The options with the error of `mutation`; pictures and tables show `options`.
     CollideOptions mutated_options() const;
 };
 
 /// The pairs of bodies that a command may query.
 enum class QueriedBodies {
     two,       ///< two bodies, or one with itself
-    all_pairs  ///< each two bodies of the scene, where no bodies are named
+    all_pairs  ///< each two bodies of the scene, if no bodies are named
 };
 
-/// The bodies that `names` names ("pin,bracket", or "pin,pin" for a self query; the only two also
-/// as A and B); without names the only two, or, if allowed, all pairs in the order of the bodies.
+/// The bodies in `names` ("pin,bracket", or "pin,pin" for a self query; the only two bodies also as
+/// A and B). Without names: the only two, or, if allowed, all pairs in the order of the bodies.
 /// Throws InputError if several pairs are left, or a name is no body.
 std::vector<BodyPair> body_pairs(const scenes::Scene& scene, const std::string& names,
                                  QueriedBodies bodies = QueriedBodies::two);
@@ -58,13 +58,13 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
                       const QueryOptions& query, const QueryLimits& limits,
                       QueriedBodies bodies = QueriedBodies::two);
 
-/// What such queries are asked, as a trace says it.
+/// The parameters of such queries, as in a trace.
 TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query);
 
-/// Notes where two meshes are left at the same pose.
+/// Notes if two meshes are left at the same pose.
 void note_same_pose(const SceneOptions& scene, const Console& console);
 
-/// The same, and what note_doubts says.
+/// note_same_pose, and note_doubts for the query.
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Console& console);
 

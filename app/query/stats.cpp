@@ -40,7 +40,7 @@ struct StatsOptions {
     std::vector<std::string> recording;  ///< see given_hierarchy_options
 };
 
-/// Those of --layout.
+/// The layouts in --layout.
 std::vector<PackedLayout> packed_layouts(const StatsOptions& options) {
     std::vector<PackedLayout> result;
     for (const auto& layout : layouts_of(options.layouts, options.leaf_triangles)) {
@@ -74,7 +74,7 @@ std::vector<HierarchyStats> measure(const StatsOptions& options, const Console& 
     BuildOptions build = options.hierarchy.build();
     check_threads(options.threads);
     build.threads = options.threads;
-    // Before anything is built.
+    // Refuse wrong layouts before the work.
     packed_layouts(options);
     const scenes::Scene scene = options.scene.load();
     std::vector<HierarchyStats> result;
@@ -134,10 +134,10 @@ void print_stats(const StatsOptions& options, const std::vector<HierarchyStats>&
     print_result(text);
 }
 
-/// Of a tree that is deeper than that, a list, measures by level are of no use.
+/// Measures by level are of no use for deeper trees, which are lists.
 constexpr std::size_t most_measured_levels = 2000;
 
-/// The trees that a recording has, each once, at its first frame.
+/// The trees of a recording, each once, at its first frame.
 std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
     check_threads(options.threads);
     const scenes::Recording recording = scenes::read_recording(options.scene.names[0]);

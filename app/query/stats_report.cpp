@@ -24,7 +24,7 @@ std::string rules_text(const LevelStatistics& level) {
     return text;
 }
 
-/// Of a box with that diagonal, beside which rounding errors are 0.
+/// A vector of a box with that diagonal; rounding errors become 0.
 std::string vector_text(const Vec3& v, double diagonal) {
     const auto rounded = [&](double x) { return std::abs(x) <= 1e-12 * diagonal ? 0 : x; };
     return format("%.6g, %.6g, %.6g", rounded(v[0]), rounded(v[1]), rounded(v[2]));
@@ -212,8 +212,8 @@ std::string stats_csv_header(bool with_measures) {
     return text + "\n";
 }
 
-/// As a field of a line of CSV (RFC 4180). With a colon in quotes too: print_result would change a
-/// name that begins with two.
+/// A field of a line of CSV (RFC 4180). A text with a colon is quoted too, since print_result would
+/// change a name that begins with two.
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",:\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

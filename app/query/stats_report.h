@@ -16,15 +16,15 @@ struct PackedStats {
     std::string layout;
     std::size_t bytes = 0;
     double ms = 0;
-    std::string refused;  ///< why it cannot be; empty where it could
+    std::string refused;  ///< why the layout is impossible; empty if it is possible
 };
 
-/// A hierarchy of a mesh and what `scb stats` says of it.
+/// A hierarchy of a mesh, with the numbers of `scb stats`.
 struct HierarchyStats {
     std::string mesh;
     std::vector<std::string> bodies;
     std::size_t triangles = 0, points = 0;
-    std::size_t objects = 0;  ///< of a tree without triangles
+    std::size_t objects = 0;  ///< in a tree without triangles
     std::size_t nodes = 0, bytes = 0, bytes_per_node = 0;
     VolumeKind kind = VolumeKind::scb;
     BuildOptions build;
@@ -32,9 +32,9 @@ struct HierarchyStats {
     std::vector<LevelStatistics> levels;
     double topology_ms = 0, fit_ms = 0;
     std::vector<PackedStats> packed;            ///< of slab cut balls
-    std::optional<HierarchyMeasures> measures;  ///< where asked for
-    /// Of another engine's tree its name and its volumes; then there is no kind, no build, no
-    /// memory, no time and nothing packed.
+    std::optional<HierarchyMeasures> measures;  ///< if asked for
+    /// Only of another engine's tree: its engine and its volumes. It has no kind, build, memory,
+    /// time or packed layouts.
     std::string engine, volumes;
 
     double per_triangle(std::size_t amount) const {
@@ -45,8 +45,8 @@ struct HierarchyStats {
 std::string stats_table(const HierarchyStats& stats);
 nlohmann::ordered_json stats_json(const HierarchyStats& stats);
 
-/// A line per level, root first, then one of all levels, whose level is "all"; the header is
-/// without a line end's line. `with_measures`: whether they have them.
+/// A line per level, root first, then one for all levels, whose level is "all". The header is one
+/// line. `with_measures`: whether there are columns of measures.
 std::string stats_csv_header(bool with_measures);
 std::string stats_csv(const HierarchyStats& stats);
 

@@ -35,7 +35,7 @@ struct TraceOptions {
 
 int record(const TraceOptions& options, const Console& console) {
     if (options.output.empty()) {
-        options.scene.load();  // may say that there is no such scene
+        options.scene.load();  // throws if there is no such scene
         throw InputError("there is nowhere to write the trace; give -o FILE.scbtrace.");
     }
     if (options.json || options.events)
@@ -94,19 +94,19 @@ int record(const TraceOptions& options, const Console& console) {
     return exit_interrupted(watch.signal());
 }
 
-/// `given`: options on the command line that only recording has a use for.
+/// `given`: options on the command line that only a new trace can use.
 int print(const TraceOptions& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
     if (!options.scene.is_recording() || !asks_for_recorded(given)) refuse_for_trace(given, path);
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
-    // Reads all frames once before anything is printed, so that a bad file gives no half answer.
+    // Reads all frames before printing, so that a bad file gives no partial output.
     scenes::TestInput input(path, options.query.frames, options.query.bodies);
     const TraceHeader& header = input.header();
     if (options.json) {
         std::string start = trace_header_json(header).dump(
             2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-        start.erase(start.size() - 2);  // the brace that closes it
+        start.erase(start.size() - 2);  // the closing brace
         print_result(start + ",\n  \"frames\": [");
     } else {
         print_result(trace_header_text(header) + "\n" +
@@ -117,7 +117,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
         const std::string table_header = count_table_header(header);
         if (options.json) {
             std::string row = count_json(header, *frame).dump();
-            if (options.events) row.back() = ',';  // the brace that closes it
+            if (options.events) row.back() = ',';  // the closing brace
             print_result((printed == 0 ? "\n    " : ",\n    ") + row);
             if (options.events) {
                 print_result("\"tests\": [");

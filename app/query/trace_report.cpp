@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Prints the text once it is long enough to be worth it, and clears it.
+// Prints the text once it is long enough, and clears it.
 void print_block(std::string& text) {
     constexpr std::size_t block = std::size_t{1} << 16;
     if (text.size() < block) return;
@@ -22,7 +22,7 @@ void print_block(std::string& text) {
     text.clear();
 }
 
-/// Of the columns of nodes: engines may have large numbers.
+/// The width of node columns: engines may have large numbers.
 int number_width(const TraceFrame& frame) {
     std::uint32_t most = 0;
     for (const std::shared_ptr<const Tree>& tree : frame.trees)

@@ -7,17 +7,17 @@
 
 namespace scb::app {
 
-/// What was asked, as lines, and as JSON.
+/// The parameters of the queries, as lines, and as JSON.
 std::string trace_header_text(const TraceHeader& header);
-/// A body and what tells its mesh from others.
+/// A body and the fingerprint of its mesh.
 nlohmann::ordered_json body_json(const TraceBody& body);
 nlohmann::ordered_json trace_header_json(const TraceHeader& header);
 
-/// One test: nodes, depths, stage, and what follows from it.
+/// One test: nodes, depths, stage, and its consequence.
 nlohmann::ordered_json traced_test_json(const TracedTest& test, const BodyNames& bodies);
 
-/// Prints every test of a frame, one after the other, since together they may not fit into memory:
-/// a line each, under a line of headings; or elements of a JSON list, without its brackets.
+/// Prints every test of a frame one by one, since together they may not fit into memory: as lines
+/// below a heading, or as elements of a JSON list, without its brackets.
 void print_events(const TraceHeader& header, const TraceFrame& frame);
 void print_events_json(const TraceHeader& header, const TraceFrame& frame,
                        const std::string& indent);
