@@ -7,14 +7,13 @@
 
 namespace scb::app {
 
-/// What of the options is not as by default: {"growth radius", "margin 0.1", "split by cost"}.
+/// The options that differ from the default: {"growth radius", "margin 0.1", "split by cost"}.
 std::vector<std::string> build_parts(const BuildOptions& options);
 
-/// The same to be added to a title: ", growth radius, split by cost"; nothing where all is as by
-/// default.
+/// The same for the end of a title: ", growth radius, split by cost"; empty if all are the default.
 std::string build_text(const BuildOptions& options);
 
-/// As a sentence: "Hierarchies: growth radius, split by cost."; or nothing.
+/// The same as a sentence: "Hierarchies: growth radius, split by cost."; or empty.
 std::string build_sentence(const BuildOptions& options);
 
 }  // namespace scb::app

@@ -37,7 +37,7 @@ std::vector<Choice<Enum>> choices_of(std::span<const Enum> values,
     return choices;
 }
 
-/// The words, to be offered: "first, last, dominant or share".
+/// The words as a list for the user: "first, last, dominant or share".
 std::string offered(const std::vector<std::string>& words);
 template <class T>
 std::vector<std::string> words_of(const std::vector<Choice<T>>& choices) {
@@ -50,8 +50,8 @@ std::string offered(const std::vector<Choice<T>>& choices) {
     return offered(words_of(choices));
 }
 
-/// An option that takes one of the words; calls `use` with the word's place among them. Another
-/// word ends the command line with an InputError that offers them.
+/// An option that takes one of the words; calls `use` with the word's index. For another word,
+/// parsing ends with an InputError that lists the words.
 Option add_word_option(const Command& command, const std::string& names,
                        const std::vector<std::string>& words,
                        const std::function<void(std::size_t)>& use, const std::string& help);
@@ -71,7 +71,7 @@ Option add_choice(const Command& command, const std::string& names, T& value,
 /// Words that are values themselves.
 std::vector<Choice<std::string>> words_as_choices(const std::vector<std::string>& words);
 
-/// The choices of an option that may be left open, with a word for that where it has one.
+/// The choices of an option that may be left open. `open`: a word for that, if there is one.
 template <class T>
 std::vector<Choice<std::optional<T>>> optional_choices(const std::vector<Choice<T>>& choices,
                                                        const std::string& open = "") {

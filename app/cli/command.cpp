@@ -10,8 +10,8 @@ namespace scb::app {
 
 namespace {
 
-/// An option that takes no empty value: that is a variable of a shell that was not set, and would
-/// be taken for an option that was not given.
+/// An option that refuses empty values. An empty value comes from an unset variable of the shell,
+/// and would count as an option that was not given.
 CLI::Option* with_value(CLI::Option* option) {
     option->check(CLI::Validator(
         [](std::string& text) { return text.empty() ? "the value is empty; give one" : ""; }, ""));

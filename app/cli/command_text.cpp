@@ -8,12 +8,12 @@
 namespace scb::app {
 namespace {
 
-/// An option as it would be given again, with a space in front; empty where it was not given.
+/// The option as words of a command line, after a space; empty if it was not given.
 std::string option_text(const CLI::Option& option, const std::string& name, bool with_folders) {
     if (option.count() == 0) return "";
     const bool positional = option.get_positional();
     const std::string text = positional ? "" : " " + name;
-    // A flag; not one that was taken back.
+    // A flag; empty if it was revoked.
     if (option.get_items_expected_max() == 0) return option.results().back() == "false" ? "" : text;
     std::string values;
     for (const std::string& value : option.results()) {

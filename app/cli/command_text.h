@@ -7,21 +7,21 @@
 
 namespace scb::app {
 
-/// Those of the named options (and positional ones) that were given, on the command line or by the
-/// environment, as they would be given again: " --test extents --frames 0,250"; empty, or with a
-/// space in front.
+/// The named options (and positional ones) that were given on the command line or by the
+/// environment, as words of a command line: " --test extents --frames 0,250". Empty, or begins with
+/// a space.
 std::string given_text(const Command& command, const std::vector<std::string>& options);
 
-/// The command with all that was given but the options `left_out`, in the order of its help: "scb
-/// render pairs spheres-l1 --frames 100". Of a path there is the name of the file only, so that the
-/// text says nothing of the machine.
+/// The command with all given options except `left_out`, in the order of its help: "scb render
+/// pairs spheres-l1 --frames 100". Paths are reduced to the names of files, so that the text
+/// reveals nothing about the machine.
 std::string told_command(const Command& command, const std::vector<std::string>& left_out);
 
-/// The same as words that the program takes again, behind its name; of paths the whole.
+/// The same as separate words after the program's name, with whole paths.
 std::vector<std::string> given_words(const Command& command,
                                      const std::vector<std::string>& left_out);
 
-/// The name of a file as a word of the shell that is not taken for an option.
+/// A file name as a word of the shell that is not mistaken for an option.
 std::string file_word(const std::string& name);
 
 }  // namespace scb::app

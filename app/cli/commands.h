@@ -9,11 +9,10 @@
 
 namespace scb::app {
 
-/// What the chosen command does, once the whole command line has been read; returns the exit
-/// status.
+/// Runs the chosen command, after the whole command line was read; returns the exit status.
 using Action = std::function<int()>;
 
-/// Runs the program with other words behind its name; returns the exit status.
+/// Runs the program with other words after its name; returns the exit status.
 using RunAgain = std::function<int(const std::vector<std::string>& words)>;
 
 // Each adds one command to the program. When it is chosen, it sets `action`.
@@ -43,7 +42,7 @@ void add_scenes(const Command& program, Action& action);
 void add_doctor(const Command& program, Action& action);
 void add_config(const Command& program, const bool& without_files, Action& action);
 void add_completion(const Command& program, Action& action);
-/// Hidden: for who installs scb.
+/// Hidden: used to install scb.
 void add_man(const Command& program, Action& action);
 /// Hidden: for the manual.
 void add_reference(const Command& program, Action& action);

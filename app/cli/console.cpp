@@ -13,9 +13,8 @@
 namespace scb::app {
 namespace {
 
-/// The text with "./" in front of each line that GitHub Actions would take for a command. GitHub
-/// Actions ignores blanks before a command, also those of Unicode, and a carriage return ends a
-/// line.
+/// The text with "./" before each line that GitHub Actions would take for a command. GitHub Actions
+/// ignores blanks before a command, including those of Unicode, and a carriage return ends a line.
 std::string without_commands(std::string_view text) {
     std::string plain;
     while (!text.empty()) {
@@ -32,7 +31,7 @@ std::string without_commands(std::string_view text) {
     return plain;
 }
 
-/// What comes from outside as a part of one line.
+/// Text from outside, as a part of one line.
 std::string one_line(std::string_view text) {
     return without_commands(scenes::printable(std::string(text)));
 }

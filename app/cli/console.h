@@ -5,7 +5,7 @@
 
 namespace scb::app {
 
-/// Where the program talks: results to standard output, messages and progress to standard error.
+/// Results go to standard output, messages and progress to standard error.
 enum class ColorMode { automatic, always, never };
 
 struct Console {
@@ -16,7 +16,7 @@ struct Console {
     bool colors_results() const;
     /// "scb: error: SENTENCE" on standard error.
     void error(std::string_view sentence) const;
-    /// A line on standard error that no one should miss, --quiet or not.
+    /// A line on standard error that must be seen, even with --quiet.
     void alarm(std::string_view line) const;
     /// A line on standard error.
     void note(std::string_view line) const;
@@ -25,11 +25,11 @@ struct Console {
     void progress(std::string_view what, std::size_t done, std::size_t total) const;
 };
 
-/// Writes a result to standard output and flushes it; throws OutputError where that fails (a closed
+/// Writes a result to standard output and flushes it; throws OutputError if that fails (a closed
 /// pipe, a full disk). A name from outside may begin with "::", which GitHub Actions takes for a
-/// command. Such a line gets "./" in front; a path keeps its meaning.
+/// command. Such a line gets "./" before it; a path keeps its meaning.
 void print_result(std::string_view text);
-/// The same for lines that GitHub Actions is to obey.
+/// The same for lines that are commands to GitHub Actions.
 void print_github_commands(std::string_view lines);
 
 }  // namespace scb::app

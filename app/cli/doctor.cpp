@@ -46,7 +46,7 @@ DoctorFinding gl_finding(render::GlBackend backend) {
 DoctorFinding reader_finding() {
     DoctorFinding finding{.name = "meshes"};
     try {
-        // A file that is there. That it is no mesh is told by the process that is asked for.
+        // This file exists but is no mesh. An InputError shows that the reader process works.
         scenes::isolated_mesh("/proc/self/exe");
     } catch (const InputError&) {
         finding.works = true;
@@ -128,7 +128,7 @@ std::string findings_json(const std::vector<DoctorFinding>& findings) {
 std::vector<DoctorFinding> doctor_findings() {
     std::vector<DoctorFinding> findings = {gl_finding(render::GlBackend::osmesa),
                                            gl_finding(render::GlBackend::egl)};
-    // Pictures need one of the two.
+    // Pictures need only one of the two.
     const bool draws = any_gl(findings);
     findings[0].is_optional = findings[1].is_optional = draws;
     findings.push_back({"fonts", true, false, "Roboto, in the program itself", ""});

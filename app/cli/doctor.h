@@ -5,13 +5,13 @@
 
 namespace scb::app {
 
-/// Something that the program needs of the machine.
+/// A requirement of the program on the machine.
 struct DoctorFinding {
     std::string name;
     bool works = false;
     bool is_optional = false;
-    std::string text{};    ///< what is there, or why not
-    std::string remedy{};  ///< where it does not work: what installs it
+    std::string text{};    ///< its version or state, or why it does not work
+    std::string remedy{};  ///< if it does not work: how to install it
 };
 
 /// Tries everything once.

@@ -9,7 +9,7 @@
 namespace scb::app {
 namespace {
 
-// What a signal handler may write and other threads read.
+// Variables that a signal handler may write and other threads read.
 std::atomic<int> received = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 std::atomic<std::int64_t> received_at = 0;  // nanoseconds
@@ -24,7 +24,7 @@ void remember(int signal) {
         received = signal;
         return;
     }
-    // Some programs send one signal to the process and to its group: that is one, not two.
+    // Some programs send a signal to the process and also to its group: count it once.
     constexpr std::int64_t one_signal = 300'000'000;
     if (time - received_at < one_signal) return;
     std::signal(signal, SIG_DFL);
@@ -39,12 +39,12 @@ InterruptWatch::InterruptWatch() {
     received = 0;
     struct sigaction action {};
     action.sa_handler = remember;
-    // What is being printed goes on being printed.
+    // Output in progress continues.
     action.sa_flags = SA_RESTART;
     for (const int signal : signals) sigaddset(&action.sa_mask, signal);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         sigaction(signals[i], nullptr, &before_[i]);
-        // A program that was told to ignore it goes on doing so.
+        // If the parent process set the signal to be ignored, keep ignoring it.
         if (before_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
     }
 }

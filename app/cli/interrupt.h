@@ -6,9 +6,9 @@
 
 namespace scb::app {
 
-/// While one of these exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the program but are
-/// remembered, so that a long run can stop between two results and leave what it has finished. A
-/// second one, 0.3 s later or more, ends the program.
+/// While an object of this class exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the program
+/// but are remembered. So a long run can stop between two results and keep the finished ones. A
+/// second signal, 0.3 s later or more, ends the program.
 class InterruptWatch {
   public:
     InterruptWatch();
@@ -16,7 +16,7 @@ class InterruptWatch {
     InterruptWatch(const InterruptWatch&) = delete;
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
-    /// The signal that came, or 0.
+    /// The signal received, or 0.
     int signal() const;
 
   private:

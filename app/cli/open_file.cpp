@@ -11,7 +11,7 @@
 namespace scb::app {
 namespace {
 
-// Openers start another program and end. Some are that program, and stay.
+// Most openers start another program and end. Others are that program, and keep running.
 constexpr std::chrono::seconds patience{5};
 
 }  // namespace
@@ -25,7 +25,7 @@ void open_file(const std::filesystem::path& file, const Console& console) {
                      scenes::printable(file.string()) + " yourself.");
         return;
     }
-    // A name that begins like an option.
+    // A name that begins with "-" would be taken for an option.
     const std::string name = file.string(), shown = scenes::printable(name);
     const render::UnnamedFile unused;
     try {

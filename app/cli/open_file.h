@@ -6,8 +6,8 @@
 
 namespace scb::app {
 
-/// Opens a file or folder in the program that the desktop has for it, which then runs on. Where
-/// there is nothing to open it with, or that fails, a note says so: the work is done all the same.
+/// Opens a file or folder in the desktop's program for it, which keeps running. If there is no such
+/// program, or it fails, prints a note: the results are valid all the same.
 void open_file(const std::filesystem::path& file, const Console& console);
 
 }  // namespace scb::app

@@ -11,21 +11,22 @@ class Option;
 
 namespace scb::app {
 
-/// What can be offered for the value of an option, for who completes a command line.
+/// Values to offer for an option, for shell completion.
 struct OptionValues {
     std::vector<std::string> words{};
     bool is_list = false;                ///< several of the words, with commas
     std::vector<std::string> endings{};  ///< of files: ".json"
     bool is_folder = false;
-    std::map<std::string, std::string> only_typed{};  ///< by word: why, see Option::only_typed
+    std::map<std::string, std::string>
+        only_typed{};  ///< by word: the reason, see Option::only_typed
 };
 
-/// What is known of options beside what the parser knows.
+/// Properties of options that the parser does not have.
 struct OptionTable {
     std::map<const CLI::Option*, OptionValues> values{};
     std::set<const CLI::Option*> only_typed{};  ///< see Option::only_typed
     std::set<const CLI::Option*> shareable{};   ///< see Option::shareable
-    std::set<const CLI::Option*> from_file{};   ///< those that a configuration file has given
+    std::set<const CLI::Option*> from_file{};   ///< set by a configuration file
 };
 
 }  // namespace scb::app

@@ -9,7 +9,7 @@
 namespace scb::app {
 namespace {
 
-/// ", 12 per second, about 8 s left"; of slow steps ", 2.5 s each, about 3 min left".
+/// ", 12 per second, about 8 s left"; for slow steps ", 2.5 s each, about 3 min left".
 std::string pace(double seconds_per_step, std::size_t left) {
     const double seconds = seconds_per_step * static_cast<double>(left);
     return (seconds_per_step < 1 ? format(", %.3g per second", 1 / seconds_per_step)
@@ -28,7 +28,7 @@ void Progress::at(std::string_view what, std::size_t done) {
     if (done_ < total_ && now - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    // An estimate after a moment would only flicker.
+    // An early estimate would only flicker.
     console_.progress(
         std::string(what) + (elapsed > 1 && 0 < done_ && done_ < total_
                                  ? pace(elapsed / static_cast<double>(done_), total_ - done_)

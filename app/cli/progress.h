@@ -7,15 +7,15 @@
 
 namespace scb::app {
 
-/// The progress of a run of many like steps, with how many are done in a second, and an estimate of
-/// the time that remains, shown ten times a second at most.
+/// The progress of a run of many similar steps: their rate, and an estimate of the remaining time;
+/// updated at most ten times a second.
 class Progress {
   public:
     Progress(const Console& console, std::size_t total);
 
-    /// One more step is done; `what` stands beside the bar.
+    /// One more step is done; `what` is shown beside the bar.
     void step(std::string_view what) { at(what, done_ + 1); }
-    /// So many are done by now.
+    /// Sets the number of steps done.
     void at(std::string_view what, std::size_t done);
 
   private:

@@ -33,13 +33,13 @@ std::string compiler_text() { return SCB_COMPILER; }
 
 namespace {
 
-/// With the first back end that works.
+/// Uses the first back end that works.
 std::vector<std::pair<std::string, std::string>> present_versions() {
     for (const render::GlBackend backend : {render::GlBackend::osmesa, render::GlBackend::egl}) {
         try {
             return versions(&render::Context(backend).info());
         } catch (const render::GlError&) {
-            // The other back end may still have it.
+            // The other back end may still work.
         }
     }
     auto list = versions(nullptr);

@@ -9,17 +9,18 @@
 
 namespace scb::app {
 
-/// What took part in a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in this order.
-/// Without an OpenGL context, the first and the last ones.
+/// Everything that contributes to a picture: scb, Mesa, LLVM, Eigen, ImGui; name and version, in
+/// this order. Without an OpenGL context, only the first and the last ones.
 std::vector<std::pair<std::string, std::string>> versions(const render::GlInfo* gl);
 
 /// The same as an object.
 nlohmann::ordered_json versions_json(const render::GlInfo* gl);
 
-/// Which compiler built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG -ffp-contract=off".
+/// The compiler that built the program, and its flags: "GNU 12.2.0, -O3 -DNDEBUG
+/// -ffp-contract=off".
 std::string compiler_text();
 
-/// The versions as text, one a line, or as a JSON object; makes a context to ask it.
+/// The versions as text, one per line, or as a JSON object; makes an OpenGL context to query it.
 std::string version_text();
 std::string version_json();
 

@@ -21,7 +21,7 @@ void run_again_after_change(const Watch& watch, char** words) {
                      read.size() == 1 ? "file" : "files");
     constexpr auto pause = std::chrono::milliseconds(200);
     auto now = scenes::present_versions(read);
-    // Not before whoever writes has finished.
+    // Wait until the file no longer changes: its writer has finished.
     for (auto before = now; now == read || now != before; now = scenes::present_versions(read)) {
         before = now;
         std::this_thread::sleep_for(pause);

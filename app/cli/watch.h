@@ -2,14 +2,14 @@
 
 namespace scb::app {
 
-/// What `--watch` asks for.
+/// Options of `--watch`.
 struct Watch {
     bool wanted = false;
     bool quiet = false;
 };
 
-/// Waits until a file that this process has read is another one, and then starts the program
-/// again with the same words, in place of this process. Returns where it has read none.
+/// Waits until an input file of this process changes, and then replaces this process by the program
+/// with the same words. Returns if no file was read.
 void run_again_after_change(const Watch& watch, char** words);
 
 }  // namespace scb::app

@@ -8,15 +8,16 @@
 
 namespace scb::app {
 
-/// The words behind the program's name, as far as one must know them before they are parsed.
+/// The words after the program's name, as far as they must be known before parsing.
 struct CommandLine {
     std::vector<std::string> words;
-    const ReferenceCommand* command = nullptr;  ///< that is named
-    std::size_t options_begin = 0;              ///< the place behind the name of the command
+    const ReferenceCommand* command = nullptr;  ///< the named command
+    std::size_t options_begin = 0;  ///< index of the first word after the command's name
     std::set<const CLI::Option*> given;
-    std::vector<std::string> arguments;  ///< what is neither a command nor of an option
+    std::vector<std::string> arguments;  ///< words that are neither a command nor an option
 
-    bool has(const std::string& option) const;  ///< whether it is given, by its longest name
+    bool has(
+        const std::string& option) const;  ///< whether the option was given, by its longest name
 };
 
 CommandLine read_command_line(const std::vector<std::string>& words,

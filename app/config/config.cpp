@@ -10,7 +10,7 @@
 namespace scb::app {
 namespace {
 
-/// Whether a query is given as it was: then no default is of it.
+/// Whether the query is recorded: then defaults of query options do not apply.
 bool is_recorded(const CommandLine& line) {
     return line.has("--pairs") ||
            std::any_of(line.arguments.begin(), line.arguments.end(), [](const std::string& name) {
@@ -60,7 +60,7 @@ std::string ConfiguredLine::placed(const std::string& sentence) const {
     for (const Setting& setting : settings) {
         const std::size_t at = sentence.find(setting.name);
         const std::size_t end = at + setting.name.size();
-        // Another option's name may go on.
+        // The text may be the beginning of another option's name.
         if (at != sentence.npos && (end == sentence.size() ||
                                     std::string(" :,;").find(sentence[end]) != std::string::npos))
             return setting.file + ": " + setting.section + "." + setting.name.substr(2) + ": " +

@@ -13,8 +13,8 @@
 namespace scb::app {
 namespace {
 
-/// What holds of one command, and where it comes from: a file with its section, or a variable of
-/// the environment.
+/// A setting in effect for one command, and its source: a file with its section, or an environment
+/// variable.
 struct Held {
     std::string command, option, value, source;
 };
@@ -43,7 +43,7 @@ std::string text_of(const std::vector<ConfigFile>& files, const std::vector<Held
     for (const ConfigFile& file : files)
         text += "  " + file.path.string() + (file.is_there ? "" : " (not there)") + "\n";
     if (held.empty()) return text + "\nNothing is set.\n";
-    // What several commands share stands once.
+    // List a setting once for all commands that share it.
     std::map<std::vector<std::string>, std::vector<std::string>> commands;
     for (const Held& setting : held)
         commands[{setting.option, setting.value, setting.source}].push_back(

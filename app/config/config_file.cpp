@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> config_paths() {
         const char* value = std::getenv(name);
         return std::filesystem::path(value == nullptr ? "" : value);
     };
-    // One that is relative does not count, says the XDG Base Directory Specification.
+    // The XDG Base Directory Specification ignores relative paths.
     if (const auto folder = variable("XDG_CONFIG_HOME"); folder.is_absolute())
         paths.push_back(folder / "scb/config.json");
     else if (const auto home = variable("HOME"); home.is_absolute())
@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> config_paths() {
     return paths;
 }
 
-/// A number, a text or a truth value as a command line has it.
+/// A number, a text or a truth value in the form of a command line.
 std::string value_text(const JsonPlace& place, const ReferenceOption& option) {
     if (!option.takes_value) return scenes::read_bool(place) ? "true" : "false";
     if (place.value->is_number()) return place.value->dump();
@@ -42,7 +42,7 @@ std::string value_text(const JsonPlace& place, const ReferenceOption& option) {
     return joined(parts, ",");
 }
 
-/// Of one of the commands, which agree on what an option takes as far as is asked here.
+/// The option of any of the commands; they agree on what is used of it here.
 const ReferenceOption& known_option(const JsonPlace& place, const std::string& section,
                                     const std::string& name,
                                     const std::vector<const ReferenceCommand*>& commands) {
@@ -110,7 +110,7 @@ std::vector<Setting> read_settings(const std::string& file, const ReferenceComma
 }  // namespace
 
 bool Setting::reaches(const ReferenceCommand& command) const {
-    // What a golden run does must not depend on a file that nobody thought of.
+    // Golden runs must not depend on a file that the user has forgotten.
     if (section == "*") return !(command.name + " ").starts_with("scb golden ");
     return (command.name + " ").starts_with("scb " + section + " ");
 }
@@ -140,7 +140,7 @@ std::vector<ConfigFile> read_config_files(const ReferenceCommand& program) {
 
 std::vector<Setting> settings_of(const ReferenceCommand& command,
                                  const std::vector<ConfigFile>& files) {
-    // By option.
+    // By option name.
     std::map<std::string, Setting> held;
     for (const ConfigFile& file : files)
         for (const Setting& setting : file.settings) {

@@ -8,14 +8,14 @@
 
 namespace scb::app {
 
-/// A default of an option, as a configuration file has it.
+/// A default of an option in a configuration file.
 struct Setting {
     std::string file;
-    std::string section;  ///< "render levels", "render", or "*": all but `scb golden`
+    std::string section;  ///< "render levels", "render", or "*": all except `scb golden`
     std::string name;     ///< of the option: "--volume"
-    std::string value;    ///< of a flag "true" or "false"
+    std::string value;    ///< "true" or "false" for a flag
 
-    /// Whether it is of this command.
+    /// Whether the setting applies to the command.
     bool reaches(const ReferenceCommand& command) const;
 };
 
@@ -25,17 +25,17 @@ struct ConfigFile {
     std::vector<Setting> settings;
 };
 
-/// The files that are looked for, the one that wins first: scb.json in the working folder, then
-/// scb/config.json where XDG_CONFIG_HOME says, or in ~/.config. Throws InputError, which names the
-/// file and the key, where one is not as it must be.
+/// The configuration files, in order of precedence: scb.json in the working folder, then
+/// scb/config.json in XDG_CONFIG_HOME or ~/.config. Throws InputError with the file and the key if
+/// a file is invalid.
 std::vector<ConfigFile> read_config_files(const ReferenceCommand& program);
 
-/// What holds of the options of a command: of each the first file's, and in a file that of the
-/// section that says most of the command's name.
+/// The settings in effect for a command: for each option the first file that has it, and in this
+/// file the most specific section.
 std::vector<Setting> settings_of(const ReferenceCommand& command,
                                  const std::vector<ConfigFile>& files);
 
-/// The command's option of that name that a file may give; null where it has none.
+/// The command's option of that name that a file may set; null if there is none.
 const ReferenceOption* configurable(const ReferenceCommand& command, const std::string& name);
 
 }  // namespace scb::app

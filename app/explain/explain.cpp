@@ -32,7 +32,7 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
     QuerySource source(options.scene, options.hierarchy, query, {}, false);
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
-    if (trace) source.frame(frame);  // refuses bodies that are elsewhere by now
+    if (trace) source.frame(frame);  // throws if bodies have moved since the recording
     return {std::move(source), frame};
 }
 

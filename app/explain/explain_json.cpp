@@ -36,7 +36,7 @@ Json json_of(const Obb& box) {
               json_of(Vec3(box.axes.col(2)))}},
             {"half", json_of(box.half)}};
 }
-/// Of a convex volume the box along the axes of its frame.
+/// For a convex volume, the box along the axes of its frame.
 Json json_of(const ConvexShape& shape) {
     Json reach = Json::array();
     for (int i = 0; i < 3; ++i)

@@ -67,7 +67,7 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     add_bodies_option(command, options.query);
     add_picture_options(command, options.picture, options.camera);
     command.remove_option("--ids");
-    // Its section cuts both volumes.
+    // The section of --clip would cut both volumes.
     command.remove_option("--clip");
     command.get_option("--output")
         .default_str("")

@@ -12,7 +12,7 @@
 
 namespace scb::app {
 
-/// What `scb explain` understands.
+/// Options of `scb explain`.
 struct ExplainOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
@@ -20,19 +20,19 @@ struct ExplainOptions {
     PictureOptions picture{.output = ""};
     CameraOptions camera;
     std::string pair, pairs_file;
-    /// Of those given, the ones that --pairs has no use for, those that a trace knows, and those
-    /// of pictures.
+    /// Given options that do not apply to --pairs, that a trace already has, and that only pictures
+    /// use.
     std::vector<std::string> of_scenes, recording, of_pictures;
 
     bool draws() const { return !picture.output.empty(); }
-    /// Refuses what makes no sense before any work is done; throws InputError.
+    /// Refuses invalid options before any work is done; throws InputError.
     void check() const;
     /// The numbers of --pair; throws InputError.
     std::array<std::int64_t, 2> nodes() const;
 };
 
 void add_explain_options(const Command& command, ExplainOptions& options);
-/// Notes which of them were given.
+/// Notes which options were given.
 void note_given(const Command& command, ExplainOptions& options);
 
 }  // namespace scb::app

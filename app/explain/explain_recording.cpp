@@ -27,9 +27,9 @@ using scenes::RecordedTrace;
 
 /// A test of the two nodes.
 struct FoundTest {
-    std::size_t number = 0;             ///< among the tests of volumes of its query, from 0
-    Stage stage = Stage::overlapping;   ///< at which it ended
-    std::optional<std::size_t> led_by;  ///< the test that led to it, as far as it is known
+    std::size_t number = 0;             ///< index among the volume tests of its query
+    Stage stage = Stage::overlapping;   ///< of the test
+    std::optional<std::size_t> led_by;  ///< the test that led to it, if known
     Answer answer = Answer::correct;
 };
 
@@ -37,7 +37,7 @@ struct FoundTest {
 struct RecordedPair {
     const RecordedTrace* trace = nullptr;
     const TraceFrame* frame = nullptr;
-    IndexPair numbers, nodes;  ///< as the engine calls them; indices
+    IndexPair numbers, nodes;  ///< as in the recording; indices
     std::vector<FoundTest> tests;
     ExplainedPair pair;
     bool has_verdict = false;
@@ -50,8 +50,8 @@ struct RecordedPair {
     }
 };
 
-/// The trace at the frame that the options name. Without --frames, RecordedTrace::frame_of_test
-/// chooses the frame.
+/// The trace at the frame in the options. Without --frames, RecordedTrace::frame_of_test chooses
+/// the frame.
 std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
     const std::string& path = options.scene.names[0];
     const auto open = [&](const std::string& frames) {
@@ -136,7 +136,7 @@ RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::s
     Placement placed;
     placed.b_to_a = query.b_to_a;
     placed.margin = tolerance_of(query, found.nodes);
-    // A convex kind: the symbols of a picture are then those of any volumes.
+    // Any convex kind, so that pictures have the symbols of general volumes.
     found.pair = {VolumeKind::capsule,
                   body_a.tree->volume(found.nodes.a),
                   body_b.tree->volume(found.nodes.b),
@@ -151,7 +151,7 @@ RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::s
     return found;
 }
 
-/// "rejected at box", "passed": what the engine said.
+/// "rejected at box", "passed": the recorded outcome.
 std::string ending_of(const RecordedPair& found, Stage stage) {
     return stage == Stage::overlapping ? "passed"
                                        : "rejected at " + stage_words(found.header(), stage);
@@ -170,7 +170,7 @@ std::string test_text(const RecordedPair& found, const FoundTest& test) {
            format(", which test %zu of the nodes (%u, %u) led to", *test.led_by, nodes.a, nodes.b);
 }
 
-/// Where along the direction that separates them A ends and B begins.
+/// The end of A and the beginning of B along the direction that separates them.
 struct Extents {
     double end_of_a = 0, start_of_b = 0;
 
@@ -258,7 +258,7 @@ Json report_json(const RecordedPair& found) {
     return json;
 }
 
-/// The triangles of the node and of all below it.
+/// The triangles of the node's subtree.
 Mesh mesh_below(const BodyAtFrame& body, std::uint32_t node) {
     const TreeShape& shape = body.tree->shape();
     Mesh mesh;

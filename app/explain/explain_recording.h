@@ -4,8 +4,8 @@
 
 namespace scb::app {
 
-/// Explains the test of two nodes that another engine recorded, on the engine's own volumes: text
-/// or JSON, and a picture where it was asked for. Returns the exit status. Throws InputError.
+/// Explains the test of two nodes that another engine recorded, with the engine's own volumes: text
+/// or JSON, and a picture if asked for. Returns the exit status. Throws InputError.
 int explain_recording(const ExplainOptions& options, const Console& console);
 
 }  // namespace scb::app

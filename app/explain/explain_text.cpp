@@ -20,7 +20,7 @@ std::string point(const Vec3& v) {
     return "(" + number(w[0]) + ", " + number(w[1]) + ", " + number(w[2]) + ")";
 }
 
-/// With blanks up to the width; characters of UTF-8 count once.
+/// Pads with blanks to the width; a UTF-8 character counts once.
 std::string padded(std::string text, std::size_t width) {
     const auto characters =
         static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -34,7 +34,7 @@ std::string alarming(const std::string& text, bool colored) {
     return colored ? "\033[1;31m" + text + "\033[0m" : text;
 }
 
-/// Shape and place of a volume.
+/// Shape and position of a volume.
 std::string volume_text(const Scb& s) {
     return "center " + point(s.c) + ", normal " + point(s.n) + "\n     radius " + number(s.r) +
            ", e " + number(s.e) + ", f " + number(s.f) + ", thickness " + number(thickness(s));
@@ -55,7 +55,7 @@ std::string volume_text(const Obb& box) {
     return "center " + point(box.center) + ", half lengths " + point(box.half) + "\n     axes " +
            point(box.axes.col(0)) + ", " + point(box.axes.col(1)) + ", " + point(box.axes.col(2));
 }
-/// How far it reaches along the axes of its frame, both ways.
+/// Its extents along the axes of its frame, in both directions.
 std::string volume_text(const ConvexShape& shape) {
     Vec3 up, down;
     for (int i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ std::string volume_text(const ConvexShape& shape) {
            "\n     from there " + point(down) + " to " + point(up);
 }
 
-/// Where B is, where that is not where it is in its own frame.
+/// The position of B in A's frame; printed if it differs from the one in B's frame.
 std::string place_text(const Scb& s) { return "center " + point(s.c) + ", normal " + point(s.n); }
 std::string place_text(const Scb2& s) {
     return "center " + point(s.c) + ", normals " + point(s.slabs[0].n) + ", " + point(s.slabs[1].n);
@@ -110,7 +110,7 @@ std::string volumes_text(const ExplainedPair& pair) {
 
 namespace {
 
-/// What becomes of a step, once it is known which one decides.
+/// The role of a step, given the decisive step.
 std::string fate(const OverlapSteps& steps, std::size_t i) {
     const OverlapStep& step = steps.steps[i];
     const std::optional<std::size_t> decisive = steps.decisive();
@@ -190,7 +190,7 @@ std::string answer_text(Answer answer, bool colored) {
 
 namespace {
 
-/// What formulas have beyond the paper's symbols, each part on a line.
+/// Symbols in formulas that the paper does not have, one per line.
 std::string symbols_text(const ExplainedPair& pair) {
     std::string text;
     for (const std::string_view line : render::symbol_lines(pair.kind, pair.options))

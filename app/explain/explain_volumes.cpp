@@ -17,10 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// No more pictures are drawn: they fill disks, and nobody looks at them.
+/// Limits the pictures, which would fill the disk unseen.
 constexpr std::size_t most_pictures = 1000;
 
-/// What the answers of many pairs come to.
+/// The numbers of answers over many pairs.
 struct Summary {
     std::size_t pairs = 0, rejected = 0, false_positives = 0;
     std::vector<std::size_t> false_negatives;
@@ -46,7 +46,7 @@ struct Summary {
     }
 };
 
-/// Prints text in blocks, since together it may not fit into memory.
+/// Prints text in blocks, since the whole may not fit into memory.
 struct BlockPrinter {
     std::string text;
 
@@ -59,7 +59,7 @@ struct BlockPrinter {
     void finish() { print_result(text); }
 };
 
-/// The explanations of raw volumes, one after the other, as text or JSON, with pictures or without.
+/// The explanations of raw volumes, one after the other, as text or JSON, with or without pictures.
 class VolumesReport {
   public:
     VolumesReport(const ExplainOptions& options, const Console& console, std::size_t pairs)
@@ -78,7 +78,7 @@ class VolumesReport {
         }
         if (pictures_) entry["file"] = draw(pair, i, entry) + ".png";
         if (json())
-            // One alone is for people, many are for programs.
+            // A single pair is formatted for people, many pairs for programs.
             out((i == 0 ? "\n" : ",\n") + json_text(entry, pairs_ == 1 ? 2 : -1));
         else
             out("pair " + std::to_string(i) + " of " + scenes::printable(options_.pairs_file) +
@@ -106,7 +106,7 @@ class VolumesReport {
 
   private:
     bool json() const { return options_.picture.json; }
-    /// With pictures, all at the end, when they are written.
+    /// With pictures, the text is printed at the end, when they are written.
     void out(const std::string& text) {
         if (pictures_)
             text_ += text;

@@ -4,8 +4,8 @@
 
 namespace scb::app {
 
-/// Explains the pairs of --pairs, one after the other: text or JSON, and pictures where they were
-/// asked for. Returns the exit status.
+/// Explains the pairs of --pairs, one after the other: text or JSON, and pictures if asked for.
+/// Returns the exit status.
 int explain_volumes(const ExplainOptions& options, const Console& console);
 
 }  // namespace scb::app

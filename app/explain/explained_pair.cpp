@@ -80,7 +80,7 @@ render::AnyVolume b_seen_from_a(const ExplainedPair& pair) {
 double normal_angle(const ExplainedPair& pair) {
     constexpr double degrees_per_radian = 57.29577951308232;
     const Vec3 a = std::get<Scb>(pair.a).n, b = std::get<Scb>(b_seen_from_a(pair)).n;
-    // Accurate where it is small.
+    // atan2 is accurate for small angles.
     const double degrees =
         std::atan2(std::sqrt(squared_norm(cross(a, b))), dot(a, b)) * degrees_per_radian;
     return std::round(degrees * 1e9) / 1e9;

@@ -19,7 +19,7 @@ void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
         std::string html;
         try {
             html = view_page(options, console);
-        } catch (const std::exception& error) {  // the report must not end with it
+        } catch (const std::exception& error) {  // a page must not prevent the report
             console.note("scb: " + c.name + " has no page of `scb view`: " + error.what());
             continue;
         }

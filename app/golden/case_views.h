@@ -9,9 +9,9 @@
 
 namespace scb::app {
 
-/// Writes a page of `scb view` into that folder for each case whose traces are kept there, as long
-/// as `go_on` says so. A case whose page cannot be made, as where its scene cannot be opened from
-/// here, has none. Throws OutputError.
+/// Writes a page of `scb view` into the folder for each case whose traces are kept there, while
+/// `go_on` is true. A case has no page if it cannot be made, for example because its scene cannot
+/// be opened from here. Throws OutputError.
 void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
                const GoldenOptions& options, const Console& console,
                const std::function<bool()>& go_on);

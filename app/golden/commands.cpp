@@ -9,7 +9,7 @@
 namespace scb::app {
 namespace {
 
-/// Empty where the environment tells every command the same.
+/// Empty if SCB_MODELS names the same folder for every command.
 std::string models_words(const GoldenOptions& options) {
     const char* environment = std::getenv("SCB_MODELS");
     if (options.models.empty() || (environment != nullptr && options.models == environment))
@@ -21,7 +21,7 @@ std::string gl_words(const GoldenOptions& options) {
     return options.gl == PictureOptions{}.gl ? "" : " --gl " + golden::shell_word(options.gl);
 }
 
-/// The shell finds programs by their names, an emulator does not.
+/// A shell finds programs by name; an emulator needs the path.
 std::string reproducing(const golden::GoldenCase& golden, const GoldenOptions& options) {
     std::string command = golden::typed(golden::command_of(golden, "out")) + models_words(options);
     if (golden::has_picture(golden.run)) command += gl_words(options);

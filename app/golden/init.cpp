@@ -27,8 +27,7 @@ struct InitOptions {
     std::string folder = "golden", repository = some_repository;
 };
 
-/// The scene where none is named: two bodies, quickly drawn, in which every error of the selftest
-/// shows.
+/// The default scene: two bodies, quickly drawn, which reveal every error of the selftest.
 constexpr const char* first_scene = "knots-l1";
 
 bool plain(const std::string& text, std::string_view more) {
@@ -38,7 +37,7 @@ bool plain(const std::string& text, std::string_view more) {
     });
 }
 
-/// The path from the folder where the program runs; one of a file elsewhere begins with "..".
+/// The path from the working folder; for a file elsewhere it begins with "..".
 fs::path from_here(const fs::path& file) {
     return fs::weakly_canonical(fs::absolute(file)).lexically_proximate(fs::canonical("."));
 }
@@ -48,7 +47,7 @@ bool is_outside(const fs::path& file) {
     return seen.is_absolute() || (!seen.empty() && *seen.begin() == "..");
 }
 
-/// What CI could not do, or would not do as it is meant.
+/// Refuses options that CI cannot use as intended.
 void check_for_ci(const InitOptions& options, const FirstSuite& suite) {
     if (options.ci == InitCi::none) return;
     const std::string& name = options.repository;
@@ -69,7 +68,7 @@ void check_for_ci(const InitOptions& options, const FirstSuite& suite) {
             throw InputError(golden::plain_text(file.string()) +
                              ": CI has only the repository, and this file is outside of the folder "
                              "where you are; copy it there, or use --ci none.");
-    // Where this is no repository yet, it will be the root of one.
+    // If this is no repository yet, this folder will be its root.
     const fs::path here = fs::canonical(".");
     if (fs::exists(here / ".git")) return;
     for (fs::path folder = here; folder != folder.parent_path(); folder = folder.parent_path())

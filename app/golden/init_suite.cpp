@@ -18,15 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
 
-/// The name as the suite has it: files are relative to its folder.
+/// The name in the suite: files are relative to its folder.
 std::string name_from(const std::string& name, const fs::path& folder) {
     if (scenes::find_builtin(name) != nullptr) return name;
-    // Of the folder only its beginning need be there.
+    // Only the beginning of the folder's path need exist.
     const fs::path relative = fs::relative(fs::absolute(name), fs::absolute(folder));
     return (relative.empty() ? fs::absolute(name) : relative).string();
 }
 
-/// As JSON, on one line, with a blank behind each comma.
+/// A JSON list on one line, with a blank after each comma.
 std::string list_text(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words)
@@ -40,7 +40,7 @@ std::string scene_text(const std::vector<std::string>& names, const fs::path& fo
     return own.size() == 1 ? nlohmann::json(own[0]).dump() : list_text(own);
 }
 
-/// Some eleven of the frames, the first and nearly the last among them; empty where there is one.
+/// About eleven of the frames, including the first and nearly the last; empty if there is one.
 std::string some_frames(int frames) {
     if (frames == 1) return "";
     if (frames <= 11) return "all";
@@ -60,7 +60,7 @@ std::vector<int> some_levels(const scenes::Scene& scene) {
     return levels;
 }
 
-/// What of the command line the scene needs besides its name.
+/// The options that the scene needs besides its name.
 std::vector<std::string> pose_words(const SceneOptions& options) {
     if (options.pose.empty()) return {};
     std::string numbers;
@@ -77,7 +77,7 @@ void add_collisions(data& values, std::size_t& cases, const scenes::Scene& scene
         words.push_back(scene.bodies[0].name + "," + scene.bodies[1].name);
     }
     data collides;
-    // Where things touch most tests find no gap; halfway there more is rejected.
+    // When bodies touch, most tests pass; halfway, more are rejected.
     collides["middle"] = std::to_string(scene.frames / 2);
     if (const std::string frames = some_frames(scene.frames); !frames.empty())
         collides["frames"] = frames;

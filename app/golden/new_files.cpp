@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the folder and those above it; adds those that were not there, the outermost first.
+/// Makes the folder and its missing parents; adds those that were made, the outermost first.
 void make_folder(const fs::path& folder, std::vector<fs::path>& made) {
     if (folder.empty() || fs::is_directory(folder)) return;
     make_folder(folder.parent_path(), made);
@@ -33,7 +33,7 @@ void refuse_taken(const std::vector<NewFile>& files) {
                 throw InputError(folder.string() +
                                  ": this is no folder, and one is to be made here for " +
                                  file.path.string() + "; name another with -o, or move it.");
-        // A link that leads nowhere takes the place too.
+        // Broken links are taken, too.
         if (fs::exists(fs::symlink_status(file.path, ignored)))
             throw InputError(file.path.string() +
                              ": this file exists, and nothing is overwritten; remove it, or name "
@@ -51,7 +51,7 @@ void write_new_files(const std::vector<NewFile>& files) {
         }
     } catch (...) {
         std::error_code ignored;
-        // Folders only where nothing else has come into them.
+        // Removes a folder only if nothing else has been put into it.
         for (auto place = made.rbegin(); place != made.rend(); ++place) fs::remove(*place, ignored);
         throw;
     }

@@ -6,18 +6,18 @@
 
 namespace scb::app {
 
-/// A file to be written where none is yet.
+/// A file to write where none exists yet.
 struct NewFile {
     std::filesystem::path path;
     std::string text;
 };
 
-/// Throws InputError for the first whose place, or that of a folder above it, is taken by whatever:
-/// nothing is replaced.
+/// Throws InputError for the first file whose path, or a folder above it, is taken: nothing is
+/// replaced.
 void refuse_taken(const std::vector<NewFile>& files);
 
-/// Writes all of them, with their folders. Throws OutputError where one cannot be written, and then
-/// takes away what was made for the others.
+/// Writes all files, with their folders. If one cannot be written, removes everything that was made
+/// and throws OutputError.
 void write_new_files(const std::vector<NewFile>& files);
 
 }  // namespace scb::app

@@ -31,7 +31,7 @@ std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) 
     std::vector<golden::GoldenCase> cases;
     for (const golden::GoldenCase& golden : all.cases) {
         golden::GoldenCase seen = golden::seen_from_here(golden, all.file.parent_path(), models);
-        // Others read them; nothing may replace them here.
+        // Other processes read these files; nothing here may replace them.
         scenes::note_scene_inputs(seen.scene, models);
         for (const std::string& argument : seen.arguments) scenes::note_input(argument);
         if (names.empty() || wanted.erase(golden.name) > 0) cases.push_back(std::move(seen));
@@ -55,7 +55,7 @@ golden::GoldenRunSettings GoldenOptions::settings() const {
     settings.gl = gl;
     for (const std::string& word : scenes::split_list(runner, ' '))
         if (!word.empty()) settings.runner.push_back(word);
-    // Not one that PATH has: cases run in another folder.
+    // Programs on PATH keep their names; paths must be absolute, since cases run in another folder.
     if (!settings.runner.empty() && settings.runner[0].find('/') != std::string::npos)
         settings.runner[0] = std::filesystem::absolute(settings.runner[0]).string();
     return settings;

@@ -9,30 +9,29 @@
 
 namespace scb::app {
 
-/// What every command of `scb golden` that runs cases understands.
+/// Options of every command of `scb golden` that runs cases.
 struct GoldenOptions {
     std::string suite = "golden/cases.json", baselines;
     std::vector<std::string> names;
     std::string models, gl, runner;
     int jobs = 0;
 
-    /// Refuses what makes no sense; throws InputError.
+    /// Refuses invalid options; throws InputError.
     void check() const;
-    /// Where baselines are: beside the suite, unless told.
+    /// The folder of baselines; by default beside the suite.
     std::filesystem::path baselines_folder() const;
-    /// The cases named, in the order of the suite; all where none is. Their files are looked for
-    /// beside the suite, then in the folder of models. Throws InputError where the suite has no
-    /// case of a name.
+    /// The named cases, in the order of the suite; all cases if none is named. Their files are
+    /// looked up beside the suite, then in the folder of models. Throws InputError if the suite has
+    /// no case of a name.
     std::vector<golden::GoldenCase> chosen(const golden::Suite& all) const;
     golden::GoldenRunSettings settings() const;
     std::size_t job_count() const;
-    /// " --suite S --baselines B", as far as they are not what is taken without; for commands of
-    /// `scb golden` that are shown.
+    /// " --suite S --baselines B", without defaults; for printed commands of `scb golden`.
     std::string suite_words() const;
 };
 
 void add_suite_options(const Command& command, GoldenOptions& options);
-/// These and how cases are run.
+/// The options above, and how cases are run.
 void add_golden_options(const Command& command, GoldenOptions& options);
 
 }  // namespace scb::app

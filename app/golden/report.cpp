@@ -24,11 +24,11 @@ struct ReportOptions {
     ResultFiles files;
 };
 
-/// Copies what a result names into the work folder, so that results of several folders can be one
-/// report.
+/// Copies the files of a result into the work folder, so that one report can have results of
+/// several folders.
 void gather(const golden::CaseResult& result, const fs::path& folder, const fs::path& work) {
     for (const std::string& name : golden::files_of(result)) {
-        // A name, not a path: results may come from elsewhere.
+        // Results may come from elsewhere: accept names, not paths.
         if (fs::path(name).filename() != name)
             throw InputError((folder / "results.json").string() + ": '" + name +
                              "' is not a name of a file beside it.");

@@ -28,15 +28,15 @@ std::string environment_value(const char* name) {
     return value == nullptr ? "" : value;
 }
 
-/// The same for every name of a file or folder, also of one that is not there yet.
+/// The same path for all spellings of a file or folder, even if it does not exist yet.
 fs::path one_name(const fs::path& path) {
     std::error_code ignored;
-    // With something behind it, a folder's name ends alike with and without a slash.
+    // With a name behind it, a folder's path ends the same with and without a slash.
     return fs::weakly_canonical(fs::absolute(path) / "inside", ignored).parent_path();
 }
 
-/// What a mesh names is known only where it was read, so nothing is replaced that does not begin as
-/// results do. An empty file does no harm.
+/// Replaces only files that begin like results: inputs named by meshes are known only after the
+/// meshes were read. An empty file does no harm.
 void refuse_foreign(const fs::path& file, const std::string& option) {
     if (!render::is_there(file)) return;
     const bool is_json =
@@ -60,7 +60,7 @@ void tell_github(const golden::SuiteResult& result) {
     if (summary.empty()) return;
     std::error_code ignored;
     scenes::refuse_input(summary, "GITHUB_STEP_SUMMARY");
-    // A pipe would wait for a reader.
+    // Opening a pipe would wait for a reader.
     if (fs::exists(summary, ignored) && !render::is_there(summary))
         throw render::OutputError(
             "Cannot write \"" + summary +
@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> golden_environment(
         const render::GlInfo info = context.info();
         return with_compiler(&info);
     } catch (const render::GlError&) {
-        // Then the cases have said so.
+        // The cases report the error.
         return with_compiler(nullptr);
     }
 }
@@ -141,10 +141,10 @@ void add_result_files(const Command& command, ResultFiles& files) {
 
 void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const fs::path& work) {
-    // The cases may have read more than the suite names: what their meshes name.
+    // Meshes may name more inputs than the suite does.
     files.refuse_inputs();
     std::optional<render::OutputError> failed;
-    // Where one cannot be written, the others still can: the terminal may have gone.
+    // If one output fails, for example the terminal, still write the others.
     const auto attempt = [&](auto write) {
         try {
             write();

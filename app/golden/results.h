@@ -12,23 +12,22 @@
 
 namespace scb::app {
 
-/// What drew and compared: versions, as index.json has them.
+/// The versions of everything that drew and compared, as in index.json.
 std::vector<std::pair<std::string, std::string>> golden_environment(
     const golden::GoldenRunSettings& settings);
 
-/// Behind the name of one of uncompared_images.
+/// Text after the name of one of uncompared_images.
 inline constexpr const char* why_uncompared =
     "is never compared: accepted pictures are numbered from 2, without a gap.";
 
-/// Where results go; empty: nowhere.
+/// Where to write results; empty: nowhere.
 struct ResultFiles {
     std::string report, junit, json;
 
-    /// Throws InputError where they would come among the baselines, or over the suite or another
-    /// file that was read.
+    /// Throws InputError if results would be among the baselines, or would replace the suite or
+    /// another input.
     void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
-    /// Throws InputError where they would replace a file that was read, or one that holds no
-    /// results.
+    /// Throws InputError if results would replace an input, or a file that holds no results.
     void refuse_inputs() const;
 
   private:
@@ -38,14 +37,14 @@ struct ResultFiles {
 
 void add_result_files(const Command& command, ResultFiles& files);
 
-/// Prints the result; writes the folder of the report, with what is in `work`; JUnit and JSON into
-/// their files; and, where the environment has them, annotations and a summary for GitHub Actions:
-/// as many of them as can be written. Throws OutputError where one cannot.
+/// Prints the result; writes the folder of the report, with the contents of `work`; writes JUnit
+/// and JSON files; and, if the environment asks for them, annotations and a summary for GitHub
+/// Actions. If one output fails, the others are still written. Throws OutputError if one fails.
 void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const std::filesystem::path& work);
 
-/// A line per case that is not the same, with what differs, and one with how many cases came to
-/// what.
+/// A line per case that is not the same, with the differences, and a line with the number of cases
+/// per verdict.
 std::string results_text(const golden::SuiteResult& result);
 
 }  // namespace scb::app

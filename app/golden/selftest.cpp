@@ -16,8 +16,8 @@
 namespace scb::app {
 namespace {
 
-/// In which comparisons of a suite a mutation must show, by the kind of case in which it does; null
-/// where it need not show.
+/// The comparisons that a mutation must fail: the kind of case that reveals it; null if the
+/// comparison need not fail.
 struct Expected {
     const char* name;
     golden::RunMutation mutation;
@@ -41,19 +41,19 @@ const Expected expectations[] = {
     {"shift-color", {{"--shift-color"}, true}, nullptr, nullptr, "`levels`"},
 };
 
-/// What the cases that run compare: no more can be asked of them.
+/// The comparisons that the cases make. Others cannot be expected to fail.
 struct Compared {
     bool counts = false, ids = false, colors = false;
 };
 
-/// The cases in which a mutation showed.
+/// The cases that revealed a mutation.
 struct Caught {
     std::vector<std::string> counts, ids, colors, could_not_run;
     std::size_t cases = 0;
 
     void add(const golden::CaseResult& result) {
         if (!golden::is_failure(result.verdict)) return;
-        // What crashed has compared nothing.
+        // A crashed case has compared nothing.
         if (result.verdict == golden::Verdict::could_not_run)
             return could_not_run.push_back(result.name);
         ++cases;
@@ -72,7 +72,7 @@ std::string some_of(const std::vector<std::string>& names) {
     return text + (names.size() > most ? ", ..." : "");
 }
 
-/// What a mutation came to.
+/// The verdict on a mutation.
 struct Judgement {
     std::string text;
     bool caught = true;
@@ -102,8 +102,8 @@ Judgement judgement(const Expected& expected, const Compared& compared, const Ca
     return judged;
 }
 
-/// What the cases compare, those left out that were skipped. Throws InputError where one differs:
-/// then nothing would be proven.
+/// The comparisons of the cases, without skipped cases. Throws InputError if a case differs
+/// already: then mutations would prove nothing.
 Compared compared_by(const std::vector<golden::GoldenCase>& cases,
                      const std::vector<golden::CaseResult>& results) {
     Compared compared;

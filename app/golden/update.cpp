@@ -22,7 +22,7 @@ struct UpdateOptions : GoldenOptions {
     bool failing = false, missing = false, all = false;
 
     void check() const;
-    /// Whether the baseline of a case that came to that is replaced.
+    /// Whether a baseline is replaced after this verdict.
     bool takes(golden::Verdict verdict) const;
 };
 
@@ -45,13 +45,13 @@ bool UpdateOptions::takes(golden::Verdict verdict) const {
     return true;
 }
 
-/// What an update did, as far as it came.
+/// The result of an update, perhaps interrupted.
 struct Updated {
     std::string text;  ///< a line per file, or per case that could not be updated
     std::size_t cases = 0, failed = 0;
 };
 
-/// Updates the baseline of a case that came to `result`, where that is asked for.
+/// Updates the baseline of a case with this result, if asked for.
 void update_case(const UpdateOptions& options, const golden::GoldenCheck& check,
                  const golden::GoldenCase& golden, const golden::CaseResult& result,
                  Updated& updated) {
@@ -63,7 +63,7 @@ void update_case(const UpdateOptions& options, const golden::GoldenCheck& check,
         return fail("could not run. " + result.message);
     if (result.verdict == golden::Verdict::skipped && !options.names.empty())
         fail("skipped. " + result.message);
-    // A baseline that cannot be read is replaced where it is asked for.
+    // Also replace a baseline that cannot be read.
     const bool broken = result.verdict == golden::Verdict::could_not_run && !options.missing;
     if (!broken && !options.takes(result.verdict)) return;
     const std::string trouble =
