@@ -18,7 +18,7 @@ struct MergeOptions {
     VideoOptions video;
 };
 
-/// The files of shards that a name stands for: itself, or those in a folder of results.
+/// The shards' files for a name: the file itself, or the files in a folder of results.
 std::vector<fs::path> files_of(const fs::path& name) {
     std::error_code ignored;
     if (!fs::is_directory(name, ignored)) return {name};
@@ -34,7 +34,7 @@ std::vector<fs::path> files_of(const fs::path& name) {
     return files;
 }
 
-/// What the program is called with to join them.
+/// The words to run the program with to join the shards.
 std::vector<std::string> merging_words(const MergeOptions& options, const Command& program,
                                        const Console& console) {
     std::vector<fs::path> files;
@@ -52,7 +52,7 @@ std::vector<std::string> merging_words(const MergeOptions& options, const Comman
             throw InputError("-o " + options.output +
                              ": this folder keeps the shards; name the one above it, or another.");
     }
-    // Its shards have what configuration files say.
+    // The shards' words include the settings of configuration files.
     std::vector<std::string> words = {"--no-config"};
     if (console.quiet) words.emplace_back("--quiet");
     words.insert(words.end(), of_shards.begin(), of_shards.end());

@@ -17,14 +17,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// That of a million pictures.
+// The size of the file for a million pictures.
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 
 std::string text_of(const scenes::Shard& shard) {
     return std::to_string(shard.k) + "/" + std::to_string(shard.n);
 }
 
-/// Nobody else's words are run.
+/// Words of other commands are never run.
 bool can_be_shared(const std::string& command) {
     return command == "render" || command == "inspect" || command == "bench";
 }
@@ -60,7 +60,7 @@ ShardFile shard_of(const Json& json) {
 
 std::string shard_command(const std::vector<std::string>& words, const std::string& shard) {
     std::string text = "scb";
-    // Of a file that may be a stranger's.
+    // The file may be a stranger's.
     constexpr std::size_t longest_word = 400;
     for (const std::string& word : words)
         text +=
@@ -71,13 +71,13 @@ std::string shard_command(const std::vector<std::string>& words, const std::stri
 
 namespace {
 
-/// Each machine may have its meshes somewhere else.
+/// Without --models: each machine may have its meshes in another folder.
 std::vector<std::string> with_models_anywhere(std::vector<std::string> words) {
     std::erase_if(words, [](const std::string& word) { return word.starts_with("--models="); });
     return words;
 }
 
-/// Refuses what is not of the run of the first one.
+/// Throws if the shard is not of the same run as the first one.
 void check_same_run(const ShardFile& first, const fs::path& first_path, const ShardFile& other,
                     const fs::path& path) {
     const std::string both = first_path.string() + " and " + path.string() + " are ";

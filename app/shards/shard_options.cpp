@@ -20,8 +20,7 @@ void ShardOptions::check_folder(const std::string& folder) const {
 }
 
 std::vector<std::string> ShardOptions::words() const {
-    // Where results go, and who is shown them, differs from machine to machine, and is said to `scb
-    // merge` itself.
+    // Output options differ from machine to machine, and are given to `scb merge` itself.
     return given_words(*command, {"--shard", "--merged", "--output", "--jobs", "--open",
                                   "--terminal", "--video", "--fps"});
 }

@@ -9,26 +9,27 @@
 
 namespace scb::app {
 
-/// What a command understands whose parts, such as its frames, several machines can share.
+/// Options of commands whose parts, such as frames, several machines can share.
 struct ShardOptions {
     std::string shard;                ///< "K/N"; empty: all parts are made here
-    std::vector<std::string> merged;  ///< the files of all shards, where their parts are joined
+    std::vector<std::string> merged;  ///< the files of all shards, if they are joined here
     std::optional<Command> command{};
 
     bool is_shard() const { return !shard.empty(); }
     bool is_merge() const { return !merged.empty(); }
-    /// Throws InputError for what is no shard.
+    /// Throws InputError if `shard` is invalid.
     std::optional<scenes::Shard> asked() const;
-    /// A shard needs a folder. Throws InputError where there is none.
+    /// Throws InputError if there is a shard but no folder.
     void check_folder(const std::string& folder) const;
-    /// The words of the command line that all shards of a run have in common.
+    /// The words of the command line that are the same in all shards of a run.
     std::vector<std::string> words() const;
 };
 
-/// --shard, and what `scb merge` gives. `parts`: what the shards share, such as "frames".
+/// --shard, and the hidden option that `scb merge` sets. `parts`: what the shards share, such as
+/// "frames".
 void add_shard_options(const Command& command, ShardOptions& options, const std::string& parts);
 
-/// Throws InputError where the option is given with --shard.
+/// Throws InputError if the option is given with --shard.
 void refuse_with_shard(const ShardOptions& options, bool given, const std::string& option,
                        const std::string& reason);
 

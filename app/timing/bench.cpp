@@ -33,10 +33,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A scene that is to be measured.
+/// A scene to measure.
 struct Entry {
     scenes::Scene scene;
-    std::string stem;  ///< that its picture's name begins with
+    std::string stem;  ///< the beginning of its picture's name
     std::size_t a = 0, b = 0;
     std::vector<int> frames;
     bool builtin = false;
@@ -65,7 +65,7 @@ bool is_mesh_file(const std::string& name) {
            !name.ends_with(".json");
 }
 
-// Those named, two meshes as one; or Table 3's.
+// The named scenes, or two meshes as one scene; by default Table 3's.
 std::vector<Entry> entries(const BenchCommandOptions& options, const Console& console) {
     SceneOptions one = options.scene;
     if (one.names.size() == 2 && is_mesh_file(one.names[0]) && is_mesh_file(one.names[1]))
@@ -133,13 +133,14 @@ struct Report {
     }
 };
 
-/// Behind the name of the scene in a title: where B is, which tells poses of one rotation apart.
+/// For titles, after the scene's name: the position of B, which distinguishes poses with the same
+/// rotation.
 std::string place_words(const std::vector<double>& pose) {
     if (pose.empty()) return "";
     return format(" · B at %.4g, %.4g, %.4g", pose[3], pose[7], pose[11]);
 }
 
-/// Files of a run. Runs with another pose, or with other bodies, have other file names.
+/// Files of a run. Their names have the pose and the bodies, if given.
 struct BenchFiles {
     std::filesystem::path folder;
     NamedOptions named;
@@ -190,14 +191,15 @@ void write_files(const Report& report, const Entry& entry, const SceneBench& ben
     render::write_file_whole(files.of_all("bench", ".json"), report.json());
 }
 
-/// The parts of a run are frames of scenes: the number of the scene's first one.
+/// A run's parts are the frames of its scenes, in order. Returns the number of the scene's first
+/// part.
 std::size_t first_part(const std::vector<Entry>& all, std::size_t scene) {
     std::size_t first = 0;
     for (std::size_t e = 0; e < scene; ++e) first += all[e].frames.size();
     return first;
 }
 
-/// What tells the scenes, with their poses, from others.
+/// Identifies the scenes with their poses.
 Json subject_of(const std::vector<Entry>& all) {
     Json subject;
     for (const Entry& entry : all) {
@@ -220,7 +222,7 @@ BenchOptions measurement(const BenchCommandOptions& options) {
     check_threads(options.threads);
     result.build.threads = options.threads;
     result.measures = options.measures;
-    // Other queries have one thread each.
+    // Only packed queries can share threads.
     if (any_packed(result.subjects)) result.packed.threads = options.threads;
     result.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
@@ -279,9 +281,9 @@ void present(const BenchCommandOptions& options, const BenchFiles& files,
 int run(const BenchCommandOptions& options, const Console& console) {
     const BenchOptions bench_options = measurement(options);
     options.picture.check();
-    // Nothing is measured if one of them is refused.
+    // If a scene is refused, nothing is measured.
     const std::vector<Entry> all = entries(options, console);
-    // Two names are two bodies only where they are meshes.
+    // Two names can be two scenes; if they are meshes, they are the bodies of one scene.
     if (all.size() == 1) note_same_pose(options.scene, console);
     note_surprises(options, bench_options.subjects, console);
     if (any_packed(bench_options.subjects)) check_meshes(all);
@@ -293,7 +295,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         [&] { return subject_of(all); }, options.picture.output);
     const BenchFiles files(options);
     std::optional<render::Context> context;
-    std::optional<render::Renderer> renderer;  // where files are written
+    std::optional<render::Renderer> renderer;  // if files are written
     if (!options.picture.output.empty() && !parts.are_of_shard()) {
         files.refuse_inputs(all, options.measures);
         options.picture.output_folder();
@@ -323,7 +325,7 @@ int run(const BenchCommandOptions& options, const Console& console) {
         if (renderer) write_files(report, entry, *bench, files, *renderer);
         return true;
     };
-    // What was measured is printed also where the rest fails.
+    // Print the finished measurements even if the others fail.
     std::exception_ptr failure;
     try {
         for (std::size_t e = 0; e < all.size() && measure(e); ++e) {

@@ -19,7 +19,7 @@ SimdLevel simd_level(const BenchCommandOptions& options) {
 
 namespace {
 
-/// Those of one split.
+/// The subjects with one split.
 std::vector<BenchSubject> subjects_of(const BenchCommandOptions& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
@@ -106,7 +106,7 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
 }
 
 std::string simd_text(SimdLevel level) {
-    // The last one is the best.
+    // The last level is the best.
     if (level == SimdLevel::best) level = available_simd_levels().back();
     return std::string(simd_level_name(level));
 }
@@ -115,7 +115,7 @@ std::string conditions(const BenchCommandOptions& options, const BenchOptions& b
     const bool shared = bench.packed.threads > 1;
     BuildOptions build = options.hierarchy.build();
     const std::vector<SplitMethod> splits = splits_of(options.splits);
-    // Where there are several, names say it.
+    // With several splits, the subjects' names have the split.
     if (splits.size() == 1) build.split = splits[0];
     const std::string built = build_sentence(build);
     std::string pose;

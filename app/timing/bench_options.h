@@ -10,7 +10,7 @@
 
 namespace scb::app {
 
-/// What `scb bench` understands.
+/// Options of `scb bench`.
 struct BenchCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
@@ -23,20 +23,20 @@ struct BenchCommandOptions {
     bool warm = false, coherent = false, measures = false, json = false;
 };
 
-/// The hierarchies and tests asked for. Throws InputError where options do not go together.
+/// The hierarchies and tests to measure. Throws InputError if options exclude each other.
 std::vector<BenchSubject> subjects(const BenchCommandOptions& options);
 bool any_packed(const std::vector<BenchSubject>& subjects);
 
-/// The vector instructions of packed layouts: as an option, and by the name of what it stands for
-/// here.
+/// The vector instructions of packed layouts: as an option, and by the name of the level that the
+/// option stands for on this machine.
 SimdLevel simd_level(const BenchCommandOptions& options);
 std::string simd_text(SimdLevel level);
 
-/// Notes which options have no effect on what is measured, and what else may surprise.
+/// Notes options without effect on the measurement, and other surprising options.
 void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
                     const Console& console);
 
-/// How the times came about, in sentences.
+/// Sentences on how the times were measured.
 std::string conditions(const BenchCommandOptions& options, const BenchOptions& bench);
 
 void add_bench_options(const Command& command, BenchCommandOptions& options);

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first subject with slab cut balls: what speed-ups are of.
+/// The first subject with slab cut balls: the reference for speed-ups.
 const SubjectBench* first_scb(const SceneBench& bench) {
     for (const SubjectBench& subject : bench.subjects)
         if (subject.subject.kind == VolumeKind::scb) return &subject;
@@ -26,14 +26,13 @@ std::vector<double> doubles(const std::vector<std::uint64_t>& values) {
     return {values.begin(), values.end()};
 }
 
-/// What Table 3 has for it; nothing for other scenes of that name, and where not all frames were
-/// run.
+/// The entry of Table 3; none for other scenes, or if frames are missing.
 std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
     if (!bench.builtin || !bench.all_frames) return std::nullopt;
     return table_3(bench.scene, kind);
 }
 
-// Of Table 3: figures, and how many times as long as the paper's SCBTree.
+// Table 3's figures, and the time as a multiple of the time of the paper's SCBTree.
 std::string paper_cells(const SceneBench& bench, VolumeKind kind) {
     const std::optional<Table3Entry> entry = paper_entry(bench, kind);
     if (!entry) return "";
@@ -54,7 +53,7 @@ std::string front_cell(const SubjectBench& subject) {
     return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
 }
 
-/// Whether all found the same pairs: "  All found the same pairs.", or which did not.
+/// "  All found the same pairs.", or which subjects did not.
 std::string pairs_text(const SceneBench& bench) {
     if (bench.subjects.size() < 2) return "";
     const SubjectBench& first = bench.subjects.front();
@@ -257,7 +256,7 @@ void add_bench_frame(SceneBench& bench, const Json& json) {
         subject.n_u.push_back(count("n_u"));
         subject.pairs.push_back(count("pairs"));
         subject.pairs_hashes.push_back(count("pairs_hash"));
-        // The same in each frame.
+        // These values are the same in each frame.
         from.at("bytes_per_triangle").get_to(subject.bytes_per_triangle);
         from.at("predictors").get_to(subject.predictors);
     }
@@ -300,7 +299,7 @@ render::BenchFigure bench_figure(const SceneBench& bench) {
         series.pairs = doubles(subject.pairs);
         figure.series.push_back(std::move(series));
     }
-    // Where the two spheres' surfaces pass each other (Section 5).
+    // The surfaces of the two spheres pass each other here (Section 5).
     if (bench.builtin && bench.scene.starts_with("spheres-"))
         figure.ranges.push_back({244, 256, "parallel close proximity"});
     return figure;

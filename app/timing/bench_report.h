@@ -10,8 +10,8 @@
 
 namespace scb::app {
 
-/// One row per hierarchy: mean time, N_v, N_p and pairs per frame, how many times as long it took
-/// as the first slab cut ball hierarchy, and Table 3's figures beside them.
+/// One row per hierarchy: mean time, N_v, N_p and pairs per frame; its time as a multiple of the
+/// time of the first slab cut ball hierarchy; and Table 3's figures.
 std::string bench_table(const SceneBench& bench);
 
 /// Equation 1 of the paper, fitted for each hierarchy over the queries of several scenes.
@@ -28,10 +28,10 @@ struct BenchCosts {
 /// The same as JSON, without the frames.
 nlohmann::ordered_json bench_json(const SceneBench& bench);
 
-/// What was measured in the i-th frame, for the file of a shard.
+/// The measurements of the i-th frame, for the file of a shard.
 nlohmann::ordered_json bench_frame_json(const SceneBench& bench, std::size_t i);
-/// Adds what stands there to the frames of the bench, which has its subjects. Throws what the JSON
-/// library throws for JSON of another bench.
+/// Adds the measurements of a frame to the bench, which has its subjects. Throws the JSON library's
+/// exceptions for JSON of another bench.
 void add_bench_frame(SceneBench& bench, const nlohmann::ordered_json& json);
 
 /// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split"; without the header.

@@ -22,7 +22,7 @@ std::string BenchSubject::title() const {
 
 namespace {
 
-/// The hierarchies of all meshes of a scene, of one volume and split.
+/// The hierarchies of all meshes of a scene, with one volume and split.
 struct BuiltHierarchies {
     VolumeKind kind;
     SplitMethod split;
@@ -30,7 +30,7 @@ struct BuiltHierarchies {
     std::vector<AnyHierarchy> hierarchies;
 };
 
-/// The place of the subject's in `built`, where they are added if they are not there.
+/// The index of the subject's hierarchies in `built`; adds them if they are missing.
 std::size_t built_for(const BenchSubject& subject, const scenes::Scene& scene, BuildOptions build,
                       std::vector<BuiltHierarchies>& built) {
     std::shared_ptr<const std::vector<MeshTopology>> topologies;
@@ -48,7 +48,7 @@ std::size_t built_for(const BenchSubject& subject, const scenes::Scene& scene, B
     return built.size() - 1;
 }
 
-/// Per hierarchies and CostPredictor the mean of the two meshes.
+/// Per set of hierarchies and CostPredictor: the mean of both meshes.
 std::vector<std::vector<double>> predictors_of(const std::vector<BuiltHierarchies>& built,
                                                const scenes::Scene& scene,
                                                const std::set<std::size_t>& meshes, int threads) {
@@ -99,7 +99,7 @@ class BenchQueries {
                                                   options.build.threads));
     }
 
-    /// The i-th frame. Throws InputError for more than max_pairs.
+    /// The query of the i-th frame. Throws InputError if it finds more than max_pairs.
     Collision query(std::size_t s, std::size_t i) {
         Collision found = packed_[s].empty() ? reference_query(s, i) : packed_query(s, i);
         if (!found.complete || found.pairs.size() > options_.max_pairs)
@@ -109,7 +109,7 @@ class BenchQueries {
         return found;
     }
 
-    /// Of the hierarchies of both bodies.
+    /// Bytes of the hierarchies of both bodies.
     std::size_t bytes(std::size_t s) const {
         std::size_t sum = 0;
         for (const AnyPacked& packed : packed_[s]) sum += bytes_of(packed);
@@ -202,7 +202,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     timing.order = options.order;
     timing.wall = options.packed.threads > 1;
     timing.query = [&](std::size_t s, std::size_t i) { return queries.query(s, i); };
-    // Each time through the frames as if it were the first.
+    // Each pass through the frames starts without a front.
     timing.before = [&](std::size_t s, std::size_t i) {
         if (i == 0) queries.clear_front(s);
     };

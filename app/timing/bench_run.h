@@ -12,30 +12,31 @@
 
 namespace scb::app {
 
-/// One hierarchy with one overlap test, or one that is packed, which has a test of its own.
+/// One hierarchy with one overlap test, or a packed one, which has its own test.
 struct BenchSubject {
     VolumeKind kind = VolumeKind::scb;
     OverlapTest test = OverlapTest::corrected;
     std::optional<PackedLayout> layout{};
-    bool coherent = false;  ///< with a PackedFront from frame to frame; of packed ones
+    bool coherent = false;  ///< with a PackedFront from frame to frame; packed only
     SplitMethod split = SplitMethod::section_3;
-    bool names_split = false;  ///< where others have another
+    bool names_split = false;  ///< if other subjects have other splits
 
     /// "SCB corrected", "SCB float8", "SCB float8 front", "ball", "ball (Ritter)", "OBB, cost".
     std::string title() const;
 };
 
-/// What one subject did in each frame of a scene, in the order of SceneBench::frames.
+/// The measurements of one subject in each frame of a scene, in the order of SceneBench::frames.
 struct SubjectBench {
     BenchSubject subject{};
     std::vector<double> ms{};  ///< processor time of a query: the median of the repeats
     std::vector<std::uint64_t> n_v{}, n_p{}, n_u{}, pairs{};
     std::vector<std::uint64_t> pairs_hashes{};
     double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
-    /// Where it is coherent, the share of queries that began at a front of an earlier one: others
-    /// began at the roots, and some of these made a front.
+    /// For a coherent subject: the share of queries that began at the front of an earlier query.
+    /// The others began at the roots; some of these made a front.
     double from_front = 0;
-    /// Per CostPredictor the mean of A and B; of reference hierarchies, and only where asked for.
+    /// Per CostPredictor, the mean of A and B; only for reference hierarchies, and only if asked
+    /// for.
     std::vector<double> predictors{};
 
     double mean_ms() const;
@@ -47,15 +48,15 @@ struct SceneBench {
     std::vector<std::string> bodies;     ///< names of A and B
     std::vector<std::size_t> triangles;  ///< of A and B
     std::vector<int> frames;
-    bool all_frames = false;  ///< whether these are all of the scene
-    bool builtin = false;     ///< whether it is a built-in scene, and so may be one of Table 3's
+    bool all_frames = false;  ///< whether `frames` are all frames of the scene
+    bool builtin = false;     ///< a built-in scene, perhaps one of Table 3's
     std::vector<SubjectBench> subjects;
 };
 
 struct BenchOptions {
     std::vector<BenchSubject> subjects;
     CollideOptions collide;
-    BuildOptions build;     ///< but for the split, which is the subject's
+    BuildOptions build;     ///< without the split, which each subject has
     bool measures = false;  ///< whether hierarchies are also measured, see HierarchyMeasures
     PackedOptions packed;
     std::size_t max_pairs = 100'000'000;  ///< of a query
@@ -63,13 +64,13 @@ struct BenchOptions {
     BenchOrder order = BenchOrder::cold;
 };
 
-/// What is known of a bench before anything is measured: no frames yet.
+/// A bench before the measurement: no frames yet.
 SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
                        const std::vector<BenchSubject>& subjects);
 
 /// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
 /// `step` is called after each query and ends the measurement by returning false; then there is no
-/// result. Throws InputError where a layout cannot hold a mesh, or a query finds more than
+/// result. Throws InputError if a layout cannot hold a mesh, or if a query finds more than
 /// max_pairs.
 std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                       const std::vector<int>& frames, const BenchOptions& options,

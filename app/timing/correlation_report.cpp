@@ -135,13 +135,13 @@ render::CorrelationFigure BenchCorrelation::figure() const {
         }
         figure.plots.push_back(std::move(plot));
     }
-    // By N_v, in both plots.
+    // Both plots are in the order of the first one, by N_v.
     std::vector<std::size_t> order(figure.plots[0].rows.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         const auto rank = [&](std::size_t row) {
             const double mean = figure.plots[0].rows[row].mean;
-            return std::isnan(mean) ? -HUGE_VAL : mean;  // a measure that is the same everywhere
+            return std::isnan(mean) ? -HUGE_VAL : mean;  // a measure with one value everywhere
         };
         return rank(i) > rank(j);
     });

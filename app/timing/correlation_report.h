@@ -10,8 +10,8 @@
 
 namespace scb::app {
 
-/// How measures of hierarchies go together with what queries of them took, over the scenes of a
-/// run: those of reference hierarchies, of which the first of each volume and split counts.
+/// The correlation between measures of hierarchies and the costs of their queries, over the scenes
+/// of a run. Only reference hierarchies count, and of these the first of each volume and split.
 struct BenchCorrelation {
     std::vector<std::string> names;  ///< of scenes
     std::vector<MeasuredScene> scenes;

@@ -9,8 +9,8 @@
 namespace scb::app {
 namespace {
 
-/// Processor time of this thread, as other programs' turns on a shared machine do not count; or the
-/// time of day, as it does not count the work of other threads.
+/// Processor time of this thread, which excludes other programs on a shared machine. With `wall`
+/// the time of day, which includes the work of other threads.
 double milliseconds(bool wall) {
     timespec now{};
     clock_gettime(wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);

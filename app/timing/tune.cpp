@@ -36,10 +36,10 @@ struct TuneCommandOptions {
     PictureOptions picture{.output = ""};
     int repeats = 5;
     bool every = false, no_time = false, json = false;
-    std::string of_scene;  ///< what was given of the scene, as given_text has it
+    std::string of_scene;  ///< the given options of the scene, see given_text
 };
 
-/// Some fifty frames from the whole scene.
+/// By default about fifty frames, spread over the whole scene.
 std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& scene) {
     if (text != scenes::auto_frames) return frames_of(scene, text);
     const std::vector<int> all = frames_of(scene, "all");
@@ -58,7 +58,8 @@ TuneOptions tune_options(const TuneCommandOptions& options) {
     result.base.volume = options.hierarchy.kind();
     result.base.split = build.split;
     result.base.descent = collide.descent;
-    // What means nothing to these volumes is as by default, for those to which it does.
+    // Options without effect on these volumes keep their defaults, since other volumes may use
+    // them.
     if (result.base.volume == VolumeKind::scb) result.base.overlap = collide.overlap;
     if (has_growth(result.base.volume)) result.base.growth = build.fit.growth;
     result.build = build;
@@ -88,7 +89,8 @@ std::string command_to_use(const TuneCommandOptions& options, const SceneTuning&
            setting_options(tuning.rows[tuning.recommended()].setting);
 }
 
-/// Where a packed layout is measurably quicker; queries with it are the library's and bench's.
+/// The command for a packed layout, if one is measurably quicker. Only the library and `scb bench`
+/// make queries with layouts.
 std::string layout_command(const TuneCommandOptions& options, const SceneTuning& tuning) {
     if (!tuning.quicker_layout) return "";
     return "scb bench" + options.of_scene +
@@ -109,7 +111,7 @@ std::string json_text(const TuneCommandOptions& options, const SceneTuning& tuni
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// What of a run is in the names of its files.
+/// The options of a run that are in its file names.
 NamedOptions named_run(const TuneCommandOptions& options, const scenes::Scene& scene) {
     const TuneCommandOptions usual;
     NamedOptions named;
@@ -138,7 +140,7 @@ std::string picture_file(const TuneCommandOptions& options, const scenes::Scene&
     return picture_name(options.scene.file_stem(scene.name), "tune", named, "") + ".png";
 }
 
-/// The tables are the same with any picture.
+/// Without the options of the picture, which do not affect tables.
 std::string table_file(const TuneCommandOptions& options, const scenes::Scene& scene,
                        const char* ending) {
     return picture_name(options.scene.file_stem(scene.name), "tune", named_run(options, scene),
@@ -173,7 +175,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
                          ": `scb tune` times queries of two bodies, on packed layouts too; give "
                          "two, or see the settings that `scb inspect` lists.");
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
-    // Of slab cut balls the threshold counts whatever the base's test is.
+    // For slab cut balls the threshold matters even if the base's test has none, since other tests
+    // are tried.
     QueryOptions doubtful = options.query;
     if (asked.base.volume == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
     note_doubts(options.scene, doubtful, {asked.base.volume}, console);

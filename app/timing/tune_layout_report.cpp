@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "scb2, split cost": what makes the hierarchies others. Test and descent do not matter.
+/// "scb2, split cost": the settings that affect hierarchies. Test and descent do not.
 std::string packed_text(const TuneSetting& s) {
     return std::string(volume_kind_name(s.volume)) + ", split " +
            std::string(split_method_name(s.split)) +
@@ -50,7 +50,7 @@ std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) 
     TuneSetting setting;
     setting.split = tuning.rows[layout.row].setting.split;
     setting.growth = tuning.rows[layout.row].setting.growth;
-    // Of the volumes `scb bench` has other defaults.
+    // `scb bench` has other default volumes.
     std::string text = " --volume " +
                        std::string(volume_kind_name(tuning.rows[layout.row].setting.volume)) +
                        setting_options(setting) + " --layout " + packed_layout_name(layout.layout);

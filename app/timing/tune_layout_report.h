@@ -7,17 +7,17 @@
 
 namespace scb::app {
 
-/// "scb2, split cost, quantized8": what is packed, and how.
+/// "scb2, split cost, quantized8": the hierarchies and their layout.
 std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout);
 
-/// The options of `scb bench` that ask for it: " --volume scb2 --split cost --layout quantized8".
+/// The options of `scb bench` for the layout: " --volume scb2 --split cost --layout quantized8".
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 
-/// What layouts are worth, as a sentence; empty where none were timed.
+/// A sentence on the gain of layouts; empty if none were timed.
 std::string layout_sentence(const SceneTuning& tuning);
 
-/// At most so many layouts of each setting that was packed, the quickest first, or where nothing is
-/// timed all, as they are; empty where there are none.
+/// At most `most` layouts of each packed setting, the quickest first; without times all, in their
+/// order. Empty if there are none.
 std::string layout_rows_text(const SceneTuning& tuning, std::size_t most);
 
 nlohmann::ordered_json layouts_json(const SceneTuning& tuning);

@@ -6,8 +6,8 @@
 
 namespace scb::app {
 
-/// Shows each part of the run as a bar, and ends the run where it is interrupted. Both must outlive
-/// the result.
+/// Shows each part of the run as a bar, and ends the run if it is interrupted. Both arguments must
+/// outlive the result.
 TuneProgress tune_progress(const Console& console, const InterruptWatch& watch);
 
 }  // namespace scb::app

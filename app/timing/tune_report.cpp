@@ -22,7 +22,7 @@ constexpr std::size_t most_table_rows = 15, most_bars = 9;
 
 bool has_tests(const TuneSetting& setting) { return setting.volume == VolumeKind::scb; }
 
-/// The columns that say what a setting is.
+/// The columns of a setting's options.
 std::string setting_columns(const TuneSetting& s) {
     return format("  %-10s  %-5s  %-16s  %-11s  %-6s",
                   std::string(volume_kind_name(s.volume)).c_str(),
@@ -32,7 +32,7 @@ std::string setting_columns(const TuneSetting& s) {
                   has_growth(s.volume) ? std::string(ball_growth_name(s.growth)).c_str() : "");
 }
 
-/// The place where a mark says which row is the base, and which one is recommended.
+/// Marks the base and the recommended row.
 std::string mark(const SceneTuning& tuning, std::size_t r) {
     return std::string(r == 0 ? "  base" : "") + (r == tuning.recommended() ? "  best" : "");
 }
@@ -69,7 +69,7 @@ std::string cost_text(const SceneTuning& tuning, std::size_t r, const std::strin
            ")";
 }
 
-/// Which differences between the times of the best and of others are none.
+/// How many timed settings are not measurably slower than the best.
 std::string alike_text(const SceneTuning& tuning) {
     if (tuning.runs == 1)
         return "; one run, which cannot tell small differences from none: --repeat 5 can";
@@ -100,7 +100,7 @@ std::string best_text(const SceneTuning& tuning, const std::string& base) {
     return text + alike_text(tuning) + ".";
 }
 
-/// "scb2, split cost, descent area": the volume, and what is not as by default.
+/// "scb2, split cost, descent area": the volume, and options that differ from the default.
 std::string bar_name(const TuneSetting& s) {
     const TuneSetting usual;
     std::string name(volume_kind_name(s.volume));
@@ -189,7 +189,7 @@ std::string tune_rows_text(const SceneTuning& tuning, std::size_t most, const st
         text += tuning.runs == 1 ? "  build ms  ms, one run" : "  build ms      ms [least, most]";
     text += "\n" + table_row(tuning, 0);
     const std::vector<std::size_t> listed = tuning.listed(most);
-    // Also what the sentences below speak of, and what was timed.
+    // Also list the rows that were timed or that the sentences below name.
     for (const std::size_t r : tuning.best)
         if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
                        tuning.rows[r].ms || r == tuning.fewest_tests))
@@ -304,7 +304,7 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
     figure.runs = tuning.runs;
     const auto add = [&](std::size_t r) {
         const TuneRow& row = tuning.rows[r];
-        // Both halves have the same rows.
+        // Both halves of the figure show the same rows.
         if (tuning.timed() && !row.ms) return;
         render::TuneBar bar;
         bar.name = (r == 0 ? "base: " : "") + bar_name(row.setting);

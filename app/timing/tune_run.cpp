@@ -14,12 +14,12 @@
 namespace scb::app {
 namespace {
 
-/// Volume tests and triangle tests of all timed queries: some ten seconds.
+/// Limit of volume and triangle tests of all timed queries: about ten seconds.
 constexpr double most_timed_tests = 1e8;
-/// So many tests of packed layouts take as long as one of others.
+/// This many tests of packed layouts take as long as one other test.
 constexpr std::uint64_t packed_tests_per_test = 4;
 
-/// All layouts with large leaves, and the one that is mostly the quickest with smaller ones too.
+/// All layouts with large leaves; the usually quickest one also with smaller leaves.
 std::vector<PackedLayout> tried_layouts() {
     std::vector<PackedLayout> tried;
     for (const PackedLayout& layout : all_packed_layouts()) {
@@ -54,7 +54,7 @@ class Run {
         return result;
     }
 
-    /// Adds rows of the settings that have none.
+    /// Adds rows for settings that have none.
     bool count(const std::vector<TuneSetting>& settings) {
         const std::size_t old = rows.size();
         for (const TuneSetting& setting : settings)
@@ -64,7 +64,7 @@ class Run {
         pairs_.resize(rows.size(), std::vector<std::uint64_t>(subject_.frames()));
         progress_.begin("settings counted", rows.size() - old);
         std::vector<bool> done(rows.size());
-        // Hierarchies are built once, and never those of all settings at a time.
+        // Each hierarchy is built once, and only one set of them exists at a time.
         for (std::size_t first = old; first < rows.size(); ++first) {
             if (done[first]) continue;
             const BuiltSetting built = subject_.build(rows[first].setting);
@@ -79,7 +79,7 @@ class Run {
         return true;
     }
 
-    /// Adds the layouts of the rows' hierarchies. Throws InputError where they cannot be packed.
+    /// Adds the layouts of the rows' hierarchies. Throws InputError if they cannot be packed.
     bool count_layouts(const std::vector<std::size_t>& packed) {
         const std::vector<PackedLayout> tried = tried_layouts();
         progress_.begin("layouts counted", packed.size() * tried.size());
@@ -105,7 +105,7 @@ class Run {
         return true;
     }
 
-    /// Times the rows, and all layouts, in some of the frames, in turns.
+    /// Times the rows and all layouts in these frames, in turns.
     bool time(const std::vector<std::size_t>& timed, const std::vector<std::size_t>& frames,
               int repeats) {
         std::vector<BuiltSetting> built;
@@ -176,8 +176,8 @@ class Run {
     std::vector<std::uint64_t> most_;                // pairs per frame
 };
 
-/// The rows that may be recommended, the best first: no row that misses pairs, and of equal ones
-/// the first.
+/// The rows that may be recommended, the best first. Leaves out rows that miss pairs, and all but
+/// the first of equal rows.
 std::vector<std::size_t> best_rows(const std::vector<TuneRow>& all,
                                    const std::vector<Work>& counts) {
     std::vector<std::size_t> best;
@@ -188,9 +188,9 @@ std::vector<std::size_t> best_rows(const std::vector<TuneRow>& all,
     return best;
 }
 
-/// The row that no other is measurably quicker than: of those whose intervals meet that of the
-/// least median the base, or else the one with the least cost. One run has no interval: the
-/// quickest of it.
+/// A row that no other is measurably quicker than. Candidates are the rows whose intervals overlap
+/// the interval of the least median. Chooses the base if it is one, else the one with the least
+/// cost. A single run has no intervals: the quickest.
 std::size_t least_time_of(const std::vector<TuneRow>& all, const std::vector<std::size_t>& best) {
     const TuneRow* least = nullptr;
     for (const std::size_t r : best)
@@ -203,8 +203,8 @@ std::size_t least_time_of(const std::vector<TuneRow>& all, const std::vector<std
     return *std::find_if(best.begin(), best.end(), is_least);
 }
 
-/// What is timed: the base, also with the other split, the rows with the least cost, the best of
-/// each volume, the one with the fewest volume tests.
+/// The rows to time: the base, also with the other split, the rows with the least cost, the best
+/// row of each volume, and the row with the fewest volume tests.
 std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     std::vector<std::size_t> timed = {0};
     const auto add = [&](std::size_t r) {
@@ -223,8 +223,8 @@ std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     return timed;
 }
 
-/// Of each volume that can be packed the row with the fewest volume tests: what these cost in a
-/// layout is another matter.
+/// For each volume that can be packed, the row with the fewest volume tests: their cost in a layout
+/// differs from the cost in the row.
 std::vector<std::size_t> packed_rows(const SceneTuning& tuning) {
     std::vector<std::size_t> fewest_first = tuning.best, packed;
     std::stable_sort(fewest_first.begin(), fewest_first.end(), [&](std::size_t x, std::size_t y) {
@@ -256,8 +256,8 @@ std::optional<std::size_t> quicker_layout_of(const SceneTuning& tuning) {
     return found ? std::optional(right[*found]) : std::nullopt;
 }
 
-/// The tests that timing the rows in all frames takes, and the layouts, each query after another of
-/// its nodes.
+/// The number of tests if the rows and layouts are timed in all frames. Each timed query follows an
+/// untimed one over its nodes.
 double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& timed, int repeats) {
     std::uint64_t tests = 0;
     for (const std::size_t r : timed)
@@ -267,8 +267,8 @@ double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& ti
     return 2.0 * repeats * static_cast<double>(tests);
 }
 
-/// Places of `frames` frames, evenly spread: all, or so few that they have about `most` of their
-/// `tests` tests.
+/// Indices of evenly spread frames: all, or so few that they need about `most` of all `tests`
+/// tests.
 std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, double most) {
     const auto step = static_cast<std::size_t>(
         std::ceil(std::clamp(tests / most, 1.0, static_cast<double>(frames))));

@@ -9,7 +9,7 @@
 namespace scb::app {
 namespace {
 
-/// Of all threads, as building has several.
+/// Processor time of all threads, since building has several.
 double process_milliseconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

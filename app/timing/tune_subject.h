@@ -15,14 +15,13 @@ struct BuiltSetting {
     double ms = 0;  ///< processor time of building them
 };
 
-/// Those of two bodies, packed.
+/// The hierarchies of two bodies, packed.
 struct BuiltLayout {
     AnyPacked a, b;
     double ms = 0;  ///< of building and packing
 };
 
-/// A scene, two of its bodies, or one twice for a self query, frames, and what queries of them
-/// need.
+/// A scene, two of its bodies (or one twice for a self query), frames, and data for the queries.
 class TuneSubject {
   public:
     TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
@@ -31,9 +30,9 @@ class TuneSubject {
     std::size_t frames() const { return poses_.size(); }
 
     BuiltSetting build(const TuneSetting& setting);
-    /// Whether there are queries on packed layouts: of two bodies.
+    /// Whether the queries can use packed layouts: only queries of two bodies.
     bool has_layouts() const { return joined_.empty(); }
-    /// Throws InputError where the layout cannot hold a mesh.
+    /// Throws InputError if the layout cannot hold a mesh.
     BuiltLayout pack(const BuiltSetting& built, const PackedLayout& layout) const;
 
     /// Of both bodies, topology included.
@@ -41,15 +40,15 @@ class TuneSubject {
     double bytes_per_triangle(const BuiltLayout& built) const;
 
     Collision query(const BuiltSetting& built, const TuneSetting& setting, std::size_t frame) const;
-    /// Its pairs and counts, but for N_u. One at a time.
+    /// Pairs and counts, without N_u. Not for several threads at a time.
     Collision query(const BuiltLayout& built, std::size_t frame);
 
-    /// What makes a timed query independent of the one before it. Settings are so much alike that
-    /// one is quicker right after another with the same hierarchies, which are in the caches then,
-    /// or the same overlap test, whose branches it repeats. So before each its nodes are brought
-    /// into the caches by a query with the slowest test, A and B exchanged.
+    /// Makes a timed query independent of the one before it. A setting would be quicker right after
+    /// one with the same hierarchies, which are then in the caches, or with the same overlap test,
+    /// whose branches it repeats. So this brings the nodes into the caches by a query with the
+    /// slowest test, and with A and B exchanged.
     void prepare(const BuiltSetting& built, std::size_t frame) const;
-    /// A layout has one test.
+    /// The same; a layout has only one test.
     void prepare(const BuiltLayout& built, std::size_t frame);
 
   private:

@@ -27,7 +27,7 @@ class Columns {
   public:
     Columns(const ViewSources& asked, const Console& console) : asked_(asked), console_(console) {}
 
-    /// Queries that open_sources knows how to compare, or that of a trace.
+    /// Queries compared by open_sources, or the query of a trace.
     void add_compared() {
         QueryOptions query = asked_.query;
         const bool traced =
@@ -54,14 +54,14 @@ class Columns {
         subject_.sources.push_back(std::move(sources));
     }
 
-    /// A scene, with each kind of volumes.
+    /// A scene with each kind of volumes.
     void add_scene(const SceneOptions& scene) {
         const bool recorded = scene.is_recording() && asks_for_recorded(asked_.compare.given);
         if (asked_.queries == "none" || !(recorded ? add_recorded(scene) : add_queries(scene)))
             add_levels(scene);
     }
 
-    /// The same frame as of the first one, where it has that.
+    /// Adds the scene at the frame of the first column, if the scene has it.
     void add_scene_at_frame(SceneOptions scene) {
         if (!subject_.columns.empty() && scene.frames.empty()) {
             const std::vector<int> frames = page_frames(scene.load());
@@ -82,7 +82,7 @@ class Columns {
     }
     static int shown_frame(const SceneOptions& scene) { return scene.frame_of(scene.load()); }
 
-    /// Returns whether there are two bodies to ask.
+    /// Returns whether there are two bodies to query.
     bool add_queries(const SceneOptions& scene) {
         QueryOptions query = asked_.query;
         {
@@ -119,7 +119,7 @@ class Columns {
         return true;
     }
 
-    /// Returns whether there is a query that was recorded at the frame.
+    /// Returns whether a recorded query exists at the frame.
     bool add_recorded(const SceneOptions& scene) {
         QueryOptions query = asked_.query;
         query.frames = first_frame(scenes::auto_frames);
@@ -175,7 +175,7 @@ class Columns {
         column.names = names;
         const std::vector<int>& queried = source.frames();
         int first = queried.front();
-        // Recorded trees are those of one frame.
+        // Recorded trees belong to one frame.
         std::vector<int> frames = {first};
         if (source.is_recording()) {
             if (queried.size() != 1)

@@ -9,44 +9,44 @@
 
 namespace scb::app {
 
-/// Hierarchies that stand beside others on a page, one per body, and the queries of two of them.
+/// A column of a page: hierarchies, one per body, and the queries of two bodies.
 struct ViewColumn {
     std::string title;
     const scenes::Scene* scene = nullptr;
     std::vector<std::size_t> places;          ///< of the bodies, in Scene::bodies
-    std::vector<scenes::BodyAtFrame> bodies;  ///< at the frame that is shown first
+    std::vector<scenes::BodyAtFrame> bodies;  ///< at the first frame shown
     QuerySource* query = nullptr;             ///< of the first two bodies; null: none
     std::vector<std::string> names;           ///< of the scene on a command line
-    std::string kind;  ///< as --volume names it; empty of what another engine recorded
+    std::string kind;                  ///< as in --volume; empty for another engine's recording
     std::vector<std::string> verdict;  ///< on the recorded frame, see verdict_lines; or empty
-    std::string explain;  ///< the command that explains a test, but for frame and pair; or empty
+    std::string explain;  ///< the command that explains a test, without frame and pair; or empty
 
     bool is_recorded() const { return kind.empty(); }
 };
 
-/// What there is to be seen.
+/// The content of a page.
 struct ViewSubject {
     std::vector<ViewColumn> columns;
-    std::vector<int> frames;  ///< that all columns have poses at
-    int frame = 0;            ///< of these, the one that is shown first
-    int deepest = 0;          ///< level of all trees
-    bool same_nodes = true;   ///< whether a node's index means the same in all columns
-    // What the columns refer to.
+    std::vector<int> frames;  ///< frames at which all columns have poses
+    int frame = 0;            ///< the first frame shown
+    int deepest = 0;          ///< deepest level of all trees
+    bool same_nodes = true;   ///< whether a node has the same index in all columns
+    // Owners of the columns' data.
     std::vector<std::unique_ptr<LevelSubject>> levels;
     std::vector<std::unique_ptr<QuerySources>> sources;
 };
 
-/// What a page is made of.
+/// The inputs of a page.
 struct ViewSources {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query;            ///< its frames are those below
-    std::string queries = "auto";  ///< frames whose query is wanted; auto: the one that is shown
-                                   ///< first, of a trace all; none
+    QueryOptions query;            ///< its frames are replaced by `queries`
+    std::string queries = "auto";  ///< frames whose queries the page has; auto: the first frame
+                                   ///< shown, or for a trace all frames; none
     CompareOptions compare;
 };
 
-/// One column per kind of volumes, or per query that is compared, or for each of two scenes these.
+/// One column per kind of volumes, or per compared query; of two scenes, these columns for each.
 /// Throws InputError.
 ViewSubject view_subject(const ViewSources& asked, const Console& console);
 

@@ -17,10 +17,10 @@ std::string words_of(const std::vector<std::string>& names) {
 }
 
 bool is_traced(const ViewColumn& column) { return scenes::names_trace(column.names[0]); }
-/// Whether the file says what the query was.
+/// Whether the file has the query's parameters.
 bool is_told(const ViewColumn& column) { return column.is_recorded() || is_traced(column); }
 
-/// The names as they are told: a trace may lie elsewhere by the time of the command.
+/// The names for commands: a file may be elsewhere when the command is run.
 std::string names_of(const ViewOptions& options, const ViewColumn& column) {
     std::vector<std::string> names = column.names;
     const std::vector<std::string>& known = options.level.scene.names;
@@ -39,14 +39,14 @@ std::string test_words(const ViewOptions& options, const ViewColumn& column) {
     return " --test " + std::string(overlap_test_name(column.query->query().options.overlap.test));
 }
 
-/// What a command is asked about the query of one column, but for frames and descent.
+/// The words for the query of one column, without frames and descent.
 std::string query_words(const ViewOptions& options, const ViewColumn& column) {
     const std::string words = names_of(options, column) + options.scene + options.bodies;
     if (is_told(column)) return words;
     return words + " --volume " + column.kind + options.hierarchies + test_words(options, column);
 }
 
-/// The same of the queries of one or two columns that a picture shows; empty: of none.
+/// The same for a picture of one or two columns' queries; empty for more columns.
 std::string queries_words(const ViewOptions& options, const ColumnList& columns) {
     const ViewColumn &first = *columns.front(), &last = *columns.back();
     if (columns.size() == 1) return query_words(options, first);
@@ -59,7 +59,7 @@ std::string queries_words(const ViewOptions& options, const ColumnList& columns)
            (compares_tests(options) ? "" : options.tests);
 }
 
-/// Pictures of levels, of all kinds of volumes of a scene in one.
+/// Commands for pictures of levels: one per scene, with all its kinds of volumes.
 std::vector<std::string> level_commands(const ViewOptions& options, const ColumnList& columns) {
     std::vector<std::pair<std::string, std::vector<std::string>>> scenes;  // and their volumes
     for (const ViewColumn* column : columns) {
@@ -86,7 +86,7 @@ std::vector<std::string> level_commands(const ViewOptions& options, const Column
     return commands;
 }
 
-/// The columns of each picture of the queries: all, or those of each scene.
+/// The columns of each picture of queries: all columns, or the columns of each scene.
 std::vector<ColumnList> compared(const ViewOptions& options, const ColumnList& all) {
     const bool scenes = options.has_two_scenes();
     std::vector<ColumnList> groups;
@@ -117,7 +117,7 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
             if (!words.empty())
                 commands[mode].push_back(std::string("scb render ") + picture + words +
                                          options.descent);
-        // These are of one query each.
+        // Each of these pictures shows one query.
         for (const ViewColumn* column : columns) {
             const std::string own = query_words(options, *column) + options.descent;
             commands["traversal"].push_back("scb render traversal" + own);

@@ -42,7 +42,7 @@ Json camera_json(const ViewStart& start) {
             {"center", json_of(start.center)},      {"clip", clip_json(camera.clip)}};
 }
 
-/// Vertices count from the middle of the mesh, so that 32 bits are enough.
+/// Vertices are relative to the middle of the mesh, so that 32 bits suffice.
 Json mesh_json(const Mesh& mesh, render::BlockStore& store) {
     const Box box = bounding_box(mesh);
     const Vec3 center = 0.5 * (box.lower + box.upper);
@@ -60,7 +60,7 @@ Json mesh_json(const Mesh& mesh, render::BlockStore& store) {
             {"indices", store.add(indices)}};
 }
 
-/// The farthest that anything of the tree is from `center`.
+/// The largest distance of the tree from `center`.
 double reach_of(const Tree& tree, const Vec3& center) {
     double most = 0;
     for (const std::uint32_t root : tree.shape().roots)
@@ -120,7 +120,7 @@ Json tree_json(const Tree& tree, const render::ColorScale& scale, std::size_t bo
     return told;
 }
 
-/// What the columns have in common is in the page once.
+/// Stores data that columns share only once.
 class Parts {
   public:
     Parts(const ViewSubject& subject, const ViewStart& start, render::BlockStore& store)
@@ -144,7 +144,7 @@ class Parts {
     Json meshes = Json::array(), trees = Json::array();
 
   private:
-    /// The place of an entry, which is added where there is none like it.
+    /// The index of an entry in the list; adds the entry if it is missing.
     static std::size_t place_of(Json& list, Json entry) {
         const auto known = std::find(list.begin(), list.end(), entry);
         if (known != list.end()) return static_cast<std::size_t>(known - list.begin());
@@ -158,7 +158,7 @@ class Parts {
         return place->second;
     }
 
-    /// Colors by body make the same hierarchy another one for each body.
+    /// With colors by body, each body has its own copy of a hierarchy.
     std::size_t tree(const Tree& tree, std::size_t b) {
         const render::ColorScale& scale = start_.style.colors;
         const auto [place, is_new] =
@@ -167,7 +167,7 @@ class Parts {
         return place->second;
     }
 
-    /// At the frames, twelve numbers each: the rows of a 3x4 matrix.
+    /// The poses at all frames, twelve numbers each: the rows of a 3x4 matrix.
     std::size_t poses(const ViewColumn& column, std::size_t b) {
         std::vector<double> rows;
         for (const int frame : subject_.frames) {
@@ -206,8 +206,8 @@ Json viridis_json() {
     return stops;
 }
 
-/// Corners of triangles whose directions cover the sphere, one after the other: for few, some and
-/// many rounded volumes, as ConvexPoints has them.
+/// Corners of triangles whose directions cover the sphere, one after the other: coarse, medium and
+/// fine grids for few, some and many rounded volumes, as in ConvexPoints.
 Json add_grids(render::BlockStore& store) {
     Json grids = Json::array();
     for (const int steps : {12, 6, 2}) {

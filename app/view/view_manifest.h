@@ -12,24 +12,24 @@
 
 namespace scb::app {
 
-/// What the page of `scb view` begins with.
+/// The initial state of the page of `scb view`.
 struct ViewStart {
     int level = 0;
     render::LevelStyle style;
-    bool has_theme = true;  ///< whether the style's was asked for; else the reader's is taken
+    bool has_theme = true;  ///< whether the user set the style's theme; else the reader's is taken
     render::Camera camera;
-    double aspect = 1;           ///< width over height of the view that it is fitted to
+    double aspect = 1;           ///< of the view that the camera is fitted to: width / height
     Vec3 center = Vec3::Zero();  ///< of the scene
     Vec3 up = Vec3::UnitZ();
-    /// By kind of picture, "levels" and so on: the commands that draw it, but for what is chosen in
-    /// the page; of two scenes there are two.
+    /// By kind of picture, such as "levels": the commands that draw it, without the choices in the
+    /// page. For two scenes there are two.
     std::map<std::string, std::vector<std::string>> commands;
 };
 
 /// Red, green, blue.
 nlohmann::ordered_json color_json(render::Rgba8 color);
 
-/// What the blocks of a page mean, and what it begins with: see render/web/main.js. Adds the
+/// The layout of the page's blocks, and its initial state: see render/web/main.js. Adds the
 /// hierarchies, meshes and poses of all frames to the store.
 nlohmann::ordered_json view_manifest(const ViewSubject& subject, const ViewStart& start,
                                      render::BlockStore& store);

@@ -27,7 +27,7 @@
 namespace scb::app {
 namespace {
 
-/// The deepest level of which a reader can still tell the volumes.
+/// The deepest level whose volumes are still few enough to be told apart.
 int first_level(const ViewSubject& subject, const std::string& asked) {
     if (asked != "auto") {
         const int level = parse_level(asked, subject.deepest, "--level");
@@ -45,7 +45,7 @@ int first_level(const ViewSubject& subject, const std::string& asked) {
     return level;
 }
 
-/// What a browser shows that cannot draw.
+/// The picture for browsers that cannot draw the page.
 std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubject& subject,
                                    const ViewStart& start, std::vector<render::LevelBody> bodies,
                                    const std::string& title) {
@@ -118,7 +118,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
                                 {options.compare, asked.recording}},
                                console);
     } catch (const InputError& error) {
-        // The frames of the queries have an option of another name here.
+        // Here, the option of the queries' frames is --queries.
         const std::string frames = "--frames " + options.queries + ":", text = error.what();
         if (options.queries == "auto" || !text.starts_with(frames)) throw;
         throw InputError("--queries" + text.substr(std::string_view("--frames").size()));

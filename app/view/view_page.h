@@ -9,25 +9,24 @@
 
 namespace scb::app {
 
-/// What a page of `scb view` is asked to be: its first level and look, its camera, and its
-/// still picture as LevelOptions have them, and what is in it.
+/// Options of a page of `scb view`. `level` has its first level, look, camera and still picture.
 struct ViewOptions {
     LevelOptions level;
     QueryOptions query;
     std::string queries = "auto";  ///< see ViewSources::queries
     std::string compare{};         ///< see CompareOptions::names
     int steps = 1000;              ///< see view_query_json
-    bool has_theme = false;        ///< whether light or dark was asked for
-    /// What commands call the files, where these lie elsewhere by then.
+    bool has_theme = false;        ///< whether the user set light or dark
+    /// Names of the files in commands, if the files will be elsewhere.
     std::vector<std::string> told_names{};
-    // As given_text has it, what was given: where the scene is, which bodies, other things of
-    // hierarchies, of levels alone, overlap tests, and which nodes queries divide.
+    // Options that were given, see given_text: of the scene, of bodies, other options of
+    // hierarchies, of levels only, of overlap tests, and of the descent.
     std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{};
 
-    /// Sets these texts but for `levels` and `descent`, and `has_theme`.
+    /// Sets these texts except `levels` and `descent`, and sets `has_theme`.
     void note_given(const Command& command);
     bool has_two_scenes() const;
-    /// Refuses what makes no sense before any work is done; throws InputError.
+    /// Refuses invalid options before any work is done; throws InputError.
     void check() const;
 };
 

@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The worst ones of each kind that a page lists.
+/// Number of the worst pairs of each kind listed in a page.
 constexpr std::size_t most_worst = 8;
-/// Pairs of a level that are counted: a page of many frames has to be made in seconds.
+/// Limit of the counted pairs of a level: a page of many frames must be made in seconds.
 constexpr std::size_t most_overlaps = 20'000;
 
 Json groups_json(const TraceHeader& header) {
@@ -31,14 +31,14 @@ Json groups_json(const TraceHeader& header) {
                                            dark = render::ending_groups(header, render::dark_theme);
     Json groups = Json::array();
     for (std::size_t i = 0; i < light.size(); ++i) {
-        // Those at which the triangles of two leaves were tested, which are drawn in their place.
+        // Endings of tests of two leaves' triangles, which are drawn in place of the leaves.
         const bool triangles =
             std::all_of(light[i].endings.begin(), light[i].endings.end(), [](Stage ending) {
                 return ending == Stage::triangles_apart || ending == Stage::triangles_meet;
             });
         const bool meet = std::find(light[i].endings.begin(), light[i].endings.end(),
                                     Stage::triangles_meet) != light[i].endings.end();
-        std::string stages;  // as --stages of scb render rejections names them
+        std::string stages;  // names as in --stages of scb render rejections
         for (const Stage ending : light[i].endings)
             stages += (stages.empty() ? "" : ",") + stage_words(header, ending);
         groups.push_back({{"label", scenes::printable(light[i].label)},
@@ -52,7 +52,7 @@ Json groups_json(const TraceHeader& header) {
     return groups;
 }
 
-/// What a test can be worth but right, in the order of render/web/query.js.
+/// The verdicts on tests that are not right, in the order of render/web/query.js.
 Json worths_json() {
     Json worths = Json::array();
     const auto add = [&worths](const char* label, auto color) {
@@ -80,7 +80,7 @@ struct Worst {
         wrong.add(frame, attribution);
     }
 
-    /// By the index of the worth; nodes by their numbers.
+    /// Lists by the index of the verdict, with the nodes' numbers.
     Json json(const QuerySource& source) const {
         const auto numbers = [&source](int frame, IndexPair nodes) -> Json {
             return {source.body(0, frame).tree->number(nodes.a),
@@ -108,7 +108,7 @@ struct Worst {
     }
 };
 
-/// Those whose steps a reader looks for first: the worst of each kind, and all that erred.
+/// Tests whose steps a reader looks for first: the worst of each kind, and all wrong rejections.
 std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const Attribution& attribution) {
     Worst worst;
     worst.add(frame, attribution);

@@ -8,7 +8,7 @@
 
 namespace scb::app {
 
-/// What `scb explain` says of these tests, by their numbers; without the volumes.
+/// The explanation of these tests by `scb explain`, by test number; without the volumes.
 nlohmann::ordered_json view_steps_json(const SceneQuery& query, const TraceFrame& frame,
                                        std::span<const std::uint32_t> tests);
 
