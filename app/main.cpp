@@ -22,7 +22,7 @@
 namespace scb::app {
 namespace {
 
-// Memory may run out where no exception can pass: destructors of JSON documents take some.
+// Memory may run out where exceptions cannot pass: destructors of JSON documents allocate.
 [[noreturn]] void end_at_once() {
     try {
         if (const std::exception_ptr error = std::current_exception())
@@ -35,8 +35,8 @@ namespace {
     std::abort();
 }
 
-// A file that is opened must not become the standard output of a program that was started without
-// one. What stands in for it can be neither read nor written, so that printing fails.
+// If the program was started without standard output, a file that it opens must not take its place.
+// The replacement can be neither read nor written, so that printing fails.
 void hold_standard_descriptors() {
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(standard, F_GETFD) < 0) ::open("/", O_PATH);
@@ -60,17 +60,18 @@ int run_command(const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
     std::set_terminate(scb::app::end_at_once);
     scb::app::hold_standard_descriptors();
-    // A file that may not grow is reported as an error of the write. A closed pipe ends the program
-    // silently, as it does others.
+    // Exceeding a file size limit is reported as a write error. A closed pipe ends the program
+    // silently, as usual.
     std::signal(SIGXFSZ, SIG_IGN);
-    // Whoever started this program may ignore it, and then nobody learns how a child of it ended.
+    // The parent process may ignore SIGCHLD; then the exit status of children would be lost.
     std::signal(SIGCHLD, SIG_DFL);
     if (argc == 3 && std::strcmp(argv[1], scb::scenes::mesh_reader_command) == 0)
-        // Nothing is left to be done, and for the leak sanitizer it may do too little.
+        // No cleanup is left, and the confined process may not make the calls of the leak
+        // sanitizer.
         ::_exit(scb::scenes::run_mesh_reader(argv[2]));
     scb::scenes::set_mesh_reader("/proc/self/exe");
     if (argc == 2 && std::strcmp(argv[1], scb::golden::worker_command) == 0) {
-        // A suite has many cases of one scene.
+        // A suite has many cases of the same scene.
         scb::scenes::keep_hierarchies();
         return scb::golden::run_commands(scb::app::run_command);
     }

@@ -1,4 +1,4 @@
-// What nearly every file of app includes.
+// Included by nearly every file of app.
 #include <Eigen/Core>
 #include <algorithm>
 #include <filesystem>

@@ -26,7 +26,7 @@
 namespace scb::app {
 namespace {
 
-// The command that was named last, and what stands before it.
+// The last named command, and the words before it.
 struct Named {
     const CLI::App* command;
     std::string parents;
@@ -41,7 +41,7 @@ Named named_command(const CLI::App& program) {
     return named;
 }
 
-// One sentence; the parser's own does not say which word it could not place.
+// One sentence that names the unknown word, unlike the parser's message.
 std::string usage_sentence(const CLI::App& program, const std::vector<std::string>& words,
                            const CLI::ParseError& error) {
     const Named named = named_command(program);
@@ -65,14 +65,14 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
                                  : "unknown command '" + word + "' of `" + command + "`") +
                    "; give one of " + names;
     }
-    // The parser does not name an option that help does not show.
+    // The parser does not name hidden options.
     if (sentence.starts_with(": "))
         for (auto it = words.rbegin(); it != words.rend(); ++it)
             if (it->starts_with("--")) {
                 sentence.insert(0, *it);
                 break;
             }
-    // The parser takes the value of an option that it does not know for one word too many.
+    // The parser takes the value of an unknown option for an extra argument.
     for (const std::string& given : words) {
         const std::string word = given.substr(0, given.find('='));
         if (word.size() < 3 || !word.starts_with("--")) continue;
@@ -102,13 +102,13 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
     return sentence + "; see `" + command + " --help`.";
 }
 
-/// Tells `scb golden` which files a case has read, unless a signal ends it.
+/// Reports the files that a case has read to `scb golden`, unless a signal ends the process.
 struct ToldInputs {
     static constexpr int descriptor = 3;  // of render::ChildProcess::output_path
     bool wanted = false;
 
     ~ToldInputs() {
-        // A file without a name, which nobody else has.
+        // A file without a name, which no other process has.
         struct stat told {};
         if (!wanted || ::fstat(descriptor, &told) != 0 || !S_ISREG(told.st_mode) ||
             told.st_nlink != 0)
@@ -178,16 +178,16 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     add_reference(root, action);
 }
 
-/// Reads the words behind the program's name. Returns the exit status if there is no command to
-/// run: help or versions were printed, or the words were refused.
+/// Reads the words after the program's name. Returns the exit status if there is no command to run:
+/// help or versions were printed, or the words were refused.
 std::optional<int> parse(CLI::App& program, const std::vector<std::string>& words,
                          const ConfiguredLine& line, const Console& console) {
     try {
-        // The parser takes them from the end.
+        // The parser takes words from the end.
         program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
         return std::nullopt;
     } catch (const CLI::CallForHelp&) {
-        // Help of the command that was named last.
+        // Help of the last named command.
         const Named named = named_command(program);
         print_result(named.command->help(named.parents));
         return exit_done;
@@ -202,7 +202,7 @@ std::optional<int> parse(CLI::App& program, const std::vector<std::string>& word
     }
 }
 
-/// Reports the exception that is being handled. Returns the exit status.
+/// Reports the current exception. Returns the exit status.
 int report_exception(const ConfiguredLine& line, const Console& console) {
     try {
         throw;

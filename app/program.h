@@ -7,7 +7,8 @@
 
 namespace scb::app {
 
-/// Says on standard error that memory ran out, and which file was read last. Takes no memory.
+/// Reports on standard error that memory ran out, and the file that was read last. Allocates no
+/// memory.
 void tell_out_of_memory();
 
 /// Runs the program `scb` with these words behind its name, and returns its exit status. Results go

@@ -24,10 +24,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WronglyRejectedPair, frame, rejection, test)
 namespace scb::app {
 namespace {
 
-// The macros know this kind alone.
+// The JSON library's macros know only this type.
 using MacroJson = nlohmann::json;
 
-/// Throws where a number is not of the query of that frame: somebody has edited the file.
+/// Throws if a number is impossible for the frame's query: the file was edited.
 class Checks {
   public:
     Checks(const QuerySource& source, int frame) : query_(source.query()), frame_(frame) {}

@@ -11,27 +11,27 @@
 
 namespace scb::app {
 
-/// What `scb inspect` finds in frames: in one, or in several that were added.
+/// The findings of `scb inspect` in one frame, or in several that were added.
 struct FrameFindings {
     std::vector<InspectedFrame> frames;
-    bool complete = true;  ///< whether no query ended at the pairs that it may find at most
+    bool complete = true;  ///< whether no query ended at its limit of pairs
     VainTests vain;
     WorstPairs weak_tests, loose_fits;
     WorstRejections wrong;
     std::vector<AlternativeTest> others;  ///< see alternative_tests
 
-    /// Of no frame yet; lists have at most `top` pairs.
+    /// No frame yet; lists have at most `top` pairs.
     FrameFindings(const TraceHeader& header, std::size_t top);
-    /// Those of a frame of the source that was asked for last.
+    /// Adds the frame, which must be the latest one of the source.
     void add(QuerySource& source, const TraceFrame& frame);
-    /// Those of other frames, which come after these.
+    /// Adds later frames.
     FrameFindings& operator+=(const FrameFindings& other);
 };
 
 /// For the file of a shard.
 nlohmann::ordered_json findings_json(const FrameFindings& findings);
-/// Those of one frame of the source. Throws what the JSON library throws for JSON that
-/// findings_json did not write, or numbers that are not of this query.
+/// The findings of one frame of the source. Throws the JSON library's exceptions if the JSON is not
+/// from findings_json, or its numbers are not from this query.
 FrameFindings findings_of_json(const nlohmann::ordered_json& json, const QuerySource& source,
                                int frame, std::size_t top);
 

@@ -32,7 +32,7 @@
 namespace scb::app {
 namespace {
 
-/// What there is to say of what was found; nothing of other settings yet.
+/// The report on the findings, without other settings yet.
 InspectReport report_of(const QuerySource& source, const FrameFindings& found) {
     const SceneQuery& query = source.query();
     InspectReport report;
@@ -54,10 +54,10 @@ InspectReport report_of(const QuerySource& source, const FrameFindings& found) {
     return report;
 }
 
-/// A command names no more frames of a trace.
+/// Limit of the frames of a trace in a command.
 constexpr std::size_t most_named_frames = 20;
 
-/// The scene as the command line names it; that of a trace as it was recorded.
+/// The scene in a command; for a trace, the scene as recorded.
 std::string scene_words(const InspectOptions& options, const QuerySource& source) {
     if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
     std::string words;
@@ -73,7 +73,7 @@ std::string scene_words(const InspectOptions& options, const QuerySource& source
     return words + " --pose=" + numbers;
 }
 
-/// Tries other settings; the report has none where that was interrupted.
+/// Tries other settings; if interrupted, the report has none.
 void find_settings(InspectReport& report, const InspectOptions& options, const QuerySource& source,
                    const Console& console, const InterruptWatch& watch) {
     const SceneQuery& query = source.query();
@@ -99,7 +99,7 @@ void find_settings(InspectReport& report, const InspectOptions& options, const Q
             "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
 }
 
-/// What of a report is in the names of its files.
+/// Sets the file names of a report, with the options that affect it.
 void name_files(InspectReport& report, const InspectOptions& options, const QuerySource& source) {
     const InspectOptions usual;
     report.stem = options.scene.file_stem(report.header.scene);
@@ -113,7 +113,8 @@ void name_files(InspectReport& report, const InspectOptions& options, const Quer
     report.files = inspect_name(report, of_page);
 }
 
-/// The page of `scb view` with the frames that the report names pairs of; of none, the worst frame.
+/// The page of `scb view` with the frames of the pairs in the report; without pairs, the worst
+/// frame.
 std::string report_view(const InspectOptions& options, const InspectReport& report,
                         const Console& console) {
     std::set<int> frames;
@@ -136,7 +137,7 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     return view_page(view, console);
 }
 
-/// Draws the report and writes everything beside the pictures. Returns whether all was drawn.
+/// Draws the report and writes all other files. Returns whether everything was drawn.
 bool write_report(PictureRun& pictures, const InspectOptions& options, const QuerySources& sources,
                   const InspectReport& report, const Console& console,
                   const InterruptWatch& watch) {
@@ -152,7 +153,7 @@ bool write_report(PictureRun& pictures, const InspectOptions& options, const Que
     if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
     whole = whole && step();
     std::string view;
-    // The page has whole queries.
+    // The page needs whole queries.
     const bool all =
         query.options.stop_level < 0 && options.limits.max_pairs == QueryLimits{}.max_pairs;
     if (whole && all && !options.no_view) {
@@ -238,7 +239,7 @@ int run(InspectOptions& options, const Console& console) {
         progress.step("frames");
     }
     if (parts.are_of_shard()) return finish_shard(parts, watch, console);
-    // Parts of queries, and queries with errors on purpose, say nothing of settings.
+    // Partial queries, and queries with deliberate errors, cannot rate settings.
     const bool whole =
         found.complete && query.options.stop_level < 0 && query.mutation == Mutation::none;
     InspectReport report = report_of(source, found);

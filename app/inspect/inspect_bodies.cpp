@@ -12,10 +12,10 @@ namespace scb::app {
 namespace {
 
 constexpr std::size_t most_marked = 3;
-/// A square about a larger share of the view does not say where.
+/// A square that fills more of the view does not show a place.
 constexpr double largest_marked = 0.3;
 
-/// The query at one frame, made again: of a trace only the frames to come can be read.
+/// Repeats the query of a frame, since a trace can only be read forward.
 TraceFrame frame_of(const SceneQuery& query, int number) {
     StepRecorder recorder;
     TraceFrame frame{number, query.b_to_a(number), {}, {}};
@@ -24,8 +24,7 @@ TraceFrame frame_of(const SceneQuery& query, int number) {
     return frame;
 }
 
-/// Squares about the smaller node of each of the worst pairs of the frame; not twice about one
-/// place.
+/// Squares around the smaller node of each of the frame's worst pairs; one square per place.
 std::vector<render::SceneMarker> markers_of(const InspectReport& report, int frame,
                                             const render::QueryBodies& bodies) {
     const auto ball_about = [&](std::size_t side, std::uint32_t node) {

@@ -8,9 +8,9 @@
 
 namespace scb::app {
 
-/// Draws both bodies in their pose at the frame with the most wasted tests: each triangle by the
-/// wasted tests that it took part in, with squares about the worst pairs. Returns the picture's
-/// file name; empty where nothing was wasted.
+/// Draws both bodies in the frame with the most wasted tests. Triangles are colored by the wasted
+/// tests that they took part in; squares mark the worst pairs. Returns the picture's file name;
+/// empty if nothing was wasted.
 std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
                         const QuerySources& sources, const InspectReport& report);
 

@@ -36,7 +36,7 @@ std::string worst_frame(const InspectReport& report) {
            render::counted(frame.found.counts.wasted.volume_tests, "volume test.", "volume tests.");
 }
 
-/// The least depth that, with those above it, has half of the waste.
+/// Where the waste is: the least depth down to which half of it occurs.
 std::string where(const InspectReport& report) {
     const std::vector<DepthInspection>& depths = report.sum.depths;
     const std::uint64_t wasted = report.sum.counts.wasted.volume_tests;
@@ -77,7 +77,7 @@ std::string best_other(const InspectReport& report) {
            (best.all.operations < all.operations ? " of the operations." : " more operations.");
 }
 
-/// What of the meshes makes the volumes loose, a sentence each.
+/// Properties of the meshes that make the volumes loose, a sentence each.
 std::vector<std::string> causes(const InspectReport& report) {
     const WasteCauses& found = report.causes;
     std::vector<std::string> sentences;
@@ -125,7 +125,7 @@ std::vector<std::string> causes(const InspectReport& report) {
     return sentences;
 }
 
-/// What would have helped most. The table has the rest.
+/// The setting that would have helped most. The table has the others.
 std::string best_setting(const SceneTuning& tuning) {
     std::string text = best_sentences(tuning, "the present setting").front();
     if (!tuning.timed()) text += std::string(" Cost: ") + cost_words + ".";
@@ -157,7 +157,7 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
         if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
         sentences.push_back(where(report));
     }
-    // Queries that miss contacts are no measure of others.
+    // If queries miss contacts, other tests cannot be compared with them.
     if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
         sentences.push_back(best_other(report));
     if (counts.wasted.volume_tests > 0)

@@ -7,8 +7,8 @@
 
 namespace scb::app {
 
-/// What a reader should know first, a sentence each: how much was wasted and why, where, and which
-/// other test would have helped most.
+/// The main findings, a sentence each: how much was wasted and why, where, and which other test
+/// would have helped most.
 std::vector<std::string> inspect_findings(const InspectReport& report);
 
 /// "the test rejected 4 pairs of volumes that meet, and so missed 12 pairs of triangles."

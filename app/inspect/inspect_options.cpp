@@ -7,7 +7,7 @@
 namespace scb::app {
 namespace {
 
-/// With -o: nobody looks at more, and they fill disks.
+/// Limit with -o: more pictures would only fill the disk.
 constexpr int most_pictured = 200;
 
 }  // namespace

@@ -17,10 +17,10 @@ struct InspectOptions {
     QueryLimits limits;
     PictureOptions picture{.output = ""};
     std::vector<std::string> recording;    ///< see given_recording_options
-    std::vector<std::string> of_pictures;  ///< those given that only pictures have a use for
+    std::vector<std::string> of_pictures;  ///< given options that only pictures use
     std::string command, explain;          ///< see InspectPage
-    std::string of_scene;                  ///< what was given of the scene, as given_text has it
-    ViewOptions view;                      ///< its texts of what was given
+    std::string of_scene;                  ///< the given options of the scene, see given_text
+    ViewOptions view;                      ///< only its texts of given options
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

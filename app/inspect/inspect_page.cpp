@@ -91,7 +91,7 @@ data reason_rows(const PassCounts& counts) {
     return rows;
 }
 
-/// What a query takes, and how much that is more or less than before.
+/// The work of a query, and its change.
 void set_changes(data& row, const Work& from, const Work& to) {
     row["n_v"] = render::count_text(to.volume_tests);
     row["n_v_change"] = render::change_text(from.volume_tests, to.volume_tests);
@@ -217,11 +217,12 @@ std::string inspect_title(const InspectReport& report) {
 
 std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    // What tells pictures of a scene apart comes first: the end is cut where there is no room.
+    // The text is cut if there is no room, so it begins with what distinguishes pictures of a
+    // scene.
     std::string text = report.frames.size() == 1 ? "frame " + std::to_string(report.frames[0].frame)
                                                  : std::to_string(report.frames.size()) + " frames";
     if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
-    // The title has the names of two meshes.
+    // If the scene is two meshes, the title has their names.
     if (header.source.size() == 2) return text;
     return text + ", " + bodies_text(header);
 }

@@ -20,11 +20,11 @@ using Json = nlohmann::ordered_json;
 
 const std::string loose = "fit too loose";
 
-/// So many have room in the panel, beside the recommended one.
+/// Room in the panel for this many, besides the recommended setting.
 constexpr std::size_t most_volumes = 3;
 
-/// The best setting of each volume, by cost, the least first; the recommended one, whose volume has
-/// no other row, is always among them.
+/// The best setting of each volume, the least cost first. The recommended setting is always
+/// included, as the only one of its volume.
 std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning) {
     std::vector<render::InspectedSetting> settings;
     const std::size_t recommended = tuning.recommended();
@@ -37,7 +37,7 @@ std::vector<render::InspectedSetting> best_of_volumes(const SceneTuning& tuning)
         if (r != recommended) {
             if (kind == best || std::find(seen.begin(), seen.end(), kind) != seen.end()) continue;
             seen.push_back(kind);
-            // What the others are compared with is no other.
+            // The base is what the others are compared with.
             if (r == 0 || others == most_volumes) continue;
             ++others;
         }

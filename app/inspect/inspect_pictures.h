@@ -6,11 +6,11 @@
 
 namespace scb::app {
 
-/// The name of the picture of the whole, without .png; `more` names further options.
+/// The name of the picture of all frames, without .png; `more`: further options.
 std::string inspect_name(const InspectReport& report, const NamedOptions& more = {});
 
-/// Draws the whole, and every pair of the report. Ends early, with false, where `step`, which is
-/// called after each picture, returns false.
+/// Draws the picture of all frames, and every pair of the report. Calls `step` after each picture;
+/// returns false, and ends early, if `step` returns false.
 bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
                      const InspectReport& report, const std::function<bool()>& step);
 

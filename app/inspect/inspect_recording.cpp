@@ -22,7 +22,7 @@
 namespace scb::app {
 namespace {
 
-/// Explains the first test that is at fault; empty where none is.
+/// The command that explains the first faulty test; empty if there is none.
 std::string explain_command(const scenes::RecordingJudgement& judged, const std::string& path) {
     for (const auto* groups : {&judged.test_problems, &judged.missed})
         for (const scenes::ProblemGroup& group : *groups) {
@@ -63,7 +63,8 @@ int inspect_recording(InspectOptions& options, const Console& console) {
             recording = std::make_shared<const scenes::Recording>(scenes::read_recording(file));
         return recording;
     };
-    // What is wrong comes first: queries that miss contacts are no measure of others.
+    // Not if the recording is wrong: other settings cannot be compared with queries that miss
+    // contacts.
     std::optional<RecordingSettings> settings;
     std::string no_settings;
     if (watch.signal() == 0 && !judged.wrong()) {

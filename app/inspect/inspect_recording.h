@@ -5,8 +5,8 @@
 
 namespace scb::app {
 
-/// Judges the recording that the scene names, and prints, and draws, what is wrong. Returns the
-/// exit status. Throws InputError, OutputError.
+/// Judges the recording in the options; prints and draws the problems. Returns the exit status.
+/// Throws InputError, OutputError.
 int inspect_recording(InspectOptions& options, const Console& console);
 
 }  // namespace scb::app

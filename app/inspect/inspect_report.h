@@ -14,44 +14,45 @@
 
 namespace scb::app {
 
-/// Everything that `scb inspect` found.
+/// All findings of `scb inspect`.
 struct InspectReport {
     TraceHeader header;
-    std::string stem;                    ///< that names of files begin with
+    std::string stem;                    ///< the beginning of file names
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
-    std::vector<WronglyRejectedPair> wrong;         ///< those that miss the most
+    std::vector<WronglyRejectedPair> wrong;         ///< the ones that miss the most
     std::vector<AlternativeTest> others;
     WasteCauses causes;
-    std::optional<SceneTuning> settings;  ///< what would have helped; not of parts of queries
-    std::string command;                  ///< that makes the queries with the best of these
-    std::string layout_command;           ///< the same packed, where that is measurably quicker
-    bool drawn = false;                   ///< there is a picture of each pair
-    NamedOptions named;                   ///< what the names of pictures say
-    NamedOptions named_frames;            ///< and that of the whole, which frames it is of
-    std::string files;                    ///< names of page and tables, without their endings
+    std::optional<SceneTuning>
+        settings;                ///< settings that would have helped; none for partial queries
+    std::string command;         ///< makes the queries with the recommended setting
+    std::string layout_command;  ///< the same with a packed layout, if that is measurably quicker
+    bool drawn = false;          ///< each pair has a picture
+    NamedOptions named;          ///< options in the names of pictures
+    NamedOptions named_frames;   ///< frames in the name of the picture of all frames
+    std::string files;           ///< names of page and tables, without their endings
 };
 
-/// Tables of frames end here: more rows make a table that nobody reads.
+/// Limit of the frames in tables.
 inline constexpr std::size_t most_frame_rows = 20;
 
-/// The picture of a pair of nodes; empty where none was drawn.
+/// The file name of a pair's picture; empty if it was not drawn.
 std::string file_of(const InspectReport& report, int frame, const Step& test);
 
-/// So many settings are listed beside that of the queries.
+/// Limit of the settings listed besides the setting of the queries.
 inline constexpr std::size_t most_settings = 8;
 
-/// Which frames the settings were counted in: "frame 150", or `over` and "10 of the 50 frames".
+/// The frames in which the settings were counted: "frame 150", or `over` and "10 of the 50 frames".
 std::string settings_words(const InspectReport& report, const std::string& over);
 
-/// "12 %": the share of a whole, as the tables and pages say it.
+/// "12 %": the share of a whole, for tables and pages.
 std::string share(std::uint64_t part, std::uint64_t whole);
 
-/// As tables for a reader.
+/// Tables for a reader.
 std::string inspect_text(const InspectReport& report);
 
-/// Everything, in the paper's language. Beside the header of a trace: `frames`, `sum`, `depths`,
+/// All findings, in the paper's notation. Besides the header of a trace: `frames`, `sum`, `depths`,
 /// `worst`, `worst_rejections`, `alternative_tests`.
 nlohmann::ordered_json inspect_json(const InspectReport& report);
 

@@ -7,7 +7,7 @@
 
 namespace scb::app {
 
-/// All that `scb inspect` says of a recording. `file`: the recording's name.
+/// All findings of `scb inspect` on a recording. `file`: the recording's name.
 nlohmann::ordered_json recording_json(const scenes::RecordingJudgement& judged,
                                       const std::string& file);
 

@@ -19,15 +19,15 @@ namespace {
 
 using scenes::BodyAtFrame;
 
-/// Something that went wrong, by the engine's numbers; no_index: nothing.
+/// A problem, with the engine's numbers; no_index: none.
 struct Problem {
     std::string title, name, what, first;
     std::uint64_t count = 0;
     int frame = 0;
     std::vector<std::string> bodies;
     std::vector<std::uint32_t> nodes, triangles;  ///< of the first body, and of the second
-    std::uint32_t tree = no_index;                ///< in place of bodies
-    bool is_worst = false;                        ///< of the faults of a tree that have an amount
+    std::uint32_t tree = no_index;  ///< the tree at fault, if the problem has no bodies
+    bool is_worst = false;          ///< the worst fault of a tree, if its faults have amounts
 };
 
 Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
@@ -52,7 +52,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
         for (const WatchedProblem& watched : tree.problems) {
             const TreeProblem& p = watched.problem;
             const bool shows = p.node != no_index || p.item != no_index;
-            // The other number of a triangle that is not finite is that of its vertex.
+            // For a triangle that is not finite, `other` is a vertex, not a node.
             const std::uint32_t other = p.fault == TreeFault::triangle_broken ? no_index : p.other;
             if (!shows || !seen.insert(p.fault).second) continue;
             const auto count = static_cast<std::uint64_t>(std::count_if(
@@ -80,7 +80,7 @@ std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
     return problems;
 }
 
-/// The bodies of a problem at its frame; of a tree the first that has it.
+/// The bodies of a problem at its frame; for a problem of a tree, the first body with the tree.
 std::vector<BodyAtFrame> bodies_of(const Problem& problem, const scenes::RecordedBodies& all) {
     std::vector<BodyAtFrame> bodies;
     if (problem.tree != no_index) {
@@ -94,7 +94,7 @@ std::vector<BodyAtFrame> bodies_of(const Problem& problem, const scenes::Recorde
     return bodies;
 }
 
-/// The node that has an object; of triangles none, which are drawn themselves.
+/// The node that holds an object; no_index for triangles, which are drawn themselves.
 std::uint32_t holder_of(const BodyAtFrame& body, std::uint32_t object) {
     return body.mesh->triangles.empty() ? body.tree->shape().holder_of(object) : no_index;
 }
@@ -114,7 +114,7 @@ render::ProblemParts parts_of(const Problem& problem, const std::vector<BodyAtFr
         b.first_triangle_id = next + static_cast<std::uint32_t>(body.tree->size());
         next = b.first_triangle_id + static_cast<std::uint32_t>(body.mesh->triangles.size());
     }
-    // Of a tree, both nodes are its own.
+    // In a problem of a tree, both nodes are in the same tree.
     const bool one = problem.tree != no_index;
     for (std::size_t i = 0; i < problem.nodes.size(); ++i) {
         const std::size_t body = one ? 0 : i;
@@ -149,7 +149,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
             if (!at_frame || at_frame->frame != problem.frame)
                 at_frame = scenes::bodies_at(recording, problem.frame);
         } catch (const InputError&) {
-            continue;  // such as a pose that is not rigid: words say it
+            continue;  // for example, a pose is not rigid; the report has the problem as text
         }
         const scenes::RecordedBodies& all = *at_frame;
         const std::vector<BodyAtFrame> bodies = bodies_of(problem, all);
@@ -182,7 +182,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         figure.center = render::center_of(support);
         figure.panel = render::problem_keys(parts, *figure.theme);
         figure.panel.emplace_back(render::PanelHeading{""});
-        // Of a fault of a tree, the first case says it all.
+        // For a fault of a tree, the first case is the complete text.
         if (problem.tree == no_index) figure.panel.emplace_back(render::PanelNote{problem.what});
         figure.panel.emplace_back(render::PanelNote{problem.first});
         if (problem.count > 1)
@@ -222,7 +222,7 @@ std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOption
     try {
         sources.emplace_back(std::move(recording), of_view.query);
     } catch (const InputError&) {
-        return {};  // there is a choice
+        return {};  // several pairs of bodies
     }
     const TraceHeader& header = sources.front().header();
     if (header.engine->objects) return {};

@@ -21,7 +21,7 @@ using scenes::ProblemGroup;
 using scenes::RecordingJudgement;
 using scenes::TreeJudgement;
 
-/// Since when, how large it was there, and where it is worst.
+/// The first frame and the amount in it, and the worst frame.
 std::string when(const WatchedProblem& problem) {
     std::string words = problem.gaps
                             ? "in " + count_text(problem.frames) + " frames, first at frame " +
@@ -45,7 +45,7 @@ std::string tree_name(const TreeJudgement& tree) {
     return tree.name.empty() ? number : number + " \"" + tree.name + "\"";
 }
 
-/// The problems of one kind: how many, and the worst.
+/// The problems of one kind: their number, and the worst ones.
 std::string faults_text(const std::vector<const WatchedProblem*>& problems, std::size_t top) {
     const TreeFault fault = problems[0]->problem.fault;
     std::string text;
@@ -127,7 +127,7 @@ std::string tests_text(const RecordingJudgement& judged) {
     return text + "\n";
 }
 
-/// The queries whose tests fit another pose, the first of each.
+/// Queries whose tests fit another pose: the first ones of each pose.
 std::string poses_text(const RecordingJudgement& judged, std::size_t top) {
     std::map<std::string, std::size_t> counts;
     std::string text;
@@ -159,7 +159,8 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
     return text.empty() ? text : text + "\n";
 }
 
-/// What own hierarchies take of the tests of volumes, where the engine's cost more than they need.
+/// The share of volume tests that this project's hierarchies need, for findings on the engine's
+/// cost.
 std::string own_words(const std::optional<RecordingSettings>& settings) {
     if (!settings) return {};
     const Work& own = settings->tuning.rows[settings->tuning.recommended()].counts;
@@ -168,7 +169,7 @@ std::string own_words(const std::optional<RecordingSettings>& settings) {
                         static_cast<double>(settings->recorded.volume_tests)));
 }
 
-/// What costs, and which bodies are scaled.
+/// Findings on cost, and scaled bodies.
 std::string costs_text(const RecordingJudgement& judged,
                        const std::optional<RecordingSettings>& settings) {
     std::string text;

@@ -8,9 +8,9 @@
 
 namespace scb::app {
 
-/// What `scb inspect` says of a recording, as tables and sentences; at most `top` problems of a
-/// tree, and frames, are listed, and `cases` of what went wrong for each reason. `settings`: what
-/// own hierarchies take, where that was counted.
+/// The report of `scb inspect` on a recording, as tables and sentences. Lists at most `top`
+/// problems of a tree, at most `top` frames, and `cases` cases per reason. `settings`: the work of
+/// this project's hierarchies, if it was counted.
 std::string recording_text(const scenes::RecordingJudgement& judged,
                            const std::optional<RecordingSettings>& settings,
                            const std::string& file, std::size_t top, std::size_t cases);

@@ -18,7 +18,7 @@
 namespace scb::app {
 namespace {
 
-/// The row with the least cost of each volume, the least first.
+/// The row with the least cost of each volume, in ascending order of cost.
 std::vector<std::size_t> rows_best_by_volume(const SceneTuning& tuning) {
     std::vector<std::size_t> rows;
     std::set<VolumeKind> seen;
@@ -65,7 +65,7 @@ std::optional<RecordingSettings> recording_settings(
     result.engine = render::volume_title(header);
     std::vector<int> chosen;
     std::vector<std::size_t> places = counted_frames(recorded.frames().size(), all);
-    // Hierarchies of this project are of one mesh.
+    // Hierarchies of this project have one mesh, so only one frame can be used.
     if (recording.changes_meshes)
         places = {static_cast<std::size_t>(std::max_element(of_frames.begin(), of_frames.end()) -
                                            of_frames.begin())};

@@ -12,23 +12,24 @@
 
 namespace scb::app {
 
-/// What this project's hierarchies make of the queries that were recorded.
+/// The work of this project's hierarchies in the recorded queries.
 struct RecordingSettings {
-    std::string engine;  ///< with its volumes
-    Work recorded;       ///< in the frames of `tuning`: volume and triangle tests
+    std::string engine;  ///< the engine and its volumes
+    Work recorded;       ///< volume and triangle tests in the frames of `tuning`
     SceneTuning tuning;
-    std::string command;  ///< that makes the queries with the setting to use
+    std::string command;  ///< makes the queries with the recommended setting
 };
 
-/// Tries the settings on the recorded meshes and poses, in all of these frames, or evenly spread so
-/// many as take seconds. Nothing where it was ended. Throws InputError where there is nothing to be
-/// compared: objects without meshes, meshes that change, a body against itself, several pairs of
-/// bodies of which `bodies` names none, or no tests of volumes.
+/// Tries the settings on the recorded meshes and poses, in these frames, or in evenly spread ones
+/// if all would take more than seconds; if meshes change, in the frame with the most volume tests.
+/// None if interrupted. Throws InputError if there is nothing to compare: objects without meshes,
+/// poses that are not rigid, a body against itself, several pairs of bodies if `bodies` names none,
+/// or no volume tests.
 std::optional<RecordingSettings> recording_settings(
     std::shared_ptr<const scenes::Recording> recording, const std::string& bodies,
     const std::string& frames, const Console& console, const InterruptWatch& watch);
 
-/// As a table: the recorded counts, and the best setting of each volume.
+/// A table: the recorded counts, and the best setting of each volume.
 std::string recording_settings_text(const RecordingSettings& settings);
 nlohmann::ordered_json recording_settings_json(const RecordingSettings& settings);
 

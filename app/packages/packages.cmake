@@ -1,4 +1,4 @@
-# Packages of what is installed, with CPack: scb, libscb1, libscb-dev and python3-scb for Debian, and an archive for other systems.
+# CPack packages of the installed files: scb, libscb1, libscb-dev and python3-scb for Debian, and an archive for other systems.
 # app/packages/run builds them.
 set(CPACK_PACKAGE_VENDOR "The scb authors")
 set(CPACK_PACKAGE_CONTACT "The scb authors <scb@example.invalid>")
@@ -11,7 +11,7 @@ set(CPACK_COMPONENTS_ALL program library development)
 if(SCB_BUILD_PYTHON)
     list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
-# One archive, but a Debian package of each component.
+# One archive, but a Debian package per component.
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -31,7 +31,7 @@ macro(scb_package component name section depends summary text)
     set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
     set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}")
     set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
-    # What Debian wants of every package: the license, and what has changed.
+    # Debian requires a license and a changelog in every package.
     install(FILES app/packages/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
     install(FILES app/packages/overrides/${component} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME ${name} COMPONENT ${component})
     install(FILES ${PROJECT_BINARY_DIR}/packages/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
@@ -42,14 +42,14 @@ scb_package(library libscb${soname} libs "" "slab cut balls: hierarchies and col
     "Fits slab cut balls and other bounding volumes to triangle meshes, builds\nhierarchies of them, and finds the triangles of two bodies that intersect.\nThis package has the shared library.")
 scb_package(development libscb-dev libdevel "libscb${soname} ${same_version}, libeigen3-dev, libtbb-dev, libhwy-dev" "slab cut balls: headers and libraries"
     "Fits slab cut balls and other bounding volumes to triangle meshes, builds\nhierarchies of them, and finds the triangles of two bodies that intersect.\nThis package has the headers, the static library, and files for CMake and\npkg-config.")
-# An extension is of one minor version of Python.
+# An extension works with one minor version of Python only.
 find_package(Python3 3.9 QUIET COMPONENTS Interpreter)
 math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
 set(of_python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 scb_package(python python3-scb python "${of_python}, python3-numpy" "slab cut balls in Python"
     "Builds hierarchies, asks for collisions at thousands of poses at a time,\ndraws pictures of them, and reads traces and recordings, with arrays of\nnumpy.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/app/packages/python/postinst ${PROJECT_SOURCE_DIR}/app/packages/python/prerm)
-# Shared objects and programs are stripped of what app/packages/abi reads, archives are not.
+# CPack strips the debug information, which app/packages/abi reads, from shared objects and programs, but not from archives.
 install(CODE "execute_process(COMMAND ${CMAKE_OBJCOPY} --strip-debug
     \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libscb.a COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
 # For packages of programs that use the library.

@@ -1,4 +1,4 @@
-"""Has CMake build the extension, and install the package's files into the wheel."""
+"""Builds the extension by CMake, and installs the package's files into the wheel."""
 
 import pathlib
 import re

@@ -1,4 +1,4 @@
-"""How Sphinx makes the site. app/site/run calls it, with what app/site/pages.py and Doxygen wrote."""
+"""Sphinx configuration of the site. app/site/run calls Sphinx with the output of app/site/pages.py and Doxygen."""
 
 import logging
 import os
@@ -11,14 +11,14 @@ author = ""
 extensions = ["myst_parser", "breathe"]
 root_doc = "index"
 language = "en"
-smartquotes = False  # --json is no dash
+smartquotes = False  # they would turn the hyphens of --json into a dash
 
 myst_heading_anchors = 4
 breathe_projects = {"scb": os.environ["SCB_SITE_XML"]}
 breathe_default_project = "scb"
 breathe_domain_by_extension = {"h": "cpp"}
 
-# What has no page here: numpy, the standard library and Eigen, the library's inside, and the members of a template's arguments.
+# Names without a page: of numpy, the standard library, Eigen, the library's internals, and members of template arguments.
 nitpick_ignore_regex = [
     ("py:class", r"(?!scb\.).*"),
     ("cpp:identifier", r"(std|Eigen)(::.*)?|u?int\d+_t|size_t|FILE"),
@@ -38,14 +38,14 @@ pygments_dark_style = "monokai"
 
 
 class NoSecondNamespace(logging.Filter):
-    """Every header's page opens the namespace, which Sphinx would have declared once."""
+    """Drops a warning: every header's page opens the namespace, but Sphinx expects a single declaration."""
 
     def filter(self, record):
         return ".. cpp:type:: scb'" not in record.getMessage()
 
 
 def unwrap_namespace(app, doctree):
-    """What a header declares stands on its page itself, not inside a block for its namespace."""
+    """Moves a header's declarations out of the block of their namespace, to the top level of the page."""
     for block in list(doctree.findall(addnodes.desc)):
         if block["objtype"] == "type" and block[0].astext() == "namespace scb":
             page, at = block.parent, block.parent.index(block)
@@ -54,7 +54,7 @@ def unwrap_namespace(app, doctree):
 
 
 def link_pictures(app, page, template, context, doctree):
-    """A picture leads to itself in its full size."""
+    """Links each picture to its full size."""
     if "body" in context:
         context["body"] = re.sub(r'<img [^>]*src="([^"]+)"[^>]*>', r'<a href="\1">\g<0></a>', context["body"])
 

@@ -1,5 +1,5 @@
-"""links.py SITE: whether every link, picture and file that a page of the site asks for is there, and every heading. Lists addresses
-outside, and asks none of them."""
+"""links.py SITE: checks that all links, pictures, files and headings that pages of the site refer to exist. Lists external
+addresses, but opens none of them."""
 
 import html.parser
 import pathlib

@@ -1,5 +1,5 @@
-"""mend.py XML: takes out of Doxygen's files what Sphinx cannot read or would say twice: initial values that are lambdas or name
-their members, deduction guides, private members, the typedefs that give a struct of C its own name, and which file has a struct."""
+"""mend.py XML: removes parts of Doxygen's files that Sphinx cannot read or would repeat: initial values that are lambdas or name
+their members, deduction guides, private members, typedefs that give a C struct its own name, and the file of a struct."""
 
 import pathlib
 import sys

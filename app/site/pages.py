@@ -1,4 +1,4 @@
-"""pages.py OUT: writes what Sphinx reads: the manuals where their links expect them, the gallery that follows from them,
+"""pages.py OUT: writes the input of Sphinx: the manuals at the paths that their links expect, a gallery of their pictures,
 and a page per public header. Run in the project's root."""
 
 import os
@@ -11,7 +11,7 @@ from python_pages import python_page
 
 out = pathlib.Path(sys.argv[1])
 
-# The manuals in the order in which they are listed.
+# The manuals in the order of the site's list.
 MANUALS = [
     "README.md",
     "app/README.md",
@@ -46,19 +46,19 @@ HEADERS = sorted(
     for path in pathlib.Path("core/include").rglob("*.h")
     if "detail" not in path.parts
 )
-# A block or span of code, which stays as it is, or a link.
+# A block or span of code, which is not changed, or a link.
 CODE_OR_LINK = re.compile(
     r"^ *```.*?^ *```$|`[^`\n]+`|!?\[(?P<text>(?:[^][]|\[[^][]*\])*)\]\((?P<target>[^)\s]+)\)", flags=re.M | re.S
 )
 
 
 def page_of(manual):
-    """A folder's manual is the folder's page."""
+    """The page of a manual; README.md becomes the folder's index page."""
     return manual.replace("README.md", "index.md")
 
 
 def linked(folder, match):
-    """A link as the site has it: to a page, to a header's page, to a copy of a file, or just its text."""
+    """A link in the site: to a page, to a header's page, or to a copy of a file; or only the link's text."""
     text, target = match["text"], match["target"]
     if not target:
         return match.group()
@@ -96,7 +96,7 @@ def title_of(text):
 
 
 def slug(heading):
-    """The anchor of a heading, as tests/manuals/run has it."""
+    """The anchor of a heading, as in tests/manuals/run."""
     return re.sub(r"[^A-Za-z0-9 _-]", "", heading).replace(" ", "-").lower()
 
 
@@ -116,7 +116,7 @@ def pictures_of(manual, text):
 
 def gallery(texts):
     shown, parts = set(), []
-    # A picture that several manuals have is explained by that of the pictures, or else of its room.
+    # A picture in several manuals is listed with render/README.md if possible, and with the root's README.md only if no other manual has it.
     for manual in sorted(MANUALS, key=lambda name: (name != "render/README.md", name == "README.md")):
         cards = []
         for path, title, heading, commands in pictures_of(manual, texts[manual]):
@@ -155,7 +155,7 @@ def reference(core_manual):
 
 
 def concepts(header):
-    """The concepts of a header, which Breathe does not know."""
+    """The concepts of a header, which Breathe does not support."""
     pattern = r"((?:^///.*\n)+)template <(.*)>\nconcept (\w+) = ((?:.+\n)+)"
     text = (pathlib.Path("core/include") / header).read_text()
     return "".join(
@@ -185,7 +185,7 @@ def main():
         include = f"# {header}\n\n```cpp\n#include <{header}>\n```\n\n"
         declared = f"```{{doxygenfile}} {header}\n```\n"
         write("reference/" + header.replace(".h", ".md"), include + concepts(header) + declared)
-    # Doxygen leaves out macros of files, and members of namespaces, that say nothing of themselves.
+    # Doxygen leaves out macros of undocumented files, and members of undocumented namespaces.
     files = "".join(f"/** @file {header} */\n" for header in ("scb/volume.h",))
     write("files.dox", files + "/** @namespace scb\n    Everything of the library. */\n")
 

@@ -1,4 +1,4 @@
-"""The page of the Python package: signatures from its stub, sentences from its binding, so that nothing must be compiled."""
+"""The page of the Python package: signatures from its stub, and sentences from its binding, so that no build is needed."""
 
 import ast
 import pathlib
@@ -9,7 +9,7 @@ CALL = re.compile(r'(?P<class>py::class_<[^;"]*?>\s*\w*\s*\()|(?P<module>\bmodul
 
 
 def arguments(text, start):
-    """The arguments of a call, of which the first begins here."""
+    """The arguments of a call; the first one begins at `start`."""
     parts, depth, begin, at = [], 0, start, start
     while depth >= 0:
         string = re.compile(STRING + r"|//[^\n]*|'(?:[^'\\]|\\.)'").match(text, at)
@@ -28,14 +28,14 @@ def arguments(text, start):
 
 
 def string_of(code):
-    """The text of literals of C++ that stand behind each other, or None where there is anything else."""
+    """The text of adjacent C++ string literals, or None if the code has anything else."""
     if not re.fullmatch(rf"(?:(?:{STRING})\s*)+", code):
         return None
     return "".join(s[3:-2] if s[0] == "R" else ast.literal_eval(s) for s in re.findall(STRING, code))
 
 
 def sentences():
-    """What the binding says, by "function", "Class" or "Class.member"."""
+    """The docstrings in the binding, by "function", "Class" or "Class.member"."""
     said = {}
     for path in sorted(pathlib.Path("app/python/binding").glob("*.cpp")):
         text, owner = path.read_text(), ""
@@ -48,14 +48,14 @@ def sentences():
             key = ".".join(part for part in ("" if call["module"] else owner, name) if part)
             if (doc := string_of(parts[-1])) and len(parts) > 1:
                 said[key] = doc
-        # Members that a loop adds, from a list of names and sentences.
+        # Members that a loop adds from a list of names and docstrings.
         for name, doc in re.findall(rf"^ *\{{({STRING}), ({STRING})\}},$", text, flags=re.M):
             said[f"{owner}.{string_of(name)}"] = string_of(doc)
     return said
 
 
 def block(directive, signature, doc, inside=""):
-    """A directive of MyST; its fence is longer than those inside."""
+    """A directive of MyST; its fence is longer than the fences inside."""
     fence = "`" * (3 + max((len(run) for run in re.findall(r"`{3,}", inside)), default=2) - 2)
     escaped = re.sub(r"([*_<\[`])", r"\\\1", doc)
     option = ""

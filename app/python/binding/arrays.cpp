@@ -14,7 +14,7 @@ std::string shape_text(const py::array& array) {
     return text.empty() ? "one number" : text;
 }
 
-/// As an array of whatever numbers; checks their kind, and the shape.
+/// Converts to an array of numbers of any type; checks the kind of numbers, and the shape.
 py::array numbers_of(const py::handle& object, const std::string& name, py::ssize_t dimensions,
                      py::ssize_t last, const std::string& shape, const std::string& kinds) {
     const std::string wanted =
@@ -49,7 +49,7 @@ py::array view_of(const py::dtype& type, const void* data, Sizes shape, Sizes st
     using Owner = std::shared_ptr<const void>;
     const py::capsule base(new Owner(std::move(owner)),
                            [](void* pointer) { delete static_cast<Owner*>(pointer); });
-    // Without an address numpy would allocate: nothing is behind this one.
+    // Given a null pointer, numpy would allocate; this address is never read.
     static const double nothing = 0;
     py::array array(type, std::move(shape), std::move(strides), data != nullptr ? data : &nothing,
                     base);

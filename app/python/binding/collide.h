@@ -6,7 +6,7 @@
 
 namespace scb::python {
 
-/// What a query found, as Python has it.
+/// The result of a query, for Python.
 struct FoundPairs {
     py::array pairs;
     std::uint64_t n_v = 0, n_p = 0, n_u = 0;
@@ -15,7 +15,7 @@ struct FoundPairs {
     bool complete = true;
 };
 
-/// Takes the pairs.
+/// Moves the pairs out of `found`.
 FoundPairs found_pairs(Collision&& found, VolumeKind kind, const OverlapOptions& options);
 /// The stages at which tests of these volumes end, "overlapping" first.
 std::vector<Stage> endings_of(VolumeKind kind, const OverlapOptions& options);

@@ -8,14 +8,14 @@
 
 namespace scb::python {
 
-/// What a query is asked, as Python's arguments have it.
+/// Parameters of a query, from Python's arguments.
 struct CollideArguments {
     std::string test;
     double threshold;
     std::string descent;
     std::optional<std::int64_t> max_pairs, stop_level;
 
-    /// For these two. Throws InputError.
+    /// The options for these two hierarchies. Throws InputError.
     CollideOptions options(const BuiltHierarchy& a, const BuiltHierarchy& b) const;
 };
 

@@ -11,7 +11,7 @@
 namespace scb::python {
 namespace {
 
-/// What queries at several poses found: a row per pose.
+/// Results of queries at several poses: a row per pose.
 struct FoundAtPoses {
     py::array n_v, n_p, n_u, depth, complete, stages, pairs, offsets;
     std::vector<std::string> stage_names;
@@ -27,7 +27,7 @@ struct FoundAtPoses {
     }
 };
 
-/// The same while it is made, by several threads.
+/// The same under construction, by several threads.
 struct Rows {
     std::vector<std::uint64_t> n_v, n_p, n_u, stages;
     std::vector<std::int32_t> depth;
@@ -55,7 +55,7 @@ struct Rows {
     }
 };
 
-/// All pairs behind each other, and where those of each pose begin.
+/// The pairs of all poses one after the other, and the index at which each pose's pairs begin.
 std::pair<std::vector<IndexPair>, std::vector<std::int64_t>> joined(
     std::vector<std::vector<IndexPair>>& pairs) {
     std::vector<std::int64_t> offsets = {0};
@@ -65,7 +65,7 @@ std::pair<std::vector<IndexPair>, std::vector<std::int64_t>> joined(
     all.reserve(static_cast<std::size_t>(offsets.back()));
     for (auto& each : pairs) {
         all.insert(all.end(), each.begin(), each.end());
-        std::vector<IndexPair>().swap(each);  // so that not all are there twice
+        std::vector<IndexPair>().swap(each);  // frees memory early
     }
     return {std::move(all), std::move(offsets)};
 }

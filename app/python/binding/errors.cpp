@@ -13,7 +13,7 @@ namespace scb::python {
 namespace {
 
 void raise(const char* name, const std::string& sentence) {
-    // A sentence may have a file's name in it, which need not be UTF-8.
+    // The sentence may contain a file's name, which need not be UTF-8.
     const std::string text = scenes::as_utf8(sentence);
     const py::object type = py::module_::import("scb.errors").attr(name);
     PyErr_SetObject(type.ptr(), py::str(text).ptr());

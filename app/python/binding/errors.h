@@ -8,7 +8,7 @@ namespace scb::python {
 
 namespace py = pybind11;
 
-/// What the library throws becomes the exceptions of scb/errors.py, with the same sentences.
+/// Translates the library's exceptions to those in scb/errors.py, with the same sentences.
 void add_errors();
 
 /// Throws InputError with "NAME: WHAT".

@@ -35,7 +35,7 @@ py::array nodes_of(const Shared& h, Member TopologyNode::*member) {
     return member_view(h->topology().nodes, member, h);
 }
 
-/// The level's number, or -1 for "leaves", of a hierarchy of that depth.
+/// The number of the level in a hierarchy of that depth, or -1 for "leaves".
 int level_of(const py::object& level, int depth) {
     if (py::isinstance<py::str>(level))
         return app::parse_level(level.cast<std::string>(), depth, "level");

@@ -8,7 +8,7 @@
 
 namespace scb::python {
 
-/// A hierarchy with the mesh that it is of, and how it was built. Does not change.
+/// A hierarchy with its mesh and build options. Does not change.
 struct BuiltHierarchy {
     std::shared_ptr<const Mesh> mesh;
     std::string name;  ///< of the mesh

@@ -3,8 +3,8 @@
 namespace scb::python {
 namespace {
 
-// Python's __new__ is that of pybind11's base class, and refuses a class whose own function is
-// another one; a call of the class comes here.
+// Calls of a class come here. Python's own __new__ is inherited from pybind11's base class, and
+// refuses a class with another tp_new.
 PyObject* new_instance(PyTypeObject* type, PyObject*, PyObject*) {
     return py::detail::make_new_instance(type);
 }

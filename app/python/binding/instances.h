@@ -4,8 +4,8 @@
 
 namespace scb::python {
 
-/// Lets objects of the module's classes come from nothing but their constructors and functions. By
-/// pybind11 alone, `Mesh.__new__(Mesh)` gives an object whose memory nobody has written.
+/// Ensures that objects of the module's classes come only from their constructors and functions.
+/// With pybind11 alone, `Mesh.__new__(Mesh)` gives an object with uninitialized memory.
 void refuse_bare_instances(const py::module_& module);
 
 }  // namespace scb::python

@@ -8,7 +8,7 @@
 
 namespace scb::python {
 
-/// A mesh that any number of Python objects share, and what errors call it.
+/// A mesh shared by any number of Python objects, and its name in errors.
 struct SharedMesh {
     std::shared_ptr<const Mesh> mesh;
     std::string name;

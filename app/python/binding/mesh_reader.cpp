@@ -1,4 +1,4 @@
-// Reads a mesh file for the package, in a process of its own: see scenes/meshes/isolated_mesh.h.
+// Reads a mesh file for the package, in its own process: see scenes/meshes/isolated_mesh.h.
 
 #include <unistd.h>
 

@@ -15,14 +15,14 @@
 namespace scb::python {
 namespace {
 
-/// Nobody reads notes here.
+/// Python has no use for notes.
 app::Console silent() {
     app::Console console;
     console.quiet = true;
     return console;
 }
 
-/// What draws one picture.
+/// The objects that draw one picture.
 struct Drawing {
     std::unique_lock<std::mutex> lock = lock_drawing();
     render::Context context;

@@ -15,7 +15,8 @@
 namespace scb::python {
 namespace {
 
-/// What a source of queries is opened with; it can be opened again, since a file is read forward.
+/// The parameters of a source of queries. The source may have to be opened again, since files are
+/// read forward.
 struct Asked {
     app::SceneOptions scene;
     app::HierarchyOptions hierarchy;
@@ -28,7 +29,7 @@ class Queries {
   public:
     explicit Queries(Asked asked) : asked_(std::move(asked)) { open(); }
 
-    /// What `use` makes of the source, which another thread may be about to open again.
+    /// Returns `use(source)`, under the lock, since another thread may open the source again.
     template <class Use>
     auto with_source(const Use& use) const {
         const std::lock_guard lock(mutex_);
@@ -37,7 +38,7 @@ class Queries {
 
     FrameTests frame(std::int64_t number) {
         const std::lock_guard lock(mutex_);
-        const TraceFrame& frame = seek(number);  // may open another source
+        const TraceFrame& frame = seek(number);  // may replace the source
         return FrameTests(source_->header(), frame);
     }
     PassCounts waste(std::int64_t number) {
@@ -71,7 +72,7 @@ class Queries {
     mutable std::mutex mutex_;
 };
 
-/// A copy: while a frame is asked for, nothing of Python is touched under the lock.
+/// Returns a copy, so that no Python code runs under the lock.
 TraceHeader header_of(const Queries& queries) {
     return queries.with_source([](const app::QuerySource& source) { return source.header(); });
 }

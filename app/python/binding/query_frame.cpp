@@ -27,7 +27,7 @@ FrameTests::FrameTests(const TraceHeader& header, const TraceFrame& frame)
           return all;
       }()) {}
 
-/// `first` is a number of the first element: the same of all of them.
+/// An array of one number of each element; `first`: the number in the first element.
 template <class Element, class Number>
 py::array FrameTests::column(const std::vector<Element>& elements, const Number& first) const {
     return view_of(py::dtype::of<Number>(), &first, {static_cast<py::ssize_t>(elements.size())},

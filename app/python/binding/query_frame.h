@@ -9,27 +9,27 @@
 
 namespace scb::python {
 
-/// One query with all its tests, which name nodes by their numbers. Owns a copy: sources use their
-/// memory again.
+/// One query with all its tests, with the engine's node numbers. Owns a copy, since sources reuse
+/// their memory.
 class FrameTests {
   public:
     FrameTests(const TraceHeader& header, const TraceFrame& frame);
 
     const TraceFrame& frame() const { return all_->frame; }
-    /// Of each test of volumes, in the order in which they were made.
+    /// Per test of volumes, in the order of the tests.
     py::array node_a() const;
     py::array node_b() const;
     py::array depth_a() const;
     py::array depth_b() const;
     py::array outcome() const;
     py::array parent() const;
-    /// Of each test of triangles.
+    /// Per test of triangles.
     py::array triangle_a() const;
     py::array triangle_b() const;
     py::array intersect() const;
 
     py::array pairs() const;
-    /// Outcomes by their numbers, those that a test has.
+    /// Names of the outcomes that occur, by number.
     py::dict outcome_names() const;
     py::dict stages() const;
 
@@ -38,7 +38,7 @@ class FrameTests {
         TraceHeader header;
         TraceFrame frame;
         Outcomes outcomes;
-        std::set<Stage> occurring;  ///< of these
+        std::set<Stage> occurring;  ///< in `outcomes`
     };
     std::shared_ptr<const All> all_;
 

@@ -54,7 +54,7 @@ SharedScene scene_of(const py::dict& bodies, const py::dict& poses, const std::s
             refuse("poses[" + std::string(py::repr(body)) + "]", "there is no such body.");
     auto scene = std::make_shared<scenes::Scene>();
     scene->name = scenes::file_name_of(name);
-    std::map<const Mesh*, std::size_t> places;  // of meshes that bodies share; lookups only
+    std::map<const Mesh*, std::size_t> places;  // of shared meshes; lookups only
     for (const auto& [key, value] : bodies) {
         if (!py::isinstance<py::str>(key) || !py::isinstance<SharedMesh>(value))
             throw py::type_error("bodies: give meshes (scb.Mesh) by names (str).");
@@ -96,7 +96,7 @@ int frame_of(const SharedScene& s, std::int64_t frame) {
     return static_cast<int>(frame);
 }
 
-/// None: all frames.
+/// None means all frames.
 std::vector<int> frames_of(const SharedScene& s, const py::object& frames) {
     std::vector<int> result;
     if (frames.is_none()) {

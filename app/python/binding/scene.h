@@ -7,7 +7,7 @@
 
 namespace scb::python {
 
-/// A scene, and how commands name it; one that was made here is given in the options.
+/// A scene, and its name in commands. A scene made in Python is in `options`.
 struct SharedScene {
     std::shared_ptr<const scenes::Scene> scene;
     app::SceneOptions options;

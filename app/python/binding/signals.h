@@ -8,14 +8,14 @@
 
 namespace scb::python {
 
-/// Lets Ctrl-C end work that threads share without the interpreter's lock. The thread that makes it
-/// must have released the lock; it alone looks for signals, since Python wants no other to, and at
-/// most ten times a second.
+/// Lets Ctrl-C end work of several threads without the interpreter's lock. The thread that creates
+/// the object must have released the lock. Only this thread checks for signals, as Python requires,
+/// and at most ten times a second.
 class SignalWatch {
   public:
-    /// Whether the work is to end; any of the threads may ask.
+    /// Whether the work is to end; any thread may call it.
     bool stopped();
-    /// Throws what the signal's handler raised in Python, if anything. For the first thread.
+    /// Throws the exception of Python's signal handler, if any. Only for the first thread.
     void rethrow();
 
   private:

@@ -19,7 +19,7 @@ std::string words_of(const char* option, const std::string& value, const std::st
     return value == usual ? "" : std::string(" ") + option + " " + value;
 }
 
-/// What the page tells its reader to type must ask for the same.
+/// Sets the options in the page's commands, so that they give the same results.
 void tell_options(app::ViewOptions& options) {
     const app::SceneOptions& scene = options.level.scene;
     std::string pose;
@@ -40,8 +40,8 @@ void tell_options(app::ViewOptions& options) {
             " --color-by " + std::string(render::color_by_names[*options.level.color_by]);
 }
 
-/// A notebook's own page has scripts and styles of its own, so this one stands in a frame, whose
-/// text is an attribute. It may do nothing but run and offer what it made.
+/// Puts the page into a frame, as an attribute, since a notebook's page has its own scripts and
+/// styles. The frame may only run scripts and offer downloads.
 std::string framed(const Page& page, int height) {
     std::string text;
     for (const char c : page.html)

@@ -9,13 +9,13 @@
 namespace scb::python {
 namespace {
 
-/// Collects views of numbers of volumes, one row per volume.
+/// Collects arrays on the numbers of volumes, one row per volume.
 struct Fields {
     std::shared_ptr<BuiltHierarchy> owner;
     py::ssize_t count, stride;
     VolumeArrays& result;
 
-    /// `first`: of the first volume. Shape and strides are those within a row.
+    /// `first`: the field of the first volume. Shape and strides are within a row.
     void add(const char* name, const double* first, const Sizes& shape = {},
              const Sizes& strides = {}) const {
         Sizes all_shape = {count}, all_strides = {stride};

@@ -17,13 +17,13 @@ struct VolumeArrays {
     /// By name: "centers", "radii", ...
     std::vector<std::pair<std::string, py::array>> fields;
 
-    /// Those of these nodes, copied.
+    /// A copy of these rows.
     VolumeArrays take(const py::array& rows) const;
-    /// Throws Python's AttributeError where these volumes have no such field.
+    /// Throws Python's AttributeError if these volumes have no such field.
     py::array field(const std::string& name) const;
 };
 
-/// Those of all nodes, without a copy.
+/// The volumes of all nodes, without a copy.
 VolumeArrays all_volumes(const std::shared_ptr<BuiltHierarchy>& hierarchy);
 
 void add_volumes(py::module_& module);

@@ -14,11 +14,11 @@ class OutputError(Error, OSError):
 
 
 class GlError(Error, RuntimeError):
-    """There is no usable OpenGL here."""
+    """OpenGL is missing or cannot be used."""
 
 
 class DrawError(Error, RuntimeError):
-    """OpenGL is there and cannot draw: out of memory, as a rule."""
+    """OpenGL is present but cannot draw; usually, memory ran out."""
 
 
 class MeshReaderError(Error, RuntimeError):
@@ -26,4 +26,4 @@ class MeshReaderError(Error, RuntimeError):
 
 
 class SystemLimitError(Error, OSError):
-    """The system has no more threads or processes to give."""
+    """The system cannot create more threads or processes."""
