@@ -365,7 +365,7 @@ std::string words_of(const TreeProblem& problem, const EngineNodes& tree) {
                    ", which is not finite";
         case TreeFault::bad_volume:
             return node +
-                   " has a volume that is none: " + tree.volume_fault(tree.index_of(problem.node));
+                   " has an invalid volume: " + tree.volume_fault(tree.index_of(problem.node));
         case TreeFault::no_volume:
             return node + " has no volume";
         case TreeFault::outside:

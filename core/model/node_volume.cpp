@@ -261,7 +261,7 @@ Polytope slabs_polytope(std::span<const double> directions, std::span<const doub
             result.corners.insert(result.corners.end(), polygon.begin(), polygon.end());
         if (!result.corners.empty()) return result;
     }
-    throw InputError("its planes leave nothing");
+    throw InputError("its planes enclose no point");
 }
 
 double excess(const NodeVolume& volume, const Vec3& point) {

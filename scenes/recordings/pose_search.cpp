@@ -67,7 +67,7 @@ void PoseSearch::take(const EngineQuery& query, const QueryName& name, const Bod
     for (EngineEvent& event : swapped.events) std::swap(event.a, event.b);
     if (fits(swapped, query.b_to_a, name,
              "the recorded pose if each names a node of " + name.b + " first, and of " + name.a +
-                 " second, the other way round than the query",
+                 " second, in the other order than the query",
              false, told))
         return;
     for (const auto& [what, other] : others)

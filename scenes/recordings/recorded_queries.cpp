@@ -197,7 +197,7 @@ void RecordedQueries::take(const RecordedQuery& query) {
         const std::uint32_t mesh = trees_.at(of).mesh;
         if (mesh != record_none && !meshes_.contains(mesh) && without_mesh_.insert(of).second)
             note(unusable_, "tree " + std::to_string(of) + " is of mesh " + std::to_string(mesh) +
-                                ", which was not recorded, so that results are not judged");
+                                ", which was not recorded, so results are not judged");
     }
     query_.events.clear();
     next_parent_ = no_index;

@@ -58,8 +58,8 @@ void require_unit(const Vec3& v, const char* fault) {
 Slab slab_at(std::span<const double> values, std::size_t at, double radius) {
     const Slab slab{vector_at(values, at), values[at + 3], values[at + 4]};
     require_unit(slab.n, "its normal is no unit vector");
-    require(slab.f <= slab.e, "its planes leave nothing");
-    require(slab.e >= -radius && slab.f <= radius, "its planes exclude its whole ball");
+    require(slab.f <= slab.e, "its planes enclose no point");
+    require(slab.e >= -radius && slab.f <= radius, "its planes cut away the whole ball");
     return {slab.n, std::min(slab.e, radius), std::max(slab.f, -radius)};
 }
 
@@ -73,7 +73,7 @@ NodeVolume made_volume(const RecordedVolume& recorded, std::span<const double> d
     const bool may_be_open = recorded.kind == RecordedKind::aabb;
     for (const double value : v)
         require(std::abs(value) <= max_coordinate || (may_be_open && std::isinf(value)),
-                "not all of its numbers are numbers of use");
+                "one of its numbers is not finite or too large");
     const auto radius_at = [&](std::size_t at) {
         require(v[at] >= 0, "its radius is below 0");
         return v[at];

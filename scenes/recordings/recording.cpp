@@ -58,10 +58,10 @@ class RecordingContents {
         scene.default_frame = recording_.file->summary.frames.front();
         recording_.engine = setting_of(queries, "engine", path);
         if (askew_)
-            recording_.refusal = path + ": the pose of '" + printable(askew_->name) +
-                                 "' at frame " + std::to_string(askew_->frame) + " " + fault_ +
-                                 ", so that there is no query of it; `scb inspect` judges the "
-                                 "rest.";
+            recording_.refusal =
+                path + ": the pose of '" + printable(askew_->name) + "' at frame " +
+                std::to_string(askew_->frame) + " " + fault_ +
+                ", so this project cannot query it; `scb inspect` judges the rest.";
         else if (changed_)
             recording_.refusal = path + ": the mesh of '" + printable(changed_->name) +
                                  "' changes at frame " + std::to_string(changed_->frame) +

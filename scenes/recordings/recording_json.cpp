@@ -300,7 +300,8 @@ void add_line(RecordingWriter& writer, const JsonPlace& line,
             refuse_value(field(line, "coordinate_bytes"), "4 or 8");
         for (const double value : r.coordinates)
             if (r.coordinate_bytes == 4 && !fits_float(value))
-                refuse(line, "coordinates: one does not fit into 4 bytes; say 8.");
+                refuse(line,
+                       "coordinates: one does not fit into 4 bytes; set coordinate_bytes to 8.");
         if (r.coordinates.size() % 3 != 0)
             refuse(line, "coordinates: there are not three of each vertex.");
         if (r.indices.size() % 3 != 0)

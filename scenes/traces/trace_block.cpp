@@ -133,7 +133,7 @@ struct FrameBuilder {
             stage = static_cast<Stage>(number);
             const auto stages = stages_of(header.volume, header.options.overlap);
             if (std::find(stages.begin(), stages.end(), stage) == stages.end())
-                failure = "a stage is none of its overlap test";
+                failure = "a stage does not belong to its overlap test";
         }
         if (depth_a > std::numeric_limits<std::uint16_t>::max() ||
             depth_b > std::numeric_limits<std::uint16_t>::max())
@@ -157,7 +157,8 @@ struct FrameBuilder {
             failure = "there are neighbors in a query of two bodies";
         if (symbol != leaves_apart && symbol != leaves_meet && symbol != neighbors) return;
         if (header.options.stop_level >= 0) {
-            if (symbol != leaves_meet) failure = "there are triangles where no leaves are";
+            if (symbol != leaves_meet)
+                failure = "a test of triangles belongs to nodes that are no leaves";
             found.pairs.push_back(pair);
             return;
         }

@@ -217,7 +217,7 @@ TEST(MissedPairs, ARejectionTheOtherWayRoundIsFound) {
 
 TEST(MissedPairs, APairThatIsRejectedAtANodeWithoutAVolumeNamesIt) {
     Rows rows;
-    rows.trees[0].set_volume(1, {}, 0, "not all of its numbers are numbers of use");
+    rows.trees[0].set_volume(1, {}, 0, "one of its numbers is not finite or too large");
     rows.erase(Kind::pair, 1, 1);
     std::erase_if(rows.query.events, [](const EngineEvent& event) {
         return event.kind != Kind::pair && event.kind != Kind::volumes && event.a == 1;

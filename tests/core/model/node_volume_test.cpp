@@ -154,7 +154,7 @@ TEST(NodeVolume, SlabsThatBoundNothingAreRefused) {
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 2, 1}),
               "its least value is above the greatest in direction 2");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, {0, 1, 0, 1, 0, 1, 5, 6}),
-              "its planes leave nothing");
+              "its planes enclose no point");
 }
 
 TEST(NodeVolume, OneWithoutThicknessHasCornersToo) {

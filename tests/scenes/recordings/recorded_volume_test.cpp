@@ -110,7 +110,7 @@ TEST(RecordedVolume, ThatIsNoneSaysWhy) {
     EXPECT_EQ(fault_of(RecordedKind::kdop, {0, 1, 0, 1, 0}), "it has 5 numbers in place of 6");
     for (const double number : {infinity, -infinity, std::nan(""), 1e200, -1e200})
         EXPECT_EQ(fault_of(RecordedKind::ball, {0, number, 0, 1}),
-                  "not all of its numbers are numbers of use");
+                  "one of its numbers is not finite or too large");
     EXPECT_EQ(fault_of(RecordedKind::ball, {0, 0, 0, -1}), "its radius is below 0");
     EXPECT_EQ(fault_of(RecordedKind::capsule, {0, 0, 0, 1, 0, 0, -1}), "its radius is below 0");
     EXPECT_EQ(fault_of(RecordedKind::aabb, {0, 0, 0, 1, 1, -1}),
@@ -127,10 +127,10 @@ TEST(RecordedVolume, ThatIsNoneSaysWhy) {
     EXPECT_EQ(fault_of(RecordedKind::scb, {0, 0, 0, 2, 0, 0, 2, 1, -1}),
               "its normal is no unit vector");
     EXPECT_EQ(fault_of(RecordedKind::scb, {0, 0, 0, 2, 0, 0, 1, -1, 1}),
-              "its planes leave nothing");
+              "its planes enclose no point");
     for (const double middle : {3.0, -3.0})
         EXPECT_EQ(fault_of(RecordedKind::scb, {0, 0, 0, 2, 0, 0, 1, middle + 0.5, middle - 0.5}),
-                  "its planes exclude its whole ball");
+                  "its planes cut away the whole ball");
     EXPECT_EQ(fault_of(RecordedKind::scb2, {0, 0, 0, 2, 0, 0, 1, 1, -1, 0, 0, 1, 1, -1}),
               "its normals are not at right angles");
     for (const Numbers& numbers : {Numbers{}, Numbers{1, 2, 3, 4}})
