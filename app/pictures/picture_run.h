@@ -90,11 +90,11 @@ class PictureRun {
     /// A file of that picture.
     void take_file(const std::string& name, const std::filesystem::path& from);
     std::string written_list() const;
-    /// The picture that the overlay belongs to.
+    /// `picture` must be the one that the overlay belongs to.
     void write_svg(const std::string& name, const render::Picture& picture);
     /// The pictures for --terminal.
     std::vector<std::filesystem::path> to_show() const;
-    /// The page, the video, the sheet, the only picture, or the folder: the first that there is.
+    /// The page, the video, the sheet, the only picture, or the folder: the first that exists.
     std::filesystem::path to_open(bool with_video) const;
     /// The path of a file of that name; throws if it must not be written.
     std::filesystem::path place(const std::string& name) const;

@@ -69,7 +69,7 @@ std::string cost_text(const SceneTuning& tuning, std::size_t r, const std::strin
            ")";
 }
 
-/// How many timed settings are not measurably slower than the best.
+/// Counts the timed settings without a measurable difference from the best.
 std::string alike_text(const SceneTuning& tuning) {
     if (tuning.runs == 1)
         return "; one run, which cannot tell small differences from none: --repeat 5 can";
