@@ -48,7 +48,7 @@ TEST(MarkdownPage, HasEachOptionAsItIsTyped) {
         "\n| option | meaning |\n|---|---|\n"
         "| `-x, --exact A\\|B` | Whether a \\< b, as `a\\|b` says. Default: `A`. The environment "
         "variable `EXACT` does the same. |\n"
-        "\nExit status:\n\n0 done.\n";
+        "\nExit status: 0 done.\n";
     EXPECT_TRUE(page.ends_with(section)) << page;
 }
 
