@@ -46,13 +46,10 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
 int stage_column_width(Stage stage) { return column_width(std::string(stage_name(stage))); }
 
 std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string field = "\"";
-    for (const char c : text) {
-        if (c == '"') field += c;
-        field += c;
-    }
-    return field + "\"";
+    if (text.find_first_of(",:\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
 }
 
 std::string count_table_header(const std::vector<Stage>& stages) {

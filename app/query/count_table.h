@@ -16,7 +16,8 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
 /// Fits the name of the stage and a count.
 int stage_column_width(Stage stage);
 
-/// The text as a field of CSV (RFC 4180): in quotes if it has a comma, a quote or a line end.
+/// A field of a line of CSV (RFC 4180). A text with a colon is quoted too, since print_result would
+/// change a name that begins with two.
 std::string csv_field(const std::string& text);
 
 /// A table of queries: its header, and the row of a query. Each line has its line end.

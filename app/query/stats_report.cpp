@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/build_text.h"
+#include "app/query/count_table.h"
 #include "app/query/measures_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -210,15 +211,6 @@ std::string stats_csv_header(bool with_measures) {
         for (const WholeMeasure& field : whole_measures()) text += std::string(",") + field.name;
     }
     return text + "\n";
-}
-
-/// A field of a line of CSV (RFC 4180). A text with a colon is quoted too, since print_result would
-/// change a name that begins with two.
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",:\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
 }
 
 std::string stats_csv(const HierarchyStats& m) {
