@@ -400,7 +400,7 @@ TEST(RecordedTrace, KnowsTheTreesOfEachFrame) {
     const TraceEngine& engine = *recorded.header().engine;
     for (const int frame : {4, 9})
         for (std::size_t side = 0; side < 2; ++side)
-            EXPECT_EQ(engine.trees.at(frame)[side], tree_hash(*recorded.body(side, frame).tree));
+            EXPECT_EQ(engine.trees.at(frame)[side], recorded.body(side, frame).tree->hash());
     EXPECT_EQ(engine.trees.at(4)[0], engine.trees.at(9)[0]);
     EXPECT_NE(engine.trees.at(4)[1], engine.trees.at(9)[1]);
     EXPECT_EQ(recorded.body(0, 4).tree->volume_size(0).diameter, 2);
