@@ -103,9 +103,9 @@ std::string command_sections(const ReferenceCommand& command, const ReferenceCom
 
 std::string markdown_page(const ReferenceCommand& program) {
     return "# Commands and options\n\n"
-           "Every command with its options, as `scb COMMAND --help` prints them. Help has "
-           "examples, "
-           "too. This page is the\noutput of `scb reference`, and a test compares it.\n\n"
+           "Every command with its options, as `scb COMMAND --help` prints them. "
+           "Help has examples, too. This page is the\n"
+           "output of `scb reference`, and a test compares it.\n\n"
            "The options of [`scb`](#scb) hold for each command.\n" +
            command_sections(program, nullptr);
 }
