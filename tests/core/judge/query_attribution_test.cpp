@@ -13,7 +13,8 @@ using Kind = EngineEvent::Kind;
 Attribution attributed(const Rows& rows) {
     TraceHeader header;
     header.engine.emplace();
-    const TraceFrame frame = trace_frame(rows.query, {});
+    const TraceFrame frame =
+        trace_frame(rows.query, {{1, Stage::slab_a}, {2, Stage::slab_b}, {5, Stage::slab_ball}});
     return attribution(rows.query, rows.judged(), header, frame);
 }
 
