@@ -17,7 +17,7 @@ TEST(JudgedPoses, NamesNodesOfBThatStandBeforeThoseOfA) {
         if (auto* event = std::get_if<RecordedEvent>(&record)) std::swap(event->a, event->b);
     const RecordingJudgement judged = judge(records);
     ASSERT_FALSE(judged.poses.empty());
-    EXPECT_NE(judged.poses[0].pose.find("the other way round than the query"), std::string::npos);
+    EXPECT_NE(judged.poses[0].pose.find("in the other order than the query"), std::string::npos);
 }
 
 TEST(JudgedPoses, NamesThePoseThatTheTestsFit) {

@@ -229,7 +229,7 @@ TEST(DamagedTrace, ContradictionsAreNamed) {
         {header, made_up({0, 3, 3}, {1}, 1), "its counts differ from its tests"},
         {margin, made_up({3}, {}), "its header cannot be read"},
         {threshold, made_up({3}, {}), "its header cannot be read"},
-        {level, made_up({0, 2, 1}, {1}), "triangles where no leaves are"},
+        {level, made_up({0, 2, 1}, {1}), "belongs to nodes that are no leaves"},
         {no_triangles, made_up({3}, {}), "its header cannot be read"},
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
