@@ -9,7 +9,9 @@ namespace {
 
 TEST(CountRows, HaveEveryStageOnce) {
     Trace trace;
-    trace.frames.emplace_back().found.stages.fill(1);
+    std::vector<Step>& steps = trace.frames.emplace_back().steps.volumes;
+    for (std::size_t s = 0; s < stage_count; ++s)
+        steps.emplace_back().stage = static_cast<Stage>(s);
     const TraceDiff d = diff(trace, trace);
     std::set<std::string> names;
     const std::vector<CountRow> rows = count_rows(d.sum_a, d.sum_b, d.stages);
