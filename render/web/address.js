@@ -1,5 +1,8 @@
+import { cross, length, unit, clamp } from './linear.js';
+import { modes } from './words.js';
+
 // What is shown is in the address, so that a link opens the same view.
-class Address {
+export class Address {
   constructor(app) {
     this.app = app;
     window.addEventListener('hashchange', () => {

@@ -1,5 +1,5 @@
 // The arrays of the page, unpacked when they are asked for.
-class Blocks {
+export class Blocks {
   constructor() {
     this.elements = document.querySelectorAll('script.block');
     this.unpacked = new Map();

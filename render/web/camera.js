@@ -1,12 +1,14 @@
+import { add, subtract, scaled, dot, cross, length, unit, times, transposedTimes, turned, clamp } from './linear.js';
+
 // A ball about balls, and its center that of a box about them.
-function ballAbout(balls) {
+export function ballAbout(balls) {
   const ends = [0, 1, 2].map((i) => [Math.min(...balls.map(({ center, radius }) => center[i] - radius)), Math.max(...balls.map(({ center, radius }) => center[i] + radius))]);
   const center = ends.map(([least, most]) => (least + most) / 2);
   return { center, radius: Math.max(...balls.map((ball) => length(subtract(ball.center, center)) + ball.radius)) };
 }
 
 // Where one looks from. Axes are right, up and backward; `up` is the world's.
-class View {
+export class View {
   constructor(told, up) {
     this.up = up;
     this.fov = told.fov;

@@ -1,5 +1,10 @@
+import { add, subtract, scaled, dot, cross, length, times, transposedTimes } from './linear.js';
+import { shapeNames } from './tree.js';
+import { outlined } from './painter.js';
+import { worth } from './query.js';
+
 // What there is to draw of what is shown: volumes, triangles and lines of each column.
-class Content {
+export class Content {
   constructor(app) {
     this.app = app;
     this.groups = new Map();  // of levels, as long as nothing changes
@@ -8,7 +13,7 @@ class Content {
 
   // Unpacks what is needed. A promise of what there is of each column.
   async prepare() {
-    const { app } = this, { columns, state } = app, number = app.manifest.frames[state.at], { pair } = state;
+    const { app } = this, { state } = app, number = app.manifest.frames[state.at], { pair } = state;
     // The leaves of a pair of triangles, for the panel.
     const leaves = pair && await Promise.all([0, 1].map((side) => app.leafOf(pair[2], side, pair[side])));
     return Object.assign(await this.scenesOf(number), { leaves });

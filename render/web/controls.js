@@ -1,5 +1,7 @@
+import { modes } from './words.js';
+
 // Mouse, fingers and keys.
-class Controls {
+export class Controls {
   constructor(app) {
     this.app = app;
     this.pointers = new Map();

@@ -1,5 +1,7 @@
+import { terms } from './words.js';
+
 // Parts of the panel. Text from files is set as text, never as markup.
-const element = (name, properties = {}, ...children) => {
+export const element = (name, properties = {}, ...children) => {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(properties))
     if (key.startsWith('aria-') || key === 'for' || key === 'role') made.setAttribute(key, value);
@@ -7,18 +9,18 @@ const element = (name, properties = {}, ...children) => {
   made.append(...children);
   return made;
 };
-const counted = (n) => n.toLocaleString('en-US');
-const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.toExponential(2) : String(+x.toPrecision(5)));
-const percent = (part, whole) => `${whole > 0 ? ((100 * part) / whole).toFixed(1) : 0} %`;
-const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
+export const counted = (n) => n.toLocaleString('en-US');
+export const short = (x) => (Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.toExponential(2) : String(+x.toPrecision(5)));
+export const percent = (part, whole) => `${whole > 0 ? ((100 * part) / whole).toFixed(1) : 0} %`;
+export const css = (color) => `rgb(${color.slice(0, 3).join(',')})`;
 
-const faint = (text) => element('div', { className: 'faint', textContent: text });
+export const faint = (text) => element('div', { className: 'faint', textContent: text });
 // A word that says what it means, where it is one of the field's.
-const word = (text) => (terms[text] ? element('abbr', { textContent: text, title: terms[text] }) : text);
-const row = (...children) => element('div', { className: 'row' }, ...children);
-const table = (rows) => element('table', {}, ...rows.map(([name, ...values]) => element('tr', {}, element('td', {}, typeof name === 'string' ? word(name) : name), ...values.map((value) => element('td', {}, value)))));
+export const word = (text) => (terms[text] ? element('abbr', { textContent: text, title: terms[text] }) : text);
+export const row = (...children) => element('div', { className: 'row' }, ...children);
+export const table = (rows) => element('table', {}, ...rows.map(([name, ...values]) => element('tr', {}, element('td', {}, typeof name === 'string' ? word(name) : name), ...values.map((value) => element('td', {}, value)))));
 
-const button = (text, title, act, pressed = null) => {
+export const button = (text, title, act, pressed = null) => {
   const made = element('button', { type: 'button', textContent: text, title });
   made.addEventListener('click', act);
   if (pressed !== null) made.setAttribute('aria-pressed', pressed ? 'true' : 'false');
@@ -26,7 +28,7 @@ const button = (text, title, act, pressed = null) => {
 };
 
 // Has a method `update` that shows what `read` gives; `words` says it otherwise.
-const slider = (text, least, most, read, write, words = () => String(read())) => {
+export const slider = (text, least, most, read, write, words = () => String(read())) => {
   const input = element('input', { type: 'range', min: least, max: most, step: 1 }), output = element('output');
   input.setAttribute('aria-label', text);
   const made = element('label', {}, element('span', { textContent: text }), input, output);
@@ -41,13 +43,13 @@ const slider = (text, least, most, read, write, words = () => String(read())) =>
 };
 
 // A square of a color in a legend.
-const swatch = (color) => {
+export const swatch = (color) => {
   const made = element('span', { className: 'key' });
   made.style.background = css(color);
   return made;
 };
 // The colors of magnitudes from 0 to 1, and what they mean.
-const colorScale = (colors, title, labels) => {
+export const colorScale = (colors, title, labels) => {
   const bar = element('div', { className: 'scale' }), ticks = element('div', { className: 'ticks' });
   bar.style.background = `linear-gradient(to right, ${colors.map(css).join(',')})`;
   for (const [at, text] of labels) {

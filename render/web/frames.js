@@ -1,5 +1,8 @@
+import { element, counted, percent, css, faint, row, button } from './elements.js';
+import { passedOn } from './icicle.js';
+
 // The volume tests of each frame that has its query in the page, with those that were wasted on top; of several columns one below the other.
-class FrameChart {
+export class FrameChart {
   constructor(app) {
     this.app = app;
     this.places = new Map(app.manifest.frames.map((frame, i) => [frame, i]));

@@ -1,7 +1,9 @@
+import { add, subtract, scaled, times } from './linear.js';
+
 // The bytes of a binary glTF 2.0 file; null where there are no triangles. Of each mesh: { name, positions, indices, color (bytes), opacity, pose, center, id, depth }, with
 // positions that count from `center` in the frame that the pose places. Each is stored about its own middle, and placed from a common origin, which the root node moves
 // back, so that 32 bits are enough far away as well. There are no normals: viewers then show triangles as the flat ones they are.
-function glbOf(meshes, title) {
+export function glbOf(meshes, title) {
   const shown = meshes.filter(({ indices }) => indices.length > 0).map((mesh) => {
     const least = [0, 1, 2].map(() => Infinity), most = least.map((x) => -x);
     mesh.positions.forEach((x, i) => {

@@ -1,11 +1,14 @@
+import { clamp } from './linear.js';
+import { counted, css } from './elements.js';
+
 // Pairs whose children were tested next: paler than what was rejected at the balls.
-const passedOn = (theme, share = 0.35) => theme.mesh.map((c, i) => Math.round(share * c + (1 - share) * theme.background[i]));
+export const passedOn = (theme, share = 0.35) => theme.mesh.map((c, i) => Math.round(share * c + (1 - share) * theme.background[i]));
 // Text on a color.
 const inkOn = ([r, g, b]) => (0.3 * r + 0.59 * g + 0.11 * b > 110 ? [0, 0, 0] : [255, 255, 255]);
 
 // The traversal of a query as an icicle: each test of volumes is a box as wide as all tests that follow from it, below the test that led
 // to it. Where the mouse is, the scene shows the two nodes.
-class Icicle {
+export class Icicle {
   constructor(app) {
     this.app = app;
     this.canvas = document.getElementById('icicle');

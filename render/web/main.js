@@ -1,3 +1,20 @@
+import { add, subtract, scaled, length, times, clamp } from './linear.js';
+import { element, counted, short } from './elements.js';
+import { Blocks } from './blocks.js';
+import { Tree, radiusOf } from './tree.js';
+import { ballAbout, View } from './camera.js';
+import { Painter } from './painter.js';
+import { Query } from './query.js';
+import { Content } from './content.js';
+import { Icicle } from './icicle.js';
+import { Matrix } from './matrix.js';
+import { solidOf } from './solids.js';
+import { glbOf } from './glb.js';
+import { Panel } from './panel.js';
+import { snapshotOf } from './snapshot.js';
+import { Address } from './address.js';
+import { Controls } from './controls.js';
+
 // The page: what is shown, and who hears of it.
 class App {
   constructor() {

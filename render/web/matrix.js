@@ -1,6 +1,8 @@
+import { counted, css } from './elements.js';
+
 // Where in the two hierarchies a query made its tests: a cell for the depth of the node of A, to the right, and that of the node of B, down.
 // Where the mouse is, the scene shows the nodes of these tests and the icicle the tests.
-class Matrix {
+export class Matrix {
   constructor(app) {
     this.app = app;
     this.canvas = document.getElementById('matrix');

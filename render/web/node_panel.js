@@ -1,5 +1,10 @@
+import { add } from './linear.js';
+import { element, counted, short, faint, row, table, button, swatch } from './elements.js';
+import { shapeNames } from './tree.js';
+import { passedOn } from './icicle.js';
+
 // What the panel says of what was chosen: a node, a triangle or a pair of triangles.
-class NodePanel {
+export class NodePanel {
   constructor(app) {
     this.app = app;
     this.body = element('div', { 'aria-live': 'polite' });

@@ -1,8 +1,12 @@
+import { add, subtract, scaled, dot, cross, length, times, transposedTimes } from './linear.js';
+import { Program } from './programs.js';
+import { shapeNames } from './tree.js';
+
 // Bits of ids, see resolve.
-const outlined = { alone: 1 << 30, together: 1 << 29 };
+export const outlined = { alone: 1 << 30, together: 1 << 29 };
 
 // Draws panes: meshes and volumes by one camera, with the id of what each pixel shows.
-class Painter {
+export class Painter {
   // `grids`: corners of triangles all over a sphere, of few to many volumes.
   constructor(canvas, grids) {
     const gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false, powerPreference: 'high-performance' });

@@ -1,5 +1,13 @@
+import { dot } from './linear.js';
+import { modes, terms, concepts, keys } from './words.js';
+import { element, counted, short, faint, row, table, button, slider, swatch, colorScale } from './elements.js';
+import { ballAbout } from './camera.js';
+import { FrameChart } from './frames.js';
+import { QueryPanel } from './query_panel.js';
+import { NodePanel } from './node_panel.js';
+
 // What is beside the scene.
-class Panel {
+export class Panel {
   constructor(app) {
     this.app = app;
     this.root = document.getElementById('panel');

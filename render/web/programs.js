@@ -51,7 +51,7 @@ vec4 plane_at(int index) {
 }
 `;
 
-class Program {
+export class Program {
   constructor(gl, vertex, fragment, attributes, define = '') {
     this.gl = gl;
     this.name = gl.createProgram();

@@ -1,8 +1,11 @@
+import { radiusOf } from './tree.js';
+import { Icicle } from './icicle.js';
+
 // What a test can be worth but right, in the order of the page's `worths`.
-const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
+export const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
 
 // The tests of a query by one kind of volumes, frame by frame. Nodes are slots of their trees; -1: one that no root leads to, in recordings of broken trees.
-class Query {
+export class Query {
   constructor(blocks, told, trees) {
     Object.assign(this, { blocks, told, trees });
     this.frames = new Map(told.frames.map((frame) => [frame.frame, frame]));

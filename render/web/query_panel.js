@@ -1,5 +1,9 @@
+import { element, counted, short, percent, faint, word, row, table, button, swatch, colorScale } from './elements.js';
+import { worth } from './query.js';
+import { passedOn, Icicle } from './icicle.js';
+
 // What the panel says of the queries: numbers, how tests ended, what they were worth, and one test step by step.
-class QueryPanel {
+export class QueryPanel {
   constructor(app) {
     this.app = app;
   }

@@ -1,5 +1,9 @@
+import { modes } from './words.js';
+import { element, counted, css } from './elements.js';
+import { passedOn } from './icicle.js';
+
 // A picture of what is seen that explains itself: title, numbers, the scene with its scale, the traversal, and what colors mean.
-function snapshotOf(app) {
+export function snapshotOf(app) {
   const { canvas, state, manifest, columns, theme } = app, ratio = window.devicePixelRatio || 1, margin = 12, line = 20;
   const tests = document.getElementById('tests'), parts = [canvas, ...(tests.hidden ? [] : [tests])], width = canvas.clientWidth, middle = parts.reduce((sum, part) => sum + part.clientHeight, 0);
   const made = element('canvas'), context = made.getContext('2d'), font = (size, weight = 400) => (context.font = `${weight} ${size}px Roboto, system-ui, sans-serif`);

@@ -1,3 +1,6 @@
+import { add, subtract, scaled, dot, cross, length, unit, times, clamp } from './linear.js';
+import { shapeNames } from './tree.js';
+
 // Volumes as triangle meshes, { positions, indices }: closed, counterclockwise from outside, with all corners in or on the volume. What is flat is seen from both
 // sides, and what has no area has no triangles.
 const cornersOfCircle = 48;
@@ -197,7 +200,7 @@ function roundedHull(points, size, rounding, corners) {
 
 // A volume in its tree's frame, from the tree's center on. `numbers` are those of its shape, see WebShape; `extras` its planes or points, four numbers each.
 // `corners`: of a whole circle, a multiple of four.
-function solidOf(shape, numbers, extras, corners = cornersOfCircle) {
+export function solidOf(shape, numbers, extras, corners = cornersOfCircle) {
   const v = (i) => [...numbers.subarray(i, i + 3)], c = v(0), size = numbers[3];
   switch (shapeNames[shape]) {
     case 'scb': return slabCutBall(c, size, unit(v(4)), numbers[7], numbers[8], corners);

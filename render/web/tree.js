@@ -1,10 +1,10 @@
-const shapeNames = ['none', 'scb', 'scb2', 'box', 'polytope', 'rounded'];
+export const shapeNames = ['none', 'scb', 'scb2', 'box', 'polytope', 'rounded'];
 const numbersOf = [0, 9, 14, 12, 4, 5];  // of WebShape, see tree_blocks.h
 const texelWidth = 2048;
 
 // A hierarchy. Its nodes are in the order of their levels; levels are unpacked when they are shown, small ones together. "Slot" is a node's place in this
 // order, "node" its index, by which pixels and queries name it, "number" what users call it: of another engine's tree, its own number.
-class Tree {
+export class Tree {
   constructor(gl, blocks, told) {
     Object.assign(this, { gl, blocks, told });
     this.start = [0];
@@ -178,6 +178,6 @@ class Tree {
 }
 
 // Of a ball about a volume.
-function radiusOf({ shape, numbers }) {
+export function radiusOf({ shape, numbers }) {
   return shapeNames[shape] === 'box' ? Math.hypot(numbers[3], numbers[7], numbers[11]) : numbers[3] ?? 0;
 }

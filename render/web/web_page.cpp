@@ -11,28 +11,7 @@
 
 SCB_DECLARE_EMBEDDED(web_html)
 SCB_DECLARE_EMBEDDED(web_css)
-SCB_DECLARE_EMBEDDED(web_linear_js)
-SCB_DECLARE_EMBEDDED(web_words_js)
-SCB_DECLARE_EMBEDDED(web_elements_js)
-SCB_DECLARE_EMBEDDED(web_blocks_js)
-SCB_DECLARE_EMBEDDED(web_programs_js)
-SCB_DECLARE_EMBEDDED(web_tree_js)
-SCB_DECLARE_EMBEDDED(web_camera_js)
-SCB_DECLARE_EMBEDDED(web_painter_js)
-SCB_DECLARE_EMBEDDED(web_query_js)
-SCB_DECLARE_EMBEDDED(web_icicle_js)
-SCB_DECLARE_EMBEDDED(web_content_js)
-SCB_DECLARE_EMBEDDED(web_matrix_js)
-SCB_DECLARE_EMBEDDED(web_address_js)
-SCB_DECLARE_EMBEDDED(web_controls_js)
-SCB_DECLARE_EMBEDDED(web_solids_js)
-SCB_DECLARE_EMBEDDED(web_glb_js)
-SCB_DECLARE_EMBEDDED(web_frames_js)
-SCB_DECLARE_EMBEDDED(web_query_panel_js)
-SCB_DECLARE_EMBEDDED(web_node_panel_js)
-SCB_DECLARE_EMBEDDED(web_panel_js)
-SCB_DECLARE_EMBEDDED(web_snapshot_js)
-SCB_DECLARE_EMBEDDED(web_main_js)
+SCB_DECLARE_EMBEDDED(web_script)
 SCB_DECLARE_EMBEDDED(web_volume_vert)
 SCB_DECLARE_EMBEDDED(web_rounded_vert)
 SCB_DECLARE_EMBEDDED(web_segment_vert)
@@ -109,24 +88,6 @@ std::string shader_elements() {
     return text;
 }
 
-std::string script() {
-    std::string text = "'use strict';\n(() => {\n";
-    for (const std::string_view part :
-         {SCB_EMBEDDED(web_linear_js),     SCB_EMBEDDED(web_words_js),
-          SCB_EMBEDDED(web_elements_js),   SCB_EMBEDDED(web_blocks_js),
-          SCB_EMBEDDED(web_programs_js),   SCB_EMBEDDED(web_tree_js),
-          SCB_EMBEDDED(web_camera_js),     SCB_EMBEDDED(web_painter_js),
-          SCB_EMBEDDED(web_query_js),      SCB_EMBEDDED(web_content_js),
-          SCB_EMBEDDED(web_icicle_js),     SCB_EMBEDDED(web_matrix_js),
-          SCB_EMBEDDED(web_solids_js),     SCB_EMBEDDED(web_glb_js),
-          SCB_EMBEDDED(web_frames_js),     SCB_EMBEDDED(web_query_panel_js),
-          SCB_EMBEDDED(web_node_panel_js), SCB_EMBEDDED(web_panel_js),
-          SCB_EMBEDDED(web_snapshot_js),   SCB_EMBEDDED(web_address_js),
-          SCB_EMBEDDED(web_controls_js),   SCB_EMBEDDED(web_main_js)})
-        text += part;
-    return text + "})();\n";
-}
-
 }  // namespace
 
 std::string web_page(const WebPage& page, const BlockStore& store) {
@@ -138,7 +99,7 @@ std::string web_page(const WebPage& page, const BlockStore& store) {
                   std::string(types[static_cast<std::size_t>(block.type)]) + "\" data-count=\"" +
                   std::to_string(block.count) + "\">" + block.text + "</script>\n";
     }
-    const std::string style(SCB_EMBEDDED(web_css)), code = script();
+    const std::string style(SCB_EMBEDDED(web_css)), code(SCB_EMBEDDED(web_script));
     const std::pair<std::string_view, std::string> parts[] = {
         {"@STYLE_HASH@", hash_source(style)},
         {"@SCRIPT_HASH@", hash_source(code)},

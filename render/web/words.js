@@ -1,5 +1,5 @@
 // What can be shown, by the keys 1, 2 and so on.
-const modes = [
+export const modes = [
   { name: 'levels', text: 'Levels', about: 'The volumes of a level of the hierarchies' },
   { name: 'rejections', text: 'Rejections', about: 'The nodes at which paths of the traversal ended, colored by how' },
   { name: 'pairs', text: 'Pairs', about: 'The triangles that meet, and the lines in which they do' },
@@ -10,7 +10,7 @@ const modes = [
 ];
 
 // What words of the field mean.
-const terms = {
+export const terms = {
   'N_v': 'tests of two volumes',
   'N_p': 'tests of two triangles',
   'passed on': 'pairs that overlap, whose children were tested next; pairs of leaves, whose triangles were tested, are not among them',
@@ -31,9 +31,9 @@ const terms = {
   'n\u2033': 'normal of the second slab', 'e\u2033': 'height of its upper plane', 'f\u2033': 'height of its lower plane',
 };
 // Those that the help explains.
-const concepts = ['N_v', 'N_p', 'wasted N_v', 'overlapping pairs', 'fit too loose', 'test too weak', 'rejected wrongly', 'slack', 'gap'];
+export const concepts = ['N_v', 'N_p', 'wasted N_v', 'overlapping pairs', 'fit too loose', 'test too weak', 'rejected wrongly', 'slack', 'gap'];
 
-const keys = [
+export const keys = [
   ['1 to 7', modes.map(({ text }) => text.toLowerCase()).join(', ')],
   ['arrows', 'turn; with Shift, move'],
   ['+ \u2212', 'nearer, farther'],

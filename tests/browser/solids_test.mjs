@@ -1,14 +1,14 @@
 // The meshes that the page of `scb view` makes of volumes, and the files of them. Needs no browser.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-
-const parts = ['linear.js', 'tree.js', 'solids.js', 'glb.js'].map((name) => readFileSync(new URL(`../../render/web/${name}`, import.meta.url), 'utf8'));
-const { add, subtract, scaled, dot, cross, length, unit, times, shapeNames, Tree, solidOf, glbOf } =
-  new Function(`'use strict';${parts.join('')};return { add, subtract, scaled, dot, cross, length, unit, times, shapeNames, Tree, solidOf, glbOf };`)();
+import { glbOf } from '../../render/web/glb.js';
+import { add, cross, dot, length, scaled, subtract, times, unit } from '../../render/web/linear.js';
+import { solidOf } from '../../render/web/solids.js';
+import { Tree, shapeNames } from '../../render/web/tree.js';
 
 const floats = (...numbers) => Float32Array.from(numbers.flat(2));
 const solid = (name, numbers, extras = []) => solidOf(shapeNames.indexOf(name), floats(...numbers), floats(...extras));
