@@ -2,8 +2,20 @@
 // Everything that can be read without a script is in the page; this adds filters, ways to compare,
 // and lists of commands. What is only of use with it has the class "script".
 (() => {
-  const all = (selector, root = document) => [...root.querySelectorAll(selector)];
-  const one = (selector, root = document) => root.querySelector(selector);
+  /** @type {(selector: string, root?: ParentNode) => HTMLElement[]} */
+  const all = (selector, root = document) =>
+    [.../** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll(selector))];
+  /** @type {(selector: string, root?: ParentNode) => HTMLElement | null} */
+  const find = (selector, root = document) => root.querySelector(selector);
+  // An element that the template always has.
+  const one = /** @type {(selector: string, root?: ParentNode) => HTMLElement} */ (find);
+  /** @type {(target: EventTarget | null, selector: string) => HTMLElement | null} */
+  const closest = (target, selector) =>
+    target instanceof Element ? target.closest(selector) : null;
+  // The case of an item of the navigation.
+  /** @param {HTMLElement} item */
+  const caseOf = (item) =>
+    /** @type {HTMLElement} */ (document.getElementById(item.dataset.for ?? ''));
   const cases = all('.case');
   const stillness = matchMedia('(prefers-reduced-motion: reduce)');
   const mostZoom = 64;
@@ -14,12 +26,30 @@
 
   // --- pictures -------------------------------------------------------------------------------
 
-  // A viewer is what one case shows of its pictures. All pictures of a case move together.
+  // What one case shows of its pictures. All pictures of a case move together.
+  /**
+   * @typedef {'side' | 'slider' | 'flip'} Mode
+   * @typedef {object} Viewer
+   * @property {HTMLElement} root
+   * @property {HTMLElement[]} sets of pictures
+   * @property {HTMLElement} set the one that is shown
+   * @property {Mode} mode
+   * @property {boolean} touched whether the reader has chosen the mode
+   * @property {'baseline' | 'candidate'} shown
+   * @property {number} at of the slider, in percent
+   * @property {{ x: number, y: number, scale: number } | null} zoom null: the whole picture; else
+   * the pixel in the middle, and how large a pixel is
+   * @property {number} blinking the timer, or 0
+   */
+  /** @type {Map<HTMLElement | null, Viewer>} */
   const viewers = new Map();
+  /** @type {Mode} */
   let lastMode = 'side';
 
+  /** @param {HTMLElement} root */
   function makeViewer(root) {
     const sets = all('.pictures', root);
+    /** @type {Viewer} */
     const viewer = {
       root,
       sets,
@@ -28,7 +58,6 @@
       touched: false,
       shown: 'candidate',
       at: 50,
-      // null: the whole picture; else what is in the middle, and how large a pixel is.
       zoom: null,
       blinking: 0,
     };
@@ -36,23 +65,30 @@
     all('[data-show-set]', root).forEach((button) =>
       button.addEventListener('click', () => showSet(viewer, button.dataset.showSet)));
     all('[data-set-mode]', root).forEach((button) =>
-      button.addEventListener('click', () => setMode(viewer, button.dataset.setMode)));
+      button.addEventListener('click', () =>
+        setMode(viewer, /** @type {Mode} */ (button.dataset.setMode))));
     all('[data-zoom]', root).forEach((button) =>
       button.addEventListener('click', () => zoomBy(viewer, button.dataset.zoom)));
     one('[data-flip]', root).addEventListener('click', () => flip(viewer));
     one('[data-blink]', root).addEventListener('click', () => blink(viewer));
-    one('.slide input', root).addEventListener('input', (event) =>
-      slide(viewer, Number(event.target.value)));
+    const slider = sliderOf(root);
+    slider.addEventListener('input', () => slide(viewer, Number(slider.value)));
     sets.forEach((set) => dragIn(viewer, set));
     new ResizeObserver(() => place(viewer)).observe(root);
     update(viewer);
     return viewer;
   }
 
+  /** @param {HTMLElement} root */
+  const sliderOf = (root) => /** @type {HTMLInputElement} */ (one('.slide input', root));
+  /** @param {Viewer} viewer */
   const isComparable = (viewer) => 'comparable' in viewer.set.dataset;
+  /** @param {HTMLElement} set */
   const sizeOf = (set) => [Number(set.dataset.width), Number(set.dataset.height)];
+  /** @param {string | undefined} text */
   const boxOf = (text) => (text ? text.split(' ').map(Number) : null);
 
+  /** @type {(viewer: Viewer, name: string | undefined) => void} */
   function showSet(viewer, name) {
     const set = viewer.sets.find((s) => s.dataset.set === name);
     if (!set) return;
@@ -62,6 +98,7 @@
     else update(viewer);
   }
 
+  /** @param {Viewer} viewer @param {Mode} mode */
   function setMode(viewer, mode, touched = true) {
     if (mode !== 'side' && !isComparable(viewer)) return;
     if (mode !== 'flip') stopBlinking(viewer);
@@ -71,11 +108,13 @@
     update(viewer);
   }
 
+  /** @type {(viewer: Viewer, at: number) => void} */
   function slide(viewer, at) {
     viewer.at = Math.min(100, Math.max(0, at));
     update(viewer);
   }
 
+  /** @param {Viewer} viewer */
   function flip(viewer) {
     if (!isComparable(viewer)) return;
     if (viewer.mode !== 'flip') setMode(viewer, 'flip');
@@ -83,11 +122,13 @@
     update(viewer);
   }
 
+  /** @param {Viewer} viewer */
   function stopBlinking(viewer) {
     clearInterval(viewer.blinking);
     viewer.blinking = 0;
   }
 
+  /** @param {Viewer} viewer */
   function blink(viewer) {
     if (viewer.blinking) stopBlinking(viewer);
     else if (!stillness.matches && isComparable(viewer)) {
@@ -98,11 +139,13 @@
   }
 
   // The largest whole number of screen pixels a pixel at which the box, with room around it, fits.
+  /** @type {(viewer: Viewer, box: number[] | null) => void} */
   function zoomTo(viewer, box) {
     if (!box) return;
-    const frame = one('.frame', viewer.set);
+    const frame = find('.frame', viewer.set);
     if (!frame) return;
     const [left, top, right, bottom] = box;
+    /** @type {(from: number, to: number) => number} */
     const room = (from, to) => to - from + 2 * Math.max(3, Math.round((to - from) * 0.2));
     const scale = Math.min(
       frame.clientWidth / room(left, right), frame.clientHeight / room(top, bottom), mostZoom);
@@ -114,8 +157,9 @@
     update(viewer);
   }
 
+  /** @type {(viewer: Viewer, how: string | undefined) => void} */
   function zoomBy(viewer, how) {
-    const frame = one('.frame', viewer.set);
+    const frame = find('.frame', viewer.set);
     if (!frame) return;
     const [width, height] = sizeOf(viewer.set);
     const box = boxOf(viewer.set.dataset.box);
@@ -135,25 +179,28 @@
   }
 
   // By screen pixels; what is moved out of sight stays there only as far as it can.
+  /** @type {(viewer: Viewer, dx: number, dy: number) => void} */
   function pan(viewer, dx, dy) {
     if (!viewer.zoom) return;
     const frame = one('.frame', viewer.set);
     const [width, height] = sizeOf(viewer.set);
+    const { x, y, scale } = viewer.zoom;
+    /** @type {(at: number, size: number, extent: number) => number} */
     const within = (at, size, extent) => {
-      const half = extent / 2 / viewer.zoom.scale;
+      const half = extent / 2 / scale;
       return half * 2 >= size ? size / 2 : Math.min(size - half, Math.max(half, at));
     };
-    const { x, y, scale } = viewer.zoom;
     viewer.zoom.x = within(x - dx / scale, width, frame.clientWidth);
     viewer.zoom.y = within(y - dy / scale, height, frame.clientHeight);
     update(viewer);
   }
 
+  /** @type {(viewer: Viewer, set: HTMLElement) => void} */
   function dragIn(viewer, set) {
+    /** @type {PointerEvent | null} */
     let last = null;
     set.addEventListener('pointerdown', (event) => {
-      const frame = event.target.closest('.frame');
-      if (!frame || event.button !== 0) return;
+      if (!closest(event.target, '.frame') || event.button !== 0) return;
       last = event;
       set.setPointerCapture(event.pointerId);
       if (viewer.mode === 'slider') slideTo(event);
@@ -166,6 +213,7 @@
     });
     for (const end of ['pointerup', 'pointercancel'])
       set.addEventListener(end, () => (last = null));
+    /** @param {PointerEvent} event */
     function slideTo(event) {
       const frame = one('.baseline .frame', set).getBoundingClientRect();
       slide(viewer, Math.round((1000 * (event.clientX - frame.left)) / frame.width) / 10);
@@ -174,6 +222,7 @@
 
   // Pictures are shown in whole multiples of their size where they fit: anything else would make
   // some pixels larger than others.
+  /** @param {Viewer} viewer */
   function place(viewer) {
     const { set, zoom, mode } = viewer;
     const [width, height] = sizeOf(set);
@@ -195,6 +244,7 @@
         layer.style.width = layer.style.left = layer.style.top = '';
         continue;
       }
+      /** @type {(middle: number, size: number, extent: number) => number} */
       const start = (middle, size, extent) =>
         size * scale <= extent
           ? (extent - size * scale) / 2
@@ -208,6 +258,7 @@
     set.classList.toggle('zoomed', zoom !== null);
   }
 
+  /** @param {Viewer} viewer */
   function update(viewer) {
     const { root, set, mode } = viewer;
     const comparable = isComparable(viewer);
@@ -216,14 +267,15 @@
       s.dataset.shown = viewer.shown;
       s.style.setProperty('--at', `${viewer.at}%`);
     }
-    const press = (button, pressed) => button.setAttribute('aria-pressed', String(pressed));
+    const press = (/** @type {HTMLElement} */ button, /** @type {boolean} */ pressed) =>
+      button.setAttribute('aria-pressed', String(pressed));
     all('[data-show-set]', root).forEach((b) => press(b, b.dataset.showSet === set.dataset.set));
     all('[data-set-mode]', root).forEach((b) => press(b, b.dataset.setMode === mode));
     one('.modes', root).hidden = !comparable;
     one('.slide', root).hidden = mode !== 'slider';
-    one('.slide input', root).value = viewer.at;
+    sliderOf(root).value = String(viewer.at);
     one('.flips', root).hidden = mode !== 'flip';
-    const blinker = one('[data-blink]', root);
+    const blinker = /** @type {HTMLButtonElement} */ (one('[data-blink]', root));
     press(blinker, viewer.blinking !== 0);
     blinker.disabled = stillness.matches;
     blinker.title = stillness.matches ? 'Off, since this system asks for less motion' : '';
@@ -244,7 +296,7 @@
   }
 
   cases.forEach((article) => {
-    const root = one('.viewer', article);
+    const root = find('.viewer', article);
     if (root) viewers.set(article, makeViewer(root));
     all('[data-go]', article).forEach((button) => {
       const viewer = viewers.get(article);
@@ -265,9 +317,10 @@
 
   // --- filters --------------------------------------------------------------------------------
 
-  const filter = one('#filter');
-  const chips = all('.chip');
-  const briefs = all('.brief');
+  const filter = /** @type {HTMLInputElement} */ (one('#filter'));
+  const chips = /** @type {HTMLButtonElement[]} */ (all('.chip'));
+  const briefs = /** @type {HTMLDetailsElement[]} */ (all('.brief'));
+  /** @type {Map<HTMLElement, boolean>} */
   const briefWasOpen = new Map();
 
   function shownCases() {
@@ -278,31 +331,31 @@
     const wanted = chips.filter((c) => c.getAttribute('aria-pressed') === 'true')
       .map((c) => c.dataset.verdict);
     const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const byVerdict = (element) => wanted.length === 0 || wanted.includes(element.dataset.verdict);
-    const byText = (text) => words.every((word) => text.toLowerCase().includes(word));
+    const byVerdict = (/** @type {HTMLElement} */ element) =>
+      wanted.length === 0 || wanted.includes(element.dataset.verdict);
+    const byText = (/** @type {string} */ text) =>
+      words.every((word) => text.toLowerCase().includes(word));
     let count = 0;
     for (const article of cases) {
       article.hidden = !byVerdict(article) || !byText(textOf(article));
       count += article.hidden ? 0 : 1;
     }
     for (const item of all('nav li'))
-      item.hidden = document.getElementById(item.dataset.for).hidden;
+      item.hidden = caseOf(item).hidden;
     for (const brief of briefs) {
       let names = 0;
       for (const item of all('li', brief)) {
-        item.hidden = !byText(item.textContent);
+        item.hidden = !byText(item.textContent ?? '');
         names += item.hidden ? 0 : 1;
       }
       brief.hidden = !byVerdict(brief) || names === 0;
       count += brief.hidden ? 0 : names;
       // What was asked for is not left folded.
       const asked = wanted.length > 0 || words.length > 0;
-      if (asked && !briefWasOpen.has(brief)) briefWasOpen.set(brief, brief.open);
-      if (asked) brief.open = true;
-      else if (briefWasOpen.has(brief)) {
-        brief.open = briefWasOpen.get(brief);
-        briefWasOpen.delete(brief);
-      }
+      const before = briefWasOpen.get(brief) ?? brief.open;
+      brief.open = asked || before;
+      if (asked) briefWasOpen.set(brief, before);
+      else briefWasOpen.delete(brief);
     }
     const total = cases.length + briefs.reduce((n, b) => n + all('li', b).length, 0);
     one('#shown').textContent = count === total ? '' : `${count} of ${total} cases shown`;
@@ -310,13 +363,14 @@
     one('#tick-all').hidden = all('.case:not([hidden]) .tick').length === 0;
   }
 
+  /** @type {Map<HTMLElement, string>} */
   const texts = new Map();
+  /** @param {HTMLElement} article */
   function textOf(article) {
-    if (!texts.has(article)) {
-      const parts = all('h2, .cause, .message, .lines, tbody th, .commands code', article);
-      texts.set(article, parts.map((p) => p.textContent).join(' '));
-    }
-    return texts.get(article);
+    const parts = 'h2, .cause, .message, .lines, tbody th, .commands code';
+    const text = texts.get(article) ?? all(parts, article).map((p) => p.textContent).join(' ');
+    texts.set(article, text);
+    return text;
   }
 
   chips.forEach((chip) => {
@@ -336,7 +390,7 @@
 
   // --- ticked cases ---------------------------------------------------------------------------
 
-  const ticks = all('.tick');
+  const ticks = /** @type {HTMLInputElement[]} */ (all('.tick'));
   const ticked = one('#ticked');
 
   function showTicked() {
@@ -351,14 +405,15 @@
     one('#ticked-command').textContent =
       [...commands].map(([prefix, names]) => [prefix, ...new Set(names)].join(' ')).join('\n');
     for (const item of all('nav li')) {
-      const tick = one('.tick', document.getElementById(item.dataset.for));
+      const tick = /** @type {HTMLInputElement | null} */ (find('.tick', caseOf(item)));
       item.classList.toggle('ticked', Boolean(tick?.checked));
     }
   }
 
   ticks.forEach((tick) => tick.addEventListener('change', showTicked));
   one('#tick-all').addEventListener('click', () => {
-    all('.case:not([hidden]) .tick').forEach((tick) => (tick.checked = true));
+    const shown = /** @type {HTMLInputElement[]} */ (all('.case:not([hidden]) .tick'));
+    shown.forEach((tick) => (tick.checked = true));
     showTicked();
   });
   one('#untick').addEventListener('click', () => {
@@ -369,17 +424,18 @@
 
   // --- copying --------------------------------------------------------------------------------
 
+  /** @param {HTMLElement} button */
   async function copy(button) {
-    const code = one('code', button.closest('dd, aside'));
+    const code = one('code', closest(button, 'dd, aside') ?? document);
     let done = true;
     try {
-      await navigator.clipboard.writeText(code.textContent);
+      await navigator.clipboard.writeText(code.textContent ?? '');
     } catch {
       // Pages from disk may be refused the clipboard; a selection can always be copied.
       const range = document.createRange();
       range.selectNodeContents(code);
-      getSelection().removeAllRanges();
-      getSelection().addRange(range);
+      getSelection()?.removeAllRanges();
+      getSelection()?.addRange(range);
       done = document.execCommand('copy');
     }
     button.textContent = done ? 'copied' : 'selected';
@@ -389,11 +445,13 @@
 
   // --- keys -----------------------------------------------------------------------------------
 
-  const dialog = one('#keys');
+  const dialog = /** @type {HTMLDialogElement} */ (one('#keys'));
   one('#show-keys').addEventListener('click', () => dialog.showModal());
+  /** @type {HTMLElement | null} */
   let current = null;
 
   // Unlike scrollIntoView, leaves the page where it is: it must not move under a finger.
+  /** @type {(list: HTMLElement, item: HTMLElement) => void} */
   function scrollWithin(list, item) {
     const outer = list.getBoundingClientRect();
     const inner = item.getBoundingClientRect();
@@ -401,6 +459,7 @@
     else if (inner.bottom > outer.bottom) list.scrollTop += inner.bottom - outer.bottom;
   }
 
+  /** @param {HTMLElement} article */
   function enter(article) {
     if (current === article) return;
     const before = viewers.get(current);
@@ -409,8 +468,9 @@
       update(before);
     }
     current = article;
-    all('nav a').forEach((link) => {
-      if (article && link.hash === `#${article.id}`) {
+    const links = /** @type {HTMLAnchorElement[]} */ (all('nav a'));
+    links.forEach((link) => {
+      if (link.hash === `#${article.id}`) {
         link.setAttribute('aria-current', 'true');
         scrollWithin(one('nav'), link);
       } else link.removeAttribute('aria-current');
@@ -419,35 +479,42 @@
     if (viewer && !viewer.touched) setMode(viewer, lastMode, false);
   }
 
+  /** @param {HTMLElement} article */
   function go(article) {
     enter(article);
     article.focus({ preventScroll: true });
     article.scrollIntoView({ block: 'start' });
   }
 
+  /** @param {number} by */
   function step(by) {
     const shown = shownCases();
     if (shown.length === 0) return;
-    const at = shown.indexOf(current);
+    const at = shown.findIndex((article) => article === current);
     const next = at < 0 ? (by > 0 ? 0 : shown.length - 1) : at + by;
     go(shown[Math.min(shown.length - 1, Math.max(0, next))]);
   }
 
   document.addEventListener('focusin', (event) => {
-    const article = event.target.closest?.('.case');
+    const article = closest(event.target, '.case');
     if (article) enter(article);
   });
   // Clicking into a case makes it the one that the keys mean.
   document.addEventListener('pointerdown', (event) => {
-    const article = event.target.closest?.('.case');
+    const article = closest(event.target, '.case');
     if (article) enter(article);
   });
 
+  /** @type {Record<string, number[] | undefined>} */
   const arrows = {
     ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
   };
 
+  /** @type {Record<string, Mode | undefined>} */
+  const modeKeys = { 1: 'side', 2: 'slider', 3: 'flip' };
+
   // Returns whether the key meant something.
+  /** @param {KeyboardEvent} event */
   function press(event) {
     const { key, target } = event;
     const viewer = viewers.get(current);
@@ -457,12 +524,11 @@
     if (key === '?') return dialog.showModal(), true;
     if (!current || current.hidden) return false;
     if (key === 'x') {
-      const tick = one('.tick', current);
-      if (tick) tick.click();
+      find('.tick', current)?.click();
       return true;
     }
     if (!viewer) return false;
-    if (key === ' ' && target.closest('button, a, input, summary')) return false;
+    if (key === ' ' && closest(target, 'button, a, input, summary')) return false;
     if (key === ' ' || key === 'f') return flip(viewer), true;
     if (key === 'b') return blink(viewer), true;
     if (key === 'z') return zoomBy(viewer, viewer.zoom ? 'whole' : 'box'), true;
@@ -472,14 +538,15 @@
       const next = viewer.sets[(viewer.sets.indexOf(viewer.set) + 1) % viewer.sets.length];
       return showSet(viewer, next.dataset.set), true;
     }
-    const mode = { 1: 'side', 2: 'slider', 3: 'flip' }[key];
+    const mode = modeKeys[key];
     if (mode) return setMode(viewer, mode), true;
-    if (key in arrows && event.shiftKey && viewer.zoom) {
-      const [dx, dy] = arrows[key];
+    const arrow = arrows[key];
+    if (arrow && event.shiftKey && viewer.zoom) {
+      const [dx, dy] = arrow;
       return pan(viewer, 40 * dx, 40 * dy), true;
     }
     // Regions that scroll and the slider itself have their own arrows.
-    if (viewer.mode === 'slider' && !event.shiftKey && !target.closest('input, .scroll')) {
+    if (viewer.mode === 'slider' && !event.shiftKey && !closest(target, 'input, .scroll')) {
       if (key === 'ArrowLeft') return slide(viewer, viewer.at - 2), true;
       if (key === 'ArrowRight') return slide(viewer, viewer.at + 2), true;
     }
@@ -488,8 +555,8 @@
 
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || dialog.open) return;
-    if (event.target.matches('input[type="search"]')) {
-      if (event.key === 'Escape' && event.target.value === '') event.target.blur();
+    if (event.target === filter) {
+      if (event.key === 'Escape' && filter.value === '') filter.blur();
       return;
     }
     if (press(event)) event.preventDefault();

@@ -1,12 +1,17 @@
-import { element, counted, percent, css, faint, row, button } from './elements.js';
+import { element, contextOf, counted, percent, css, faint, row, button } from './elements.js';
 import { passedOn } from './icicle.js';
 
 // The volume tests of each frame that has its query in the page, with those that were wasted on top; of several columns one below the other.
 export class FrameChart {
+  // The frames that waste the most; from parts().
+  /** @type {HTMLElement | null} */
+  worst = null;
+
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.places = new Map(app.manifest.frames.map((frame, i) => [frame, i]));
-    this.columns = app.columns.map(({ query }, k) => ({ query, k })).filter(({ query }) => query && app.manifest.frames.length > 1);
+    this.columns = app.columns.flatMap(({ query }, k) => (query && app.manifest.frames.length > 1 ? [{ query, k }] : []));
     this.canvas = element('canvas', { className: 'chart', title: 'Volume tests by frame, the wasted ones on top; click to go there' });
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', 'Volume tests by frame');
@@ -27,18 +32,24 @@ export class FrameChart {
     this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.told.frames.length > 1).flatMap(({ query, k }) => {
       const worst = [...query.told.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
       return [faint(`${of}frames with the most wasted tests`), row(...worst.map(({ frame, wasted, n_v }) =>
-        button(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.places.get(frame) }))))];
+        button(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.placeOf(frame) }))))];
     }));
   }
 
+  /** @param {number} frame */
+  placeOf(frame) {
+    return this.places.get(frame) ?? 0;
+  }
+
   // The nearest with a query.
+  /** @param {number} x */
   frameAt(x) {
-    const at = (x / this.canvas.clientWidth) * this.app.manifest.frames.length - 0.5, have = this.columns.flatMap(({ query }) => [...query.frames.keys()].map((frame) => this.places.get(frame)));
+    const at = (x / this.canvas.clientWidth) * this.app.manifest.frames.length - 0.5, have = this.columns.flatMap(({ query }) => [...query.frames.keys()].map((frame) => this.placeOf(frame)));
     return have.reduce((best, place) => (Math.abs(place - at) < Math.abs(best - at) ? place : best), have[0] ?? this.app.state.at);
   }
 
   draw() {
-    const { app, canvas } = this, width = canvas.clientWidth, height = canvas.clientHeight, ratio = window.devicePixelRatio || 1, context = canvas.getContext('2d');
+    const { app, canvas } = this, width = canvas.clientWidth, height = canvas.clientHeight, ratio = window.devicePixelRatio || 1, context = contextOf(canvas);
     if (width === 0 || this.columns.length === 0) return;
     Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -46,7 +57,7 @@ export class FrameChart {
     this.columns.forEach(({ query }, i) => {
       const bottom = (i + 1) * row, unit = (row - 3) / most;
       for (const { frame, n_v, wasted } of query.told.frames) {
-        const x = this.places.get(frame) * step;
+        const x = this.placeOf(frame) * step;
         context.fillStyle = css(passedOn(app.theme, 0.6));
         context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 2), unit * (n_v - wasted));
         context.fillStyle = css(query.told.worths[0][app.state.theme]);

@@ -16,33 +16,75 @@ import { Address } from './address.js';
 import { Controls } from './controls.js';
 
 // The page: what is shown, and who hears of it.
-class App {
+export class App {
+  // From start().
+  /** @type {Painter} */
+  painter;
+  depth = 0;
+  /** @type {Column[]} */
+  columns = [];
+  // Per column, see idsOf.
+  /** @type {{ whole: number[], marked: number[] }[]} */
+  triangleIds = [];
+  /** @type {Content} */
+  content;
+  /** @type {Address} */
+  address;
+  /** @type {Panel} */
+  panel;
+  /** @type {Icicle} */
+  icicle;
+  /** @type {Matrix} */
+  matrix;
+
+  // From refresh().
+  /** @type {Scenes} */
+  scenes = Object.assign([], { leaves: null });
+  turn = 0;
+  unpacked = false;
+
+  // From draw(), in pixels of the canvas.
+  /** @type {Rectangle[]} */
+  rectangles = [];
+  /** @type {Pane[]} */
+  panes = [];
+  queued = false;
+  moving = false;
+  cost = 0;  // milliseconds
+  /** @type {WebGLSync | null} */
+  fence = null;
+  /** @type {number | undefined} */
+  rest;
+
+  playing = false;
+  /** @type {number | undefined} */
+  next;
+
   constructor() {
-    this.manifest = JSON.parse(document.getElementById('manifest').textContent);
-    this.canvas = document.getElementById('canvas');
+    /** @type {Manifest} */
+    this.manifest = JSON.parse(/** @type {HTMLScriptElement} */ (document.getElementById('manifest')).text);
+    this.canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('canvas'));
     this.blocks = new Blocks();
     const { manifest } = this;
+    /** @type {State} */
     this.state = {
-      ...manifest.start, mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
+      ...manifest.start, theme: manifest.start.theme ?? (window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'), mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
       selected: null, isolated: false, pair: null,  // a node or triangle; two triangles that meet, and the column that found them
       test: -1, hover: -1, root: 0, cell: null, by: 'ending',  // of the traversal
     };
-    this.state.theme ??= window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
     this.view = new View(manifest.camera, manifest.up);
-    this.queued = false;
-    this.playing = false;
   }
 
   async start() {
     const { manifest } = this;
     this.painter = new Painter(this.canvas, await Promise.all(manifest.grids.map((grid) => this.blocks.get(grid))));
-    this.canvas.app = this;  // for scripts
+    Object.assign(this.canvas, { app: this });  // for scripts
     const trees = manifest.trees.map((told) => new Tree(this.painter.gl, this.blocks, told));
     await Promise.all(trees.map((tree) => tree.open()));
     this.depth = Math.max(...trees.map((tree) => tree.depth));
     this.columns = await Promise.all(manifest.columns.map(async (told) => {
       const bodies = await Promise.all(told.bodies.map(async (body) => ({ ...body, tree: trees[body.tree], poses: await this.blocks.get(body.poses) })));
-      return { ...told, bodies, query: told.query && new Query(this.blocks, told.query, bodies.map((body) => body.tree)) };
+      return { ...told, bodies, query: told.query ? new Query(this.blocks, told.query, bodies.map((body) => body.tree)) : null };
     }));
     this.triangleIds = this.columns.map(({ bodies }) => this.idsOf(bodies));
     document.documentElement.classList.add('draws');
@@ -60,6 +102,7 @@ class App {
   }
 
   // Ids of triangles are behind those of all nodes: of the whole mesh of a body, then of those of them that are drawn by themselves.
+  /** @param {ColumnBody[]} bodies */
   idsOf(bodies) {
     const counts = bodies.map((body) => (body.mesh === null ? 0 : this.manifest.meshes[body.mesh].triangles));
     let next = Math.max(...bodies.map((body) => body.first_id + body.tree.told.nodes));
@@ -85,24 +128,36 @@ class App {
     return this.state.mode === 'tests' || this.state.mode === 'wasted';
   }
   // Of rejections how paths ended, of verdicts what tests were worth.
+  /** @param {QueryFrame} frame */
   classesOf(frame) {
     return this.state.mode === 'verdicts' ? frame.judged : frame.ended;
   }
+  /**
+   * @param {Query} query
+   * @returns {Label[]}
+   */
   labelsOf(query) {
     return this.state.mode === 'verdicts' ? query.told.worths : query.told.groups;
   }
 
+  /** @type {(column: number, body: number) => Tree} */
   treeOf(column, body) {
     return this.columns[column].bodies[body].tree;
   }
+  /** @param {number} body */
   levelOf(body) {
     return this.state.levels[body] ?? this.state.level;
   }
+  /** @type {(column: number, body: number) => Pose} */
   poseOf(column, body) {
     const p = this.columns[column].bodies[body].poses.subarray(12 * this.state.at, 12 * this.state.at + 12);
     return { rotation: [0, 1, 2].map((i) => [p[i], p[4 + i], p[8 + i]]), translation: [p[3], p[7], p[11]] };
   }
   // In the world.
+  /**
+   * @param {number} column
+   * @returns {Ball[]}
+   */
   ballsOf(column) {
     return this.columns[column].bodies.map(({ tree: { told } }, b) => {
       const pose = this.poseOf(column, b);
@@ -111,6 +166,7 @@ class App {
   }
 
   // The slot of the node that is selected, in another column that of the same node; -1: there is none.
+  /** @param {number} column */
   selectedSlot(column) {
     const { selected } = this.state;
     if (!selected) return -1;
@@ -119,12 +175,14 @@ class App {
   }
 
   // The test that is looked at, or that which is enlarged; -1: there is none.
+  /** @param {QueryFrame} frame */
   shownTest(frame) {
     const { hover, test, root } = this.state;
     return [hover, test, root, 0].find((n) => n >= 0 && n < frame.outcomes.length) ?? -1;
   }
 
   // Changes what is shown, and shows it.
+  /** @param {Partial<State>} change */
   set(change) {
     if ('at' in change || 'mode' in change || 'column' in change) Object.assign(this.state, { test: -1, hover: -1, root: 0, cell: null });
     if ('at' in change) this.state.pair = null;
@@ -140,10 +198,11 @@ class App {
 
   // The places of frames that one goes through: where queries are shown, of those that have one.
   get stops() {
-    const { frames } = this.manifest, has = (frame) => this.state.mode === 'levels' || this.columns.some(({ query }) => query?.frames.has(frame));
+    const { frames } = this.manifest, has = (/** @type {number} */ frame) => this.state.mode === 'levels' || this.columns.some(({ query }) => query?.frames.has(frame));
     const stops = [...frames.keys()].filter((at) => has(frames[at]));
     return stops.length > 0 ? stops : [...frames.keys()];
   }
+  /** @param {number} sign */
   step(sign) {
     const { at } = this.state, to = sign > 0 ? this.stops.find((stop) => stop > at) : this.stops.findLast((stop) => stop < at);
     return to === undefined ? null : this.set({ at: to });
@@ -158,7 +217,7 @@ class App {
 
   // Unpacks what is needed, then draws; what was asked for in the meantime wins.
   async refresh() {
-    const turn = (this.turn = (this.turn ?? 0) + 1);
+    const turn = ++this.turn;
     this.unpacked = false;
     try {
       const scenes = await this.content.prepare();
@@ -167,19 +226,19 @@ class App {
       this.content.upload(scenes);
     } catch (error) {
       if (turn !== this.turn) return;
-      this.panel.nodePanel.say(error.message);
+      this.panel.nodePanel.say(error instanceof Error ? error.message : String(error));
       return;
     }
     this.unpacked = true;
     const { state } = this, { dataset, classList } = document.documentElement;
     dataset.theme = state.theme;
-    const { query } = this.columns[state.column], { frame } = this.scenes[state.column], traversal = state.mode === 'traversal' && Boolean(frame);
-    classList.toggle('traversal', traversal);
-    document.getElementById('tests').hidden = !traversal;
+    const { frame } = this.scenes[state.column], traversal = state.mode === 'traversal' ? frame : null;
+    classList.toggle('traversal', traversal !== null);
+    /** @type {HTMLElement} */ (document.getElementById('tests')).hidden = !traversal;
     if (traversal) {
-      document.getElementById('whose').textContent = this.columns.length > 1 ? this.columns[state.column].title : '';
-      this.icicle.show(query, frame, state.root);
-      this.matrix.show(query, frame);
+      /** @type {HTMLElement} */ (document.getElementById('whose')).textContent = this.columns.length > 1 ? this.columns[state.column].title : '';
+      this.icicle.show(traversal, state.root);
+      this.matrix.show(traversal);
     }
     this.view.clip = state.clip;
     this.panel.update();
@@ -205,6 +264,7 @@ class App {
   }
 
   // How long the picture takes, in milliseconds, if it is drawn finely.
+  /** @type {(began: number, times: number) => void} */
   watch(began, times) {
     const { gl } = this.painter;
     this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -219,9 +279,14 @@ class App {
   }
 
   // The color of a count on a logarithmic scale with its end, as heat_figure.cpp has it.
+  /** @type {(count: number, end: number) => Color} */
   heatColor(count, end) {
     return this.scaleColor(count > 0 ? clamp(Math.log(count / 0.25) / Math.log(end / 0.25), 0, 1) : 0);
   }
+  /**
+   * @param {number} share
+   * @returns {Color}
+   */
   scaleColor(share) {
     const { viridis } = this.manifest, at = share * (viridis.length - 1), below = Math.min(Math.floor(at), viridis.length - 2), t = at - below;
     return viridis[below].map((c, i) => Math.round(c + t * (viridis[below + 1][i] - c)));
@@ -235,20 +300,20 @@ class App {
     const balls = columns.map((_, k) => this.ballsOf(k)), middle = balls.flat().reduce((most, ball) => Math.max(most, length(subtract(ball.center, view.target)) + ball.radius), 0);
     view.standBack = 2 * middle + view.distance;
     this.rectangles = columns.map((_, k) => {
-      const part = (n) => [Math.round((n * k) / many), Math.round((n * (k + 1)) / many)];
+      const part = (/** @type {number} */ n) => [Math.round((n * k) / many), Math.round((n * (k + 1)) / many)];
       const [x0, x1] = across ? part(width) : [0, width], [y0, y1] = across ? [0, height] : part(height);
       return [x0, y0, x1 - x0, y1 - y0];  // from the top left
     });
     view.holdIn(this.rectangles[0][2], this.rectangles[0][3]);
     this.panes = columns.map((_, k) => {
-      const [x, y, w, h] = this.rectangles[k], rectangle = [x, height - y - h, w, h].map((n) => n * samples);
+      const [x, y, w, h] = this.rectangles[k], rectangle = /** @type {Rectangle} */ ([x, height - y - h, w, h].map((n) => n * samples));
       const eye = view.eye(rectangle, samples, balls[k]);
-      const list = (groups) => {
+      const list = (/** @type {PlacedGroup[]} */ groups) => {
         const words = new Uint32Array(groups.reduce((sum, group) => sum + group.words.length, 0));
         groups.reduce((at, group) => (words.set(group.words, at), at + group.words.length), 0);
         return { groups, words, count: words.length / 3 };
       };
-      const placed = (group) => {
+      const placed = (/** @type {VolumeGroup} */ group) => {
         const pose = this.poseOf(k, group.body);
         return { ...group, pose, placement: view.placement(pose, group.tree.told.center, eye.far) };
       };
@@ -259,8 +324,9 @@ class App {
     this.drawLabels(ratio);
   }
 
+  /** @param {number} ratio */
   drawLabels(ratio) {
-    document.getElementById('labels').replaceChildren(...(this.columns.length > 1 ? this.columns : []).map(({ title }, k) => {
+    /** @type {HTMLElement} */ (document.getElementById('labels')).replaceChildren(...(this.columns.length > 1 ? this.columns : []).map(({ title }, k) => {
       const label = element('span', { textContent: title });
       label.style.left = `${this.rectangles[k][0] / ratio + 6}px`;
       label.style.top = `${this.rectangles[k][1] / ratio + 4}px`;
@@ -270,20 +336,22 @@ class App {
     // A round length of at most a fifth of the view, at the target.
     const height = this.rectangles[0][3] / ratio, world = this.view.pixel(height), most = (this.rectangles[0][2] / ratio) * 0.2 * world;
     const power = 10 ** Math.floor(Math.log10(most)), size = [5, 2, 1].map((n) => n * power).find((n) => n <= most) ?? power;
-    const bar = document.getElementById('bar');
-    bar.firstElementChild.textContent = short(size);
-    bar.lastElementChild.style.width = `${size / world}px`;
+    const [text, line] = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#bar > *'));
+    text.textContent = short(size);
+    line.style.width = `${size / world}px`;
   }
 
   // The commands that draw the same without a browser.
   commands() {
-    const { manifest, state, columns } = this, commands = manifest.commands[state.mode] ?? [], words = [];
+    const { manifest, state, columns } = this, commands = manifest.commands[state.mode] ?? [];
+    /** @type {string[]} */
+    const words = [];
     if (state.mode === 'levels') words.push(`--levels ${state.level}`, `--opacity ${+state.opacity.toFixed(2)}`, ...(state.mesh ? ['--mesh'] : []), ...(state.edges ? ['--edges'] : []));
-    const frame = state.mode === 'traversal' ? this.scenes?.[state.column]?.frame : null;
-    if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${columns[state.column].query.pairText(frame, state.root)}`);
+    const frame = state.mode === 'traversal' ? this.scenes[state.column]?.frame : null;
+    if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${frame.query.pairText(frame, state.root)}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     if (state.mode === 'rejections' && state.hidden.length > 0) {
-      const { query } = columns.find((column) => column.query), shown = query.told.groups.filter(({ label }) => !state.hidden.includes(label));
+      const shown = columns.find(({ query }) => query)?.query?.told.groups.filter(({ label }) => !state.hidden.includes(label)) ?? [];
       if (shown.length > 0) words.push(`--stages ${shown.map(({ stages }) => stages).join()}`);
     }
     const bodies = columns[0].bodies.filter((_, b) => !state.without.includes(b));
@@ -300,17 +368,20 @@ class App {
   }
 
   // The command that explains a test of a column.
+  /** @type {(column: number, test: number) => string} */
   explain(column, test) {
-    const { explain, query, several_frames } = this.columns[column], { frame } = this.scenes[column], { manifest, state } = this;
-    return explain && `${explain}${several_frames ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${query.pairText(frame, test)}`;
+    const { explain, several_frames } = this.columns[column], { frame } = this.scenes[column], { manifest, state } = this;
+    return !explain || !frame ? '' : `${explain}${several_frames ? ` --frames ${manifest.frames[state.at]}` : ''} --pair ${frame.query.pairText(frame, test)}`;
   }
 
   // The column at a point of the canvas.
+  /** @type {(px: number, py: number) => number} */
   columnAt(px, py) {
     return Math.max(0, this.rectangles.findIndex(([left, top, width, height]) => px >= left && px < left + width && py >= top && py < top + height));
   }
 
   // What is at a point of the canvas, in pixels of the page: a node, a triangle or a pair of triangles.
+  /** @type {(x: number, y: number) => Picked | null} */
   pick(x, y) {
     const ratio = this.canvas.width / this.canvas.clientWidth, px = Math.floor(x * ratio), py = Math.floor(y * ratio), column = this.columnAt(px, py);
     if (this.state.mode === 'pairs') {
@@ -318,7 +389,7 @@ class App {
       if (pair) return { column, pair };
     }
     const id = this.painter.idAt(px, py), { bodies } = this.columns[column], { whole, marked } = this.triangleIds[column];
-    const body = (firsts) => firsts.findLastIndex((first) => id >= first);
+    const body = (/** @type {number[]} */ firsts) => firsts.findLastIndex((first) => id >= first);
     if (id === 0) return null;
     if (id >= marked[0]) {
       const b = body(marked), triangle = this.content.markedTriangle(column, b, id - marked[b]);
@@ -330,14 +401,17 @@ class App {
   }
 
   // The pair of triangles whose line is nearest to a point, at most `most` pixels away.
+  /** @type {(column: number, px: number, py: number, most: number) => number[] | null} */
   lineAt(column, px, py, most) {
     const { eye } = this.panes[column], { half_view, orthographic } = eye.uniforms, [left, top, width, height] = this.rectangles[column];
     const placement = this.view.placement(this.poseOf(column, 0), this.treeOf(column, 0).told.center, eye.far);
-    const onScreen = (p) => {
+    const onScreen = (/** @type {Vector} */ p) => {
       const [x, y, z] = add(placement.origin, scaled(placement.scale, times(placement.columns, p))), depth = orthographic ? 1 : -z;
       return [left + (width * (1 + x / depth / half_view[0])) / 2, top + (height * (1 - y / depth / half_view[1])) / 2];
     };
-    let found = null, least = most;
+    /** @type {number[] | null} */
+    let found = null;
+    let least = most;
     for (const { pair, line } of this.scenes[column].contacts ?? []) {
       const p = onScreen(line.slice(0, 3)), q = onScreen(line.slice(3)), d = [q[0] - p[0], q[1] - p[1]], size = d[0] ** 2 + d[1] ** 2;
       const t = size > 0 ? clamp(((px - p[0]) * d[0] + (py - p[1]) * d[1]) / size, 0, 1) : 0, away = Math.hypot(p[0] + t * d[0] - px, p[1] + t * d[1] - py);
@@ -346,11 +420,18 @@ class App {
     return found;
   }
 
+  /**
+   * @param {number} column
+   * @param {number} body
+   * @param {number} slot -1: none
+   * @param {number | null} triangle
+   */
   select(column, body, slot, triangle = null) {
     return this.set({ selected: slot >= 0 ? { column, body, slot, triangle } : null, pair: null });
   }
 
   // The slot of the leaf that has the triangle; -1: none.
+  /** @type {(column: number, body: number, triangle: number) => Promise<number>} */
   async leafOf(column, body, triangle) {
     const tree = this.treeOf(column, body);
     await tree.openItems();
@@ -359,16 +440,19 @@ class App {
     if (at >= 0) for (slot = 0; tree.firstItem[slot + 1] <= at; ) ++slot;
     return slot;
   }
+  /** @type {(column: number, body: number, triangle: number) => Promise<void>} */
   async selectTriangle(column, body, triangle) {
     return this.select(column, body, await this.leafOf(column, body, triangle), triangle);
   }
+  /** @type {(column: number, pair: number[]) => Promise<void>} */
   selectPair(column, pair) {
     return this.set({ selected: null, pair: [...pair, column] });
   }
 
   // Shows a test of the traversal, among those of the frame that it is in.
+  /** @param {number} column @param {number} test */
   async showTest(column, test, frame = this.manifest.frames[this.state.at]) {
-    const found = await this.columns[column].query.get(frame);
+    const found = await this.columns[column].query?.get(frame);
     if (!found || test < 0 || test >= found.outcomes.length) return false;
     await this.set({ mode: 'traversal', column, at: this.manifest.frames.indexOf(frame), test, root: Math.max(found.parents[test], 0), selected: null, pair: null });
     return true;
@@ -382,11 +466,18 @@ class App {
   }
 
   // A node by its number, "A:412"; two of them, "412,97", whose test is shown. A promise of whether there is one.
+  /**
+   * @param {string} words
+   * @returns {Promise<boolean>}
+   */
   async find(words) {
     const text = words.trim();
-    const first = this.state.selected?.column ?? this.state.column, refuse = (what) => this.panel.nodePanel.say(what);
+    const first = this.state.selected?.column ?? this.state.column, refuse = (/** @type {string} */ what) => {
+      this.panel.nodePanel.say(what);
+      return false;
+    };
     // Of a body by its name, or by A and B.
-    const nodeOf = (bodies, words, otherwise) => {
+    const nodeOf = (/** @type {ColumnBody[]} */ bodies, /** @type {string} */ words, /** @type {number} */ otherwise) => {
       const at = words.lastIndexOf(':'), name = words.slice(0, Math.max(at, 0)).trim(), number = words.slice(at + 1).trim();
       const named = bodies.findIndex((one) => one.name === name), body = at < 0 ? otherwise : named >= 0 ? named : ['a', 'b'].indexOf(name.toLowerCase());
       return { body, slot: /^\d+$/.test(number) ? bodies[body]?.tree.slotOfNumber(Number(number)) ?? -1 : -1 };
@@ -414,17 +505,21 @@ class App {
   }
   // Goes to the node that is chosen, else to what the query marks.
   approach() {
-    const { selected, pair, column } = this.state, place = (k, b, center) => add(times(this.poseOf(k, b).rotation, center), this.poseOf(k, b).translation);
+    const { selected, pair, column } = this.state;
+    /** @type {(k: number, b: number, center: Vector) => Vector} */
+    const place = (k, b, center) => add(times(this.poseOf(k, b).rotation, center), this.poseOf(k, b).translation);
+    /** @type {(k: number, b: number, slot: number) => Ball} */
     const ballOf = (k, b, slot) => {
       const tree = this.treeOf(k, b), volume = tree.volume(slot);
-      return { center: place(k, b, add(tree.told.center, volume.numbers.slice(0, 3))), radius: radiusOf(volume) };
+      return { center: place(k, b, add(tree.told.center, volume.numbers)), radius: radiusOf(volume) };
     };
-    const { nodes, contacts: all } = this.scenes[column], isChosen = ({ pair: [a, b] }) => pair && a === pair[0] && b === pair[1], contacts = pair ? all?.filter(isChosen) : all;
+    const { nodes, contacts: all } = this.scenes[column], isChosen = (/** @type {Contact} */ { pair: [a, b] }) => pair !== null && a === pair[0] && b === pair[1], contacts = pair ? all?.filter(isChosen) : all;
     const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length && !pair ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
       : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).told.center, point)), radius: 0 })));
     const finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
     if (finite.length > 0) this.fit(finite, pair ? 20 : 1.2);
   }
+  /** @type {(axis: number, sign: number) => void} */
   along(axis, sign) {
     this.view.along([0, 1, 2].map((i) => (i === axis ? sign : 0)));
     this.moved();
@@ -443,18 +538,19 @@ class App {
 
   save() {
     this.draw();
-    snapshotOf(this).toBlob((blob) => this.offer(blob, 'png'));
+    snapshotOf(this).toBlob((blob) => (blob ? this.offer(blob, 'png') : this.panel.nodePanel.say('The browser cannot make a picture of this size.')));
   }
 
   // The volumes that are shown, of one column; or the node that is chosen.
   saveGlb() {
     const { state } = this, { selected } = state, k = selected?.column ?? state.column, { bodies } = this.columns[k], nodes = this.scenes[k].nodes ?? [], most = 20000;
-    const shown = selected && !state.isolated ? [{ b: selected.body, slot: selected.slot }]
-      : bodies.flatMap((_, b) => (state.mode === 'levels' ? this.content.coverOf(k, b).map((slot) => ({ slot })) : nodes.filter(({ side }) => side === b && !state.without.includes(b))).map(({ slot }) => ({ b, slot })));
+    const slotsOf = (/** @type {number} */ b) => (state.mode === 'levels' ? this.content.coverOf(k, b) : nodes.filter(({ side }) => side === b && !state.without.includes(b)).map(({ slot }) => slot));
+    const shown = selected && !state.isolated ? [{ b: selected.body, slot: selected.slot }] : bodies.flatMap((_, b) => slotsOf(b).map((slot) => ({ b, slot })));
     if (shown.length > most) return this.panel.nodePanel.say(`These are ${counted(shown.length)} volumes; a file has ${counted(most)} at most. Choose a level further up.`);
     // Round things by fewer corners where there are many of them.
     const corners = shown.length <= 300 ? 48 : shown.length <= 4000 ? 24 : 12;
-    const colors = new Map(nodes.map((node) => [`${node.side} ${node.slot}`, state.mode === 'traversal' ? bodies[node.side].color : this.labelsOf(this.columns[k].query)[node.group][state.theme]]));
+    const { query } = this.columns[k], labels = query ? this.labelsOf(query) : [];
+    const colors = new Map(nodes.map((node) => [`${node.side} ${node.slot}`, state.mode === 'traversal' ? bodies[node.side].color : labels[node.group][state.theme]]));
     const file = glbOf(shown.map(({ b, slot }) => {
       const { name, tree } = bodies[b], volume = tree.volume(slot), number = tree.numberOf(slot);
       return {
@@ -465,13 +561,14 @@ class App {
     if (file) this.offer(new Blob([file], { type: 'model/gltf-binary' }), 'glb');
     else this.panel.nodePanel.say('No volumes are shown here.');
   }
+  /** @type {(blob: Blob, ending: string) => void} */
   offer(blob, ending) {
     const link = element('a', { href: URL.createObjectURL(blob), download: `${this.manifest.scene}.${ending}` });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
   help() {
-    const help = document.getElementById('help');
+    const help = /** @type {HTMLDialogElement} */ (document.getElementById('help'));
     help.showModal();
     help.scrollTop = 0;
   }
@@ -481,5 +578,5 @@ const app = new App();
 app.start().catch((error) => {
   // What cannot be drawn is said, beside the still picture.
   document.documentElement.classList.remove('draws');
-  document.querySelector('#instead p').textContent = `This browser cannot draw the scene (${error.message}). This is the still picture.`;
+  /** @type {HTMLElement} */ (document.querySelector('#instead p')).textContent = `This browser cannot draw the scene (${error.message}). This is the still picture.`;
 });

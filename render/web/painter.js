@@ -7,14 +7,31 @@ export const outlined = { alone: 1 << 30, together: 1 << 29 };
 
 // Draws panes: meshes and volumes by one camera, with the id of what each pixel shows.
 export class Painter {
+  samples = 1;
+  /** @type {WebGLFramebuffer | null} */
+  target = null;
+  // Of the target.
+  /** @type {WebGLTexture | null} */
+  color = null;
+  /** @type {WebGLTexture | null} */
+  ids = null;
+  /** @type {WebGLRenderbuffer | null} */
+  depth = null;
+  /** @type {Size} */
+  size = [0, 0];
+
   // `grids`: corners of triangles all over a sphere, of few to many volumes.
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Float32Array[]} grids
+   */
   constructor(canvas, grids) {
     const gl = canvas.getContext('webgl2', { alpha: false, antialias: false, depth: false, powerPreference: 'high-performance' });
     if (!gl) throw new Error('no WebGL2');
     this.canvas = canvas;
     this.gl = gl;
-    this.size = [0, 0];
     const volume = ['eye.glsl', 'light.glsl', 'volume.glsl'];
+    /** @type {Record<string, Program>} */
     this.programs = {};
     for (const shape of ['scb', 'scb2', 'box', 'polytope']) {
       const fragment = [...volume, ...(shape === 'polytope' ? ['planes'] : []), `${shape}.frag`];
@@ -36,10 +53,12 @@ export class Painter {
   }
 
   // `samples`: target pixels per pixel of the canvas, in x and y.
+  /** @type {(width: number, height: number, samples: number) => void} */
   resize(width, height, samples) {
     const { gl } = this;
     this.samples = samples;
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    /** @type {Size} */
     const size = [width * samples, height * samples];
     if (size[0] === this.size[0] && size[1] === this.size[1]) return;
     this.size = size;
@@ -47,7 +66,7 @@ export class Painter {
     if (this.depth) gl.deleteRenderbuffer(this.depth);
     this.target ??= gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
-    const attach = (format, place) => {
+    const attach = (/** @type {number} */ format, /** @type {number} */ place) => {
       const texture = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texStorage2D(gl.TEXTURE_2D, 1, format, ...size);
@@ -65,6 +84,7 @@ export class Painter {
   }
 
   // `outline`: the color of what is outlined.
+  /** @type {(panes: Pane[], outline: Color) => void} */
   draw(panes, outline) {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
@@ -101,6 +121,7 @@ export class Painter {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
+  /** @param {Pane} pane */
   drawTranslucent(pane) {
     const { gl } = this;
     this.sort(pane, pane.translucent);
@@ -117,6 +138,7 @@ export class Painter {
   }
 
   // The id at a pixel of the canvas, from the top left.
+  /** @type {(x: number, y: number) => number} */
   idAt(x, y) {
     const { gl, samples } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
@@ -127,6 +149,12 @@ export class Painter {
   }
 
   // Triangles of their own, so that each is flat; of a mesh all, or some, which have colors then.
+  /**
+   * @param {Float32Array} positions
+   * @param {Uint32Array} indices
+   * @param {number[] | null} colors
+   * @returns {Upload}
+   */
   uploadMesh(positions, indices, colors = null) {
     const { gl } = this, count = indices.length, data = new Float32Array(6 * count);
     for (let t = 0; t < count; t += 3) {
@@ -154,6 +182,7 @@ export class Painter {
   }
 
   // The first two attributes, of the buffer that is bound: two vectors one after the other, per vertex or per instance.
+  /** @param {number} divisor */
   pairOfVectors(divisor) {
     const { gl } = this;
     for (const i of [0, 1]) {
@@ -163,11 +192,16 @@ export class Painter {
     }
   }
 
+  /** @param {Upload} upload */
   release({ array, buffers }) {
     this.gl.deleteVertexArray(array);
     for (const buffer of buffers) this.gl.deleteBuffer(buffer);
   }
 
+  /**
+   * @param {Float32Array} points
+   * @returns {Upload}
+   */
   uploadSegments(points) {
     const { gl } = this, array = gl.createVertexArray(), buffer = gl.createBuffer();
     gl.bindVertexArray(array);
@@ -177,6 +211,7 @@ export class Painter {
     return { array, count: points.length / 6, buffers: [buffer] };
   }
 
+  /** @type {(pane: Pane, drawn: DrawnSegments) => void} */
   drawSegments(pane, { segments, placement, color, width, on_top }) {
     const { gl } = this;
     this.segmentProgram.use({ ...pane.eye.uniforms, to_eye: placement.to_eye, origin: placement.origin, scale: placement.scale, color: [...color.map((c) => c / 255), 1], width: width * this.samples });
@@ -188,6 +223,7 @@ export class Painter {
     gl.enable(gl.DEPTH_TEST);
   }
 
+  /** @type {(pane: Pane, drawn: DrawnMesh) => void} */
   drawMesh(pane, { mesh, placement, color, edges = false, fade = 0, hatched = false, shading = 1, first_id = 0 }) {
     const { gl } = this, { columns: m, origin, scale } = placement;
     this.meshProgram.use({
@@ -207,6 +243,7 @@ export class Painter {
   }
 
   // Far to near, of equal distances by id: `list` is in runs of one tree and shape.
+  /** @type {(pane: Pane, list: VolumeList) => void} */
   sort(pane, list) {
     const depth = new Float64Array(list.count), backward = pane.view.axes[2];
     let next = 0;
@@ -221,16 +258,20 @@ export class Painter {
     });
     const order = Uint32Array.from({ length: list.count }, (_, i) => i);
     order.sort((a, b) => depth[a] - depth[b] || words[3 * a + 2] - words[3 * b + 2]);
-    const sorted = new Uint32Array(words.length), runs = [];
+    const sorted = new Uint32Array(words.length);
+    /** @type {NonNullable<VolumeList['runs']>} */
+    const runs = [];
     order.forEach((from, to) => {
       sorted.set(words.subarray(3 * from, 3 * from + 3), 3 * to);
-      const group = list.groups[of[from]];
-      if (runs.at(-1)?.group === group) ++runs.at(-1).count;
+      const group = list.groups[of[from]], last = runs.at(-1);
+      if (last?.group === group) ++last.count;
       else runs.push({ group, first: to, count: 1 });
     });
     Object.assign(list, { drawn: sorted, runs });
   }
 
+  // `sides`: 1, the front; 2, the back too.
+  /** @type {(pane: Pane, list: VolumeList, sides: number) => void} */
   drawVolumes(pane, list, sides) {
     const { gl } = this;
     gl.bindVertexArray(this.array);

@@ -8,24 +8,38 @@ import { NodePanel } from './node_panel.js';
 
 // What is beside the scene.
 export class Panel {
+  /** @type {(() => void)[]} */
+  updates = [];
+  // What was, of each kind.
+  /** @type {Map<string, unknown>} */
+  chosen = new Map();
+  // Shown with levels alone.
+  /** @type {HTMLElement[]} */
+  ofLevels = [];
+  numbers = element('div');
+  commands = element('div');
+  legend = element('div');
+  query = element('div');
+  clip = element('div');
+  /** @type {HTMLDetailsElement | null} */
+  eachLevel = null;
+
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
-    this.root = document.getElementById('panel');
+    this.root = /** @type {HTMLElement} */ (document.getElementById('panel'));
     const { manifest, state } = app, { bodies } = app.longest;
-    this.updates = [];
-    this.chosen = new Map();  // what was, of each kind
-    const kept = (made) => (this.updates.push(() => made.update()), made);
+    const kept = (/** @type {import('./elements.js').Slider} */ made) => (this.updates.push(() => made.update()), made);
     const several = bodies.length > 1, frames = manifest.frames.length;
     this.level = kept(slider('Level', 0, app.depth, () => state.level, (value) => app.set({ level: value })));
     const bodyLevels = several ? bodies.map((body, i) => kept(slider(body.name, 0, app.depth, () => state.levels[i] ?? state.level, (value) => app.set({ levels: { ...state.levels, [i]: value } })))) : [];
     const opacity = kept(slider('Opacity', 0, 100, () => Math.round(100 * state.opacity), (value) => app.set({ opacity: value / 100 }), () => `${Math.round(100 * state.opacity)}%`));
     const frame = frames > 1 ? kept(slider('Frame', 0, frames - 1, () => state.at, (value) => app.set({ at: value }), () => String(manifest.frames[state.at]))) : null;
     this.chart = new FrameChart(app);
-    for (const part of ['numbers', 'commands', 'legend', 'query', 'clip']) this[part] = element('div');
     this.queryPanel = new QueryPanel(app);
     this.nodePanel = new NodePanel(app);
-    this.ofLevels = [];
-    const ofLevels = (...elements) => (this.ofLevels.push(...elements), elements);
+    const ofLevels = (/** @type {HTMLElement[]} */ ...elements) => (this.ofLevels.push(...elements), elements);
+    /** @type {(text: string, key: 'mesh' | 'edges' | 'orthographic' | 'differences', title: string) => HTMLButtonElement} */
     const toggle = (text, key, title) => this.toggle(text, title, () => app.set({ [key]: !state[key] }), () => state[key]);
     const shown = modes.filter(({ name }) => name === 'levels' || app.hasQueries);
     this.meshes = toggle('Meshes', 'mesh', 'M');
@@ -57,8 +71,8 @@ export class Panel {
   }
 
   fillHelp() {
-    const two = (pairs) => element('table', {}, ...pairs.map(([key, what]) => element('tr', {}, element('td', {}, key), element('td', { textContent: what }))));
-    document.getElementById('help').append(
+    const two = (/** @type {(Node | string)[][]} */ pairs) => element('table', {}, ...pairs.map(([key, what]) => element('tr', {}, element('td', {}, key), element('td', {}, what))));
+    /** @type {HTMLElement} */ (document.getElementById('help')).append(
       element('form', { method: 'dialog' }, element('button', { textContent: 'Close' })),
       element('h2', { textContent: 'Keys' }), two(keys.map(([key, what]) => [element('kbd', { textContent: key }), what])),
       element('p', { className: 'faint', textContent: 'Drag to turn, with Shift or the right button to move, wheel or pinch to zoom. Click a volume, a triangle or a line of contact to ask about it. Words with dots below them say what they mean under the mouse.' }),
@@ -66,6 +80,7 @@ export class Panel {
   }
 
   // A button that is pressed while `pressed` says so.
+  /** @type {(text: string, title: string, act: () => unknown, pressed: () => boolean) => HTMLButtonElement} */
   toggle(text, title, act, pressed) {
     const made = button(text, title, act);
     this.updates.push(() => made.setAttribute('aria-pressed', pressed() ? 'true' : 'false'));
@@ -81,7 +96,7 @@ export class Panel {
     for (const part of this.ofLevels) part.hidden = !levels;
     this.query.replaceChildren(...(levels ? [] : this.queryPanel.parts()));
     if (levels) this.numbers.replaceChildren(...this.levelNumbers());
-    this.clip.replaceChildren(...(state.clip ? this.clipParts() : []));
+    this.clip.replaceChildren(...(state.clip ? this.clipParts(state.clip) : []));
     this.showCommands();
     this.nodePanel.update();
     this.show('node', this.nodePanel.heading, state.pair ?? state.selected);
@@ -89,12 +104,13 @@ export class Panel {
   }
 
   // Brings the answer to what was just chosen into sight.
+  /** @type {(of: string, part: Element | null, chosen: unknown) => void} */
   show(of, part, chosen) {
     const last = this.chosen.get(of);
     this.chosen.set(of, chosen);
     if (!part || !chosen || chosen === last) return;
     const [box, all] = [part, this.root].map((one) => one.getBoundingClientRect());
-    const modesHeight = this.root.querySelector('.modes')?.offsetHeight ?? 0;
+    const modesHeight = /** @type {HTMLElement | null} */ (this.root.querySelector('.modes'))?.offsetHeight ?? 0;
     if (box.top < all.top + modesHeight || box.top > all.top + 0.6 * all.height) this.root.scrollTop += box.top - all.top - modesHeight - 4;
   }
 
@@ -109,7 +125,7 @@ export class Panel {
     const { app } = this, many = app.columns.length > 1, titles = many ? [['', ...app.columns.map(({ title }) => title)]] : [];
     const parts = app.longest.bodies.flatMap((body, b) => {
       const level = Math.min(app.levelOf(b), app.depth), of = app.columns.map(({ bodies }) => bodies[b]?.tree.told.levels).map((levels) => levels?.[Math.min(level, levels.length - 1)]);
-      const line = (name, i, words) => [name, ...of.map((numbers) => (numbers ? words(numbers[i]) : ''))];
+      const line = (/** @type {string} */ name, /** @type {number} */ i, /** @type {(n: number) => string} */ words) => [name, ...of.map((numbers) => (numbers ? words(numbers[i]) : ''))];
       return [faint(`${app.longest.bodies.length > 1 ? `${body.name}, level` : 'Level'} ${level} of ${app.depth}`),
         table([...titles, line('volumes', 0, counted), line('mean d', 1, short), line('mean \u03c4', 2, short), line('area', 3, short), line('volume', 4, short)])];
     });
@@ -117,13 +133,15 @@ export class Panel {
   }
 
   // How many pairs of volumes overlap on each level, and which level first shows a gap.
+  /** @param {string[][]} titles */
   levelOverlaps(titles) {
     const { app } = this, { state, columns, manifest } = app, number = manifest.frames[state.at];
     const of = columns.map(({ query }) => query?.frames.get(number)?.overlaps ?? []);
     if (of.every((counts) => counts.length === 0)) return app.hasQueries ? [faint('The page has no query of this frame, and no pairs of its levels.')] : [];
     // Of many pairs no more levels are counted.
-    const last = (k) => Math.max(...columns[k].bodies.slice(0, 2).map(({ tree }) => tree.depth)), isWhole = (counts, k) => counts.at(-1) === 0 || counts.length > last(k);
-    const at = (level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts.at(-1)) : 'over 20,000'));
+    const last = (/** @type {number} */ k) => Math.max(...columns[k].bodies.slice(0, 2).map(({ tree }) => tree.depth));
+    const isWhole = (/** @type {number[]} */ counts, /** @type {number} */ k) => counts.at(-1) === 0 || counts.length > last(k);
+    const at = (/** @type {number} */ level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts[counts.length - 1]) : 'over 20,000'));
     const gaps = of.map((counts, k) => (counts.length === 0 ? '' : counts.at(-1) === 0 ? `level ${counts.length - 1}` : isWhole(counts, k) ? 'none has one' : 'not counted so far'));
     const rows = Array.from({ length: Math.max(...of.map((counts) => counts.length)) }, (_, level) => [button(String(level), 'Show this level', () => app.set({ level }), level === state.level), ...at(level)]);
     const pairs = columns.map(({ query }) => query?.frames.get(number)).map((told) => (told ? counted(told.pairs) : ''));
@@ -136,13 +154,15 @@ export class Panel {
     const { app } = this, backward = app.view.axes[2], axis = backward.map(Math.abs).indexOf(Math.max(...backward.map(Math.abs)));
     this.setClip(app.state.clip ? null : axis, 0, Math.sign(backward[axis]) || 1);
   }
+  /** @type {(axis: number | null, place: number, sign: number) => Promise<void>} */
   setClip(axis, place, sign) {
     if (axis === null) return this.app.set({ clip: null });
     const { center, radius } = ballAbout(this.app.ballsOf(0)), normal = [0, 1, 2].map((i) => (i === axis ? sign : 0));
     return this.app.set({ clip: { normal, offset: dot(center, normal) + sign * place * radius } });
   }
-  clipParts() {
-    const { normal, offset } = this.app.state.clip, { center, radius } = ballAbout(this.app.ballsOf(0)), axis = normal.findIndex((x) => Math.abs(x) === 1), sign = normal[axis] ?? 1;
+  /** @param {Clip} clip */
+  clipParts({ normal, offset }) {
+    const { center, radius } = ballAbout(this.app.ballsOf(0)), axis = normal.findIndex((x) => Math.abs(x) === 1), sign = normal[axis] ?? 1;
     if (axis < 0) return [faint(`Cut at ${normal.map(short).join(', ')}: ${short(offset)}.`)];
     const place = radius > 0 ? (sign * (offset - dot(center, normal))) / radius : 0;
     return [row(...['x', 'y', 'z'].map((name, i) => button(name, `Cut across ${name}`, () => this.setClip(i, 0, sign), i === axis)),

@@ -10,6 +10,7 @@ precision highp sampler2D;
 `;
 // All of the canvas, each pixel the mean of those of the target. What has bit 30 in its id is outlined by itself, what has bit 29 together
 // with what it touches.
+/** @type {Record<string, string>} */
 const resolve = {
   'resolve.vert': `void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`,
   'resolve.frag': `
@@ -51,47 +52,61 @@ vec4 plane_at(int index) {
 }
 `;
 
+/** @typedef {number | number[]} Uniform */
 export class Program {
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {string[]} vertex parts of the vertex shader
+   * @param {string[]} fragment parts of the fragment shader
+   * @param {string[]} attributes
+   */
   constructor(gl, vertex, fragment, attributes, define = '') {
     this.gl = gl;
-    this.name = gl.createProgram();
-    const text = (part) => (part === 'planes' ? planes : resolve[part] ?? document.getElementById(part).textContent);
-    for (const [stage, parts] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-      const shader = gl.createShader(stage);
+    this.name = /** @type {WebGLProgram} */ (gl.createProgram());
+    const text = (/** @type {string} */ part) => (part === 'planes' ? planes : resolve[part] ?? /** @type {HTMLScriptElement} */ (document.getElementById(part)).text);
+    for (const { stage, parts } of [{ stage: gl.VERTEX_SHADER, parts: vertex }, { stage: gl.FRAGMENT_SHADER, parts: fragment }]) {
+      const shader = /** @type {WebGLShader} */ (gl.createShader(stage));
       gl.shaderSource(shader, preamble + define + parts.map(text).join('\n'));
       gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(String(gl.getShaderInfoLog(shader)));
       gl.attachShader(this.name, shader);
     }
     attributes.forEach((name, i) => gl.bindAttribLocation(this.name, i, name));
     gl.linkProgram(this.name);
-    if (!gl.getProgramParameter(this.name, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(this.name));
+    if (!gl.getProgramParameter(this.name, gl.LINK_STATUS)) throw new Error(String(gl.getProgramInfoLog(this.name)));
+    /** @type {Map<string, { type: number, at: WebGLUniformLocation | null }>} */
     this.places = new Map();
     const count = gl.getProgramParameter(this.name, gl.ACTIVE_UNIFORMS);
     for (let i = 0; i < count; ++i) {
-      const { name, type } = gl.getActiveUniform(this.name, i);
+      const { name, type } = /** @type {WebGLActiveInfo} */ (gl.getActiveUniform(this.name, i));
       this.places.set(name, { type, at: gl.getUniformLocation(this.name, name) });
     }
   }
 
+  /** @param {Record<string, Uniform>} values */
   use(values) {
     this.gl.useProgram(this.name);
     for (const [name, value] of Object.entries(values)) this.set(name, value);
   }
 
   // Uniforms that a shader has no use for are not there.
+  /**
+   * @param {string} name
+   * @param {Uniform} value
+   */
   set(name, value) {
     const { gl } = this, place = this.places.get(name);
     if (!place) return;
+    const number = /** @type {number} */ (value), numbers = /** @type {number[]} */ (value);
     switch (place.type) {
-      case gl.INT: case gl.SAMPLER_2D: case gl.UNSIGNED_INT_SAMPLER_2D: return gl.uniform1i(place.at, value);
-      case gl.UNSIGNED_INT: return gl.uniform1ui(place.at, value);
-      case gl.FLOAT: return gl.uniform1f(place.at, value);
-      case gl.FLOAT_VEC2: return gl.uniform2fv(place.at, value);
-      case gl.FLOAT_VEC3: return gl.uniform3fv(place.at, value);
-      case gl.FLOAT_VEC4: return gl.uniform4fv(place.at, value);
-      case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(place.at, false, value);
-      case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(place.at, false, value);
+      case gl.INT: case gl.SAMPLER_2D: case gl.UNSIGNED_INT_SAMPLER_2D: return gl.uniform1i(place.at, number);
+      case gl.UNSIGNED_INT: return gl.uniform1ui(place.at, number);
+      case gl.FLOAT: return gl.uniform1f(place.at, number);
+      case gl.FLOAT_VEC2: return gl.uniform2fv(place.at, numbers);
+      case gl.FLOAT_VEC3: return gl.uniform3fv(place.at, numbers);
+      case gl.FLOAT_VEC4: return gl.uniform4fv(place.at, numbers);
+      case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(place.at, false, numbers);
+      case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(place.at, false, numbers);
       default: throw new Error(`uniform ${name}`);
     }
   }

@@ -1,45 +1,51 @@
 import { radiusOf } from './tree.js';
-import { Icicle } from './icicle.js';
 
 // What a test can be worth but right, in the order of the page's `worths`.
 export const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
 
-// The tests of a query by one kind of volumes, frame by frame. Nodes are slots of their trees; -1: one that no root leads to, in recordings of broken trees.
-export class Query {
-  constructor(blocks, told, trees) {
-    Object.assign(this, { blocks, told, trees });
-    this.frames = new Map(told.frames.map((frame) => [frame.frame, frame]));
-    this.unpacked = new Map();
-  }
+// The tests of a query in one frame. Arrays have an entry for each test; nodes are slots of their trees; -1: one that no root leads to, in recordings
+// of broken trees.
+export class QueryFrame {
+  // Kept once they are asked for.
+  /** @type {Classes | null} */
+  #judged = null;
+  /** @type {Followers | null} */
+  #followers = null;
+  /** @type {Cells | null} */
+  #cells = null;
+  /** @type {Set<number> | null} */
+  #known = null;
+  /** @type {Map<number, number> | null} */
+  places = null;
+  /** @type {Record<number, Explanation> | null} */
+  explained = null;
+  /** @type {number | null} */
+  onlyHere = null;
+  /** @type {{ than: QueryFrame, pairs: number[][] } | null} */
+  onlyPairs = null;
 
-  // A promise of what there is of a frame; null where the page does not have its query.
-  get(number) {
-    const told = this.frames.get(number);
-    if (!told) return Promise.resolve(null);
-    if (!this.unpacked.has(number)) {
-      this.unpacked.clear();  // one frame at a time
-      this.unpacked.set(number, this.unpack(told));
-    }
-    return this.unpacked.get(number);
-  }
-
-  async unpack(told) {
-    const bits = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
-    const nodes = 'nodes' in told ? await this.blocks.get(told.nodes) : null;
-    for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
-    const count = bits.length, outcomes = bits.map((byte) => byte & 63);
+  /**
+   * @param {Query} query
+   * @param {ManifestFrame} told
+   * @param {Uint8Array} bits see render/web/query_blocks.h, as `nodes`
+   * @param {Uint32Array} pairs
+   * @param {Uint32Array | null} nodes
+   */
+  constructor(query, told, bits, pairs, nodes) {
+    const { trees } = query, count = bits.length, outcomes = bits.map((byte) => byte & 63);
     const a = new Int32Array(count), b = new Int32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
       for (let i = 0; i < count; ++i) {
-        a[i] = this.trees[0].slotOf(nodes[3 * i]);
-        b[i] = this.trees[1].slotOf(nodes[3 * i + 1]);
+        a[i] = trees[0].slotOf(nodes[3 * i]);
+        b[i] = trees[1].slotOf(nodes[3 * i + 1]);
         parents[i] = nodes[3 * i + 2] | 0;  // none is -1
       }
     } else {
       // Predicted: first the roots, then all children of the pair that was divided last.
+      /** @type {number[]} */
       const divided = [];
       let next = 0;
-      const visit = (slot_a, slot_b, parent) => {
+      const visit = (/** @type {number} */ slot_a, /** @type {number} */ slot_b, /** @type {number} */ parent) => {
         parents[next] = parent;
         a[next] = slot_a;
         b[next] = slot_b;
@@ -47,8 +53,8 @@ export class Query {
         ++next;
       };
       if (count > 0) visit(0, 0, -1);
-      while (divided.length > 0) {
-        const test = divided.pop(), of_a = outcomes[test] === 0, slot = of_a ? a[test] : b[test], tree = this.trees[of_a ? 0 : 1];
+      for (let test = divided.pop(); test !== undefined; test = divided.pop()) {
+        const of_a = outcomes[test] === 0, slot = of_a ? a[test] : b[test], tree = trees[of_a ? 0 : 1];
         const first = tree.firstChild[slot], end = first + tree.children[slot];
         for (let child = first; child < end; ++child) of_a ? visit(child, b[test], test) : visit(a[test], child, test);
       }
@@ -58,49 +64,150 @@ export class Query {
       if (bits[i] & 128) meets[i] = 1;
       if (meets[i] && parents[i] >= 0) meets[parents[i]] = 1;
       const erred = (bits[i] & 64) !== 0;
-      if (told.judged) worths[i] = this.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
+      if (told.judged) worths[i] = query.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
     }
-    const query = this, frame = {
-      told, outcomes, a, b, parents, pairs, meets, worths,
-      hasPair(x, y) {
-        if (!this.known) {
-          this.known = new Set();
-          for (let i = 0; i < pairs.length; i += 2) this.known.add(pairs[i] * 2 ** 32 + pairs[i + 1]);
-        }
-        return this.known.has(x * 2 ** 32 + y);
-      },
-      // What tests were worth, once somebody asks.
-      get judged() {
-        return (this.judgedClasses ??= query.classes(this, worths, query.told.worths.length));
-      },
-    };
-    const groups = this.told.groups.length;
-    frame.ended = this.classes(frame, outcomes.map((outcome) => Math.max(outcome - 1, 0)), groups);
-    return frame;
+    this.query = query;
+    this.told = told;
+    this.outcomes = outcomes;
+    this.a = a;
+    this.b = b;
+    this.parents = parents;
+    this.pairs = pairs;
+    this.meets = meets;
+    this.worths = worths;
+    this.passed = outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0);  // tests that others followed from
+    this.ended = query.classes(this, outcomes.map((outcome) => Math.max(outcome - 1, 0)), query.told.groups.length);
   }
 
+  /** @type {(x: number, y: number) => boolean} */
+  hasPair(x, y) {
+    const { pairs } = this;
+    if (!this.#known) {
+      this.#known = new Set();
+      for (let i = 0; i < pairs.length; i += 2) this.#known.add(pairs[i] * 2 ** 32 + pairs[i + 1]);
+    }
+    return this.#known.has(x * 2 ** 32 + y);
+  }
+
+  // What tests were worth.
+  get judged() {
+    return (this.#judged ??= this.query.classes(this, this.worths, this.query.told.worths.length));
+  }
+
+  get followers() {
+    return (this.#followers ??= followersOf(this));
+  }
+
+  get cells() {
+    return (this.#cells ??= cellsOf(this));
+  }
+}
+
+/** @type {(frame: QueryFrame) => Followers} */
+function followersOf({ outcomes, parents, ended }) {
+  const count = outcomes.length, groups = ended.counts.length, below = new Uint32Array(count * groups);
+  const sizes = new Uint32Array(count).fill(1), dominant = new Int32Array(count).fill(-1), first = new Int32Array(count).fill(-1), next = new Int32Array(count).fill(-1);
+  for (let i = count - 1; i >= 0; --i) {
+    const parent = parents[i];
+    if (outcomes[i] >= 2) ++below[i * groups + outcomes[i] - 2];
+    for (let g = 0, most = 0; g < groups; ++g) {
+      const n = below[i * groups + g];
+      if (n > most) [most, dominant[i]] = [n, g];
+      if (parent >= 0) below[parent * groups + g] += n;
+    }
+    if (parent < 0) continue;
+    sizes[parent] += sizes[i];
+    next[i] = first[parent];
+    first[parent] = i;
+  }
+  return { sizes, dominant, first, next };
+}
+
+/** @type {(frame: QueryFrame) => Cells} */
+function cellsOf({ query, a, b, outcomes }) {
+  /** @type {Map<string, Cell>} */
+  const all = new Map();
+  let wide = 0, high = 0;
+  a.forEach((slot, i) => {
+    if (slot < 0 || b[i] < 0) return;
+    const x = query.trees[0].levelOf(slot), y = query.trees[1].levelOf(b[i]), key = `${x},${y}`, cell = all.get(key) ?? { x, y, tests: 0, rejected: 0 };
+    ++cell.tests;
+    cell.rejected += query.rejects(outcomes[i]) ? 1 : 0;
+    all.set(key, cell);
+    wide = Math.max(wide, x + 1);
+    high = Math.max(high, y + 1);
+  });
+  return { all, wide, high, most: Math.max(1, ...[...all.values()].map(({ tests }) => tests)) };
+}
+
+// A query by one kind of volumes, frame by frame.
+export class Query {
+  /**
+   * @param {Blocks} blocks
+   * @param {ManifestQuery} told
+   * @param {Tree[]} trees
+   */
+  constructor(blocks, told, trees) {
+    this.blocks = blocks;
+    this.told = told;
+    this.trees = trees;
+    this.frames = new Map(told.frames.map((frame) => [frame.frame, frame]));
+    /** @type {Map<number, Promise<QueryFrame>>} */
+    this.unpacked = new Map();
+  }
+
+  // A promise of what there is of a frame; null where the page does not have its query.
+  /**
+   * @param {number} number
+   * @returns {Promise<QueryFrame | null>}
+   */
+  get(number) {
+    const told = this.frames.get(number);
+    if (!told) return Promise.resolve(null);
+    const known = this.unpacked.get(number);
+    if (known) return known;
+    this.unpacked.clear();  // one frame at a time
+    const unpacked = this.unpack(told);
+    this.unpacked.set(number, unpacked);
+    return unpacked;
+  }
+
+  /** @param {ManifestFrame} told */
+  async unpack(told) {
+    const bits = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
+    const nodes = told.nodes !== undefined ? await this.blocks.get(told.nodes) : null;
+    for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
+    return new QueryFrame(this, told, bits, pairs, nodes);
+  }
+
+  /** @param {number} outcome */
   rejects(outcome) {
     return outcome >= 2 && this.told.groups[outcome - 2].rejects;
   }
 
   // How a test ended, in words; and its nodes.
+  /** @type {(frame: QueryFrame, test: number) => string} */
   endingOf(frame, test) {
     return frame.outcomes[test] < 2 ? 'passed' : this.told.groups[frame.outcomes[test] - 2].label;
   }
-  // Whether the tests that followed are of children of both nodes: other engines go into both at once. Needs what Icicle.follow knows.
+  // Whether the tests that followed are of children of both nodes: other engines go into both at once.
+  /** @type {(frame: QueryFrame, test: number) => boolean} */
   dividesBoth(frame, test) {
+    const { first, next } = frame.followers;
     let [a, b] = [false, false];
-    for (let i = frame.first[test]; i >= 0; i = frame.next[i]) {
+    for (let i = first[test]; i >= 0; i = next[i]) {
       a ||= frame.a[i] !== frame.a[test];
       b ||= frame.b[i] !== frame.b[test];
     }
     return a && b;
   }
+  /** @type {(frame: QueryFrame, test: number) => string} */
   pairText(frame, test) {
     return `${this.trees[0].numberOf(frame.a[test])},${this.trees[1].numberOf(frame.b[test])}`;
   }
 
   // The test that rejected two slots, or nodes above them; -1: none did.
+  /** @type {(frame: QueryFrame, ...slots: number[]) => number} */
   lostAt(frame, ...slots) {
     const above = slots.map((slot, side) => {
       const chain = new Set();
@@ -111,20 +218,31 @@ export class Query {
   }
 
   // Of each test whether its node of a side is the slot or below it.
+  /** @type {(frame: QueryFrame, side: number, slot: number) => Uint8Array} */
   below(frame, side, slot) {
     const tree = this.trees[side], known = new Map();
     return Uint8Array.from(side === 0 ? frame.a : frame.b, (at) => {
-      if (!known.has(at)) known.set(at, at >= 0 && tree.isBelow(at, slot) ? 1 : 0);
-      return known.get(at);
+      const is = known.get(at) ?? (at >= 0 && tree.isBelow(at, slot) ? 1 : 0);
+      known.set(at, is);
+      return is;
     });
   }
 
   // The tests in classes, 1 to `many`; 0: in none, and those that are not `within`. How many there are in each, and of each slot of both sides.
+  /**
+   * @param {QueryFrame} frame
+   * @param {Uint8Array} of
+   * @param {number} many
+   * @param {Uint8Array | null} within
+   * @returns {Classes}
+   */
   classes(frame, of, many, within = null) {
     if (within) of = of.map((c, i) => (within[i] ? c : 0));
+    /** @type {number[]} */
     const counts = new Array(many).fill(0);
     for (const c of of) if (c > 0) ++counts[c - 1];
     const sides = [frame.a, frame.b].map((slots) => {
+      /** @type {Map<number, SlotTests>} */
       const found = new Map();
       slots.forEach((slot, i) => {
         if (slot < 0) return;
@@ -139,28 +257,41 @@ export class Query {
   }
 
   // The number of the test of two slots; -1: it was not made.
+  /** @type {(frame: QueryFrame, slot_a: number, slot_b: number) => number} */
   testOf(frame, slot_a, slot_b) {
-    frame.places ??= new Map(Array.from(frame.a, (slot, i) => [slot * 2 ** 32 + frame.b[i], i]).reverse());
+    frame.places ??= new Map(Array.from(frame.a, (slot, i) => /** @type {const} */ ([slot * 2 ** 32 + frame.b[i], i])).reverse());
     return frame.places.get(slot_a * 2 ** 32 + slot_b) ?? -1;
   }
 
   // A promise of what the steps of each test are, by its number; empty where the page has none.
+  /**
+   * @param {QueryFrame} frame
+   * @returns {Promise<Record<number, Explanation>>}
+   */
   async steps(frame) {
-    if (!('steps' in frame.told)) return {};
-    frame.explained ??= JSON.parse(new TextDecoder().decode(await this.blocks.get(frame.told.steps)));
-    return frame.explained;
+    if (frame.told.steps === undefined) return {};
+    return (frame.explained ??= JSON.parse(new TextDecoder().decode(await this.blocks.get(frame.told.steps))));
   }
 
   // The tests of a slot of a side, those from which the most others followed first.
+  /** @type {(frame: QueryFrame, side: number, slot: number) => number[]} */
   testsWith(frame, side, slot) {
-    Icicle.follow(frame);
+    const { sizes } = frame.followers;
+    /** @type {number[]} */
     const tests = [];
     (side === 0 ? frame.a : frame.b).forEach((of, i) => of === slot && tests.push(i));
-    return tests.sort((x, y) => frame.sizes[y] - frame.sizes[x] || x - y);
+    return tests.sort((x, y) => sizes[y] - sizes[x] || x - y);
   }
 
   // Of each triangle of both sides the tests of volumes that hold it; of those alone that followed from a pair below which no triangles
   // meet, where `wasted` says so. `end`: of the scale, the next of 1, 2 and 5 times a power of ten. Needs the trees' items.
+  /**
+   * @param {QueryFrame} frame
+   * @param {boolean} wasted
+   * @param {number[]} triangles how many each side has
+   * @param {Uint8Array | null} within
+   * @returns {Heat}
+   */
   heat(frame, wasted, triangles, within = null) {
     const { parents, meets } = frame, count = parents.length;
     let total = 0, most = 0;
@@ -184,9 +315,12 @@ export class Query {
 
   // The slots of a side with tests of classes that are shown, without those that have another one below: slot, the most frequent class,
   // and how many tests. `focus`: the share of the tests of both sides that has to be seen; what is large for its tests is left out.
+  /** @type {(classes: Classes, shown: boolean[], focus: number) => { all: ShownNode[][], focus: number }} */
   nodesOf(classes, shown, focus) {
     const all = [0, 1].map((side) => {
-      const tree = this.trees[side], found = [], holds = new Set();
+      const tree = this.trees[side], holds = new Set();
+      /** @type {ShownNode[]} */
+      const found = [];
       for (const [slot, { counts }] of classes.sides[side]) {
         let paths = 0, best = -1;
         counts.forEach((n, group) => {
@@ -205,11 +339,12 @@ export class Query {
   }
 
   // Of these, those that are drawn: their levels must be unpacked. `areaOf`: that of the triangles that are drawn in place of a node, or 0. `keeps`: groups of which none is left out.
+  /** @type {(found: { all: ShownNode[][], focus: number }, areaOf: (node: ShownNode) => number, keeps: (group: number) => boolean) => ShownNode[]} */
   drawn({ all, focus }, areaOf, keeps) {
-    const nodes = all.flat(), size = ({ side, slot, group }) => {
-      const volume = this.trees[side].volume(slot), d = 2 * radiusOf(volume);
+    const nodes = all.flat(), size = (/** @type {ShownNode} */ node) => {
+      const { side, slot } = node, volume = this.trees[side].volume(slot), d = 2 * radiusOf(volume);
       if (volume.shape === 0) return 0;
-      const area = areaOf({ side, slot, group });
+      const area = areaOf(node);
       return area > 0 ? d * Math.sqrt(2 * area) : d * d;  // as in rejections_figure.cpp
     };
     let left = (1 - focus) * nodes.reduce((sum, node) => sum + node.paths, 0);
@@ -225,7 +360,9 @@ export class Query {
   }
 
   // The slots of a side with tests of the classes that `wanted` says, and how many; those with the most first.
+  /** @type {(classes: Classes, side: number, wanted: (group: number) => boolean) => number[][]} */
   mostOf(classes, side, wanted) {
+    /** @type {number[][]} */
     const rows = [];
     for (const [slot, { counts }] of classes.sides[side]) {
       const n = counts.reduce((sum, count, group) => sum + (wanted(group) ? count : 0), 0);

@@ -1,38 +1,45 @@
 import { element, counted, short, percent, faint, word, row, table, button, swatch, colorScale } from './elements.js';
 import { worth } from './query.js';
-import { passedOn, Icicle } from './icicle.js';
+import { passedOn } from './icicle.js';
 
 // What the panel says of the queries: numbers, how tests ended, what they were worth, and one test step by step.
 export class QueryPanel {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
   }
 
   // Of the query of each column.
   parts() {
-    const { app } = this, { columns, state } = app, parts = [];
+    const { app } = this, { columns, state } = app, { selected } = state;
+    /** @type {HTMLElement[]} */
+    const parts = [];
     if (columns.length > 1) parts.push(...this.comparison());
     columns.forEach(({ title, query }, k) => {
-      const { frame } = app.scenes[k];
+      const { frame, heat, meeting, classes } = app.scenes[k];
       if (columns.length > 1) parts.push(element('h2', { textContent: title }));
       if (!query) return parts.push(faint('No query of it is in the page.'));
       if (!frame) return parts.push(...this.otherFrames(query));
       if (columns.length === 1) parts.push(table(this.counts(k)));
       if (!frame.told.judged && ['wasted', 'verdicts'].includes(state.mode)) return parts.push(faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
-      if (app.scenes[k].heat) return parts.push(...this.heatParts(k));
-      if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k) : [button('Its traversal', '', () => app.set({ column: k }))]));
-      if (state.mode === 'pairs') return parts.push(...this.pairParts(k));
-      parts.push(...this.classParts(k), ...this.mostParts(k), ...this.differingParts(k));
+      if (heat) return parts.push(...this.heatParts(k, query, heat));
+      if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k, frame) : [button('Its traversal', '', () => app.set({ column: k }))]));
+      if (meeting) return parts.push(...this.pairParts(k, frame, meeting));
+      if (classes) parts.push(...this.classParts(k, query, classes), ...this.mostParts(k, query, classes), ...this.differingParts(k, query));
     });
     if (state.mode === 'rejections' || state.mode === 'verdicts')
       parts.push(row(button('Large volumes too', 'Also those that are large for the few tests that ended at them', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
-    return state.isolated ? [faint(`Only tests of what is below node ${app.treeOf(state.selected.column, state.selected.body).numberOf(state.selected.slot)} are shown and listed; counts at the top are of all.`), ...parts] : parts;
+    return state.isolated && selected ? [faint(`Only tests of what is below node ${app.treeOf(selected.column, selected.body).numberOf(selected.slot)} are shown and listed; counts at the top are of all.`), ...parts] : parts;
   }
 
+  /**
+   * @param {number} k
+   * @returns {string[][]}
+   */
   counts(k) {
-    const { query } = this.app.columns[k], { frame } = this.app.scenes[k];
+    const { frame } = this.app.scenes[k];
     if (!frame) return [];
-    const { told } = frame, passed = (frame.passed ??= frame.outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0));
+    const { told, passed, query } = frame;
     return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
       ...(told.judged ? [['wasted N_v', counted(told.wasted)], ['wasted share', percent(told.wasted, told.n_v)]] : [])];
   }
@@ -40,18 +47,20 @@ export class QueryPanel {
   // The counts of all columns beside each other, and what differs.
   comparison() {
     const { app } = this, { columns, scenes, state } = app, of = columns.map((_, k) => this.counts(k)), rows = (of.find((counts) => counts.length) ?? []).map(([name], i) => [name, ...of.map((counts) => counts[i]?.[1] ?? '')]);
-    const titles = ['', ...columns.map(({ title }) => title)], wide = (more) => element('div', { className: 'wide' }, table([titles, ...rows, ...more]));
-    if (!app.compares || scenes.some(({ frame }) => !frame)) return [wide([])];
-    const only = (k) => {
-      const { query } = columns[1 - k], { frame } = scenes[k], other = scenes[1 - k].frame;
-      return (frame.onlyHere ??= frame.a.reduce((sum, slot, i) => sum + (query.testOf(other, slot, frame.b[i]) < 0 ? 1 : 0), 0));
-    };
-    const more = [['tests only here', ...columns.map((_, k) => counted(only(k)))]];
+    const titles = ['', ...columns.map(({ title }) => title)], wide = (/** @type {string[][]} */ more) => element('div', { className: 'wide' }, table([titles, ...rows, ...more]));
+    const frames = scenes.flatMap(({ frame }) => frame ?? []);
+    if (!app.compares || frames.length < 2) return [wide([])];
+    const only = frames.map((frame, k) => {
+      const other = frames[1 - k];
+      return (frame.onlyHere ??= frame.a.reduce((sum, slot, i) => sum + (other.query.testOf(other, slot, frame.b[i]) < 0 ? 1 : 0), 0));
+    });
+    const more = [['tests only here', ...only.map(counted)]];
     if (state.mode === 'pairs') more.push(['pairs only here', ...scenes.map((_, k) => counted(app.content.pairsOnlyHere(k).length))]);
     if (scenes.every(({ nodes }) => nodes) && state.mode !== 'traversal') more.push(['nodes that differ', ...scenes.map((_, k) => counted(app.content.differing(k).size))]);
     return [wide(more), ...(scenes.some((_, k) => app.content.differing(k).size > app.content.outlines(k).size) ? [faint(`Too many differ for outlines in ${scenes.map((_, k) => k).filter((k) => app.content.differing(k).size > app.content.outlines(k).size).map((k) => columns[k].title).join(' and ')}.`)] : [])];
   }
 
+  /** @param {Query} query */
   otherFrames(query) {
     const { app } = this, { frames } = app.manifest, have = query.told.frames.map(({ frame }) => frame), now = frames[app.state.at];
     const nearest = have.reduce((best, frame) => (Math.abs(frame - now) < Math.abs(best - now) ? frame : best), have[0]);
@@ -59,35 +68,44 @@ export class QueryPanel {
       ...(have.length ? [row(button(`Frame ${nearest}`, 'The nearest with a query', () => app.set({ at: frames.indexOf(nearest) })))] : [])];
   }
 
-  heatParts(k) {
-    const { app } = this, { bodies, query } = app.columns[k], { heat } = app.scenes[k], wasted = app.state.mode === 'wasted', what = wasted ? 'wasted tests' : 'volume tests';
+  /** @type {(k: number, query: Query, heat: Heat) => HTMLElement[]} */
+  heatParts(k, query, heat) {
+    const { app } = this, { bodies } = app.columns[k], scale = this.heatScale(heat), wasted = app.state.mode === 'wasted', what = wasted ? 'wasted tests' : 'volume tests';
     return [...bodies.map((body, side) => table([[`${body.name}, most ${what} of a triangle`, counted(heat.counts[side].reduce((most, n) => Math.max(most, n), 0))]])),
-      ...colorScale(app.manifest.viridis, ...this.heatScale(heat)), ...(wasted ? this.worstParts(k, query) : [])];
+      ...colorScale(app.manifest.viridis, scale.title, scale.ticks), ...(wasted ? this.worstParts(k, query) : [])];
   }
 
   // Its title and its ticks.
+  /** @param {Heat} heat */
   heatScale({ end }) {
-    const at = (n) => Math.log(n / 0.25) / Math.log(end / 0.25), ticks = [[0, '0']];
+    const at = (/** @type {number} */ n) => Math.log(n / 0.25) / Math.log(end / 0.25);
+    /** @type {Tick[]} */
+    const ticks = [[0, '0']];
     for (let n = 1; at(n) < 0.85; n *= 10) ticks.push([at(n), counted(n)]);
-    return [`${this.app.state.mode === 'wasted' ? 'wasted' : 'volume'} tests of a triangle`, [...ticks, [1, counted(end)]]];
+    ticks.push([1, counted(end)]);
+    return { title: `${this.app.state.mode === 'wasted' ? 'wasted' : 'volume'} tests of a triangle`, ticks };
   }
 
-  pairParts(k) {
-    const { app } = this, { bodies, query } = app.columns[k], { frame, meeting } = app.scenes[k], { objects } = query.told, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
+  /** @type {(k: number, frame: QueryFrame, meeting: Set<number>[]) => HTMLElement[]} */
+  pairParts(k, frame, meeting) {
+    const { app } = this, { bodies } = app.columns[k], { query } = frame, { objects } = query.told, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
     const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} ${what} meet others`));
     if (only.length === 0) return parts;
-    const link = (pair) => {
+    const link = (/** @type {number[]} */ pair) => {
       if (!objects) return button(pair.join(), 'Choose this pair, and see where the other lost it', () => app.selectPair(k, pair));
       const slots = pair.map((node, side) => query.trees[side].slotOf(node));
-      return button(slots.map((slot, side) => query.trees[side].numberOf(slot)).join(), 'Show their test', () => app.showTest(k, query.testOf(frame, ...slots)));
+      return button(slots.map((slot, side) => query.trees[side].numberOf(slot)).join(), 'Show their test', () => app.showTest(k, query.testOf(frame, slots[0], slots[1])));
     };
     return [...parts, faint(`Pairs of ${what} that only this one found${only.length > most ? `, the first ${most} of ${counted(only.length)}` : ''}`), row(...only.slice(0, most).map(link))];
   }
 
   // How paths ended, or what tests were worth, to be chosen from.
-  classParts(k) {
-    const { app } = this, { query, bodies } = app.columns[k], { state } = app, { nodes, all, classes } = app.scenes[k], labels = app.labelsOf(query), verdicts = state.mode === 'verdicts';
-    const names = labels.map(({ label }) => label), parts = [faint(`${verdicts ? 'Pairs' : 'Paths that ended'}; ${counted(nodes.length)} of ${counted(all)} nodes drawn, those of ${bodies[1].name} hatched`)];
+  /** @type {(k: number, query: Query, classes: Classes) => HTMLElement[]} */
+  classParts(k, query, classes) {
+    const { app } = this, { bodies } = app.columns[k], { state } = app, { nodes = [], all = 0 } = app.scenes[k], labels = app.labelsOf(query), verdicts = state.mode === 'verdicts';
+    const names = labels.map(({ label }) => label);
+    /** @type {HTMLElement[]} */
+    const parts = [faint(`${verdicts ? 'Pairs' : 'Paths that ended'}; ${counted(nodes.length)} of ${counted(all)} nodes drawn, those of ${bodies[1].name} hatched`)];
     labels.forEach((group, i) => {
       if (classes.counts[i] === 0 && !verdicts) return;
       const box = element('input', { type: 'checkbox', checked: !state.hidden.includes(group.label) }), output = element('output', { textContent: counted(classes.counts[i]) });
@@ -100,8 +118,9 @@ export class QueryPanel {
   }
 
   // The nodes with the most rejections, or false passes; those of equal numbers by their own.
-  mostParts(k) {
-    const { app } = this, { bodies, query } = app.columns[k], { classes } = app.scenes[k], verdicts = app.state.mode === 'verdicts', most = 5;
+  /** @type {(k: number, query: Query, classes: Classes) => HTMLElement[]} */
+  mostParts(k, query, classes) {
+    const { app } = this, { bodies } = app.columns[k], verdicts = app.state.mode === 'verdicts', most = 5;
     return bodies.flatMap((body, side) => {
       const all = query.mostOf(classes, side, (group) => verdicts || query.told.groups[group].rejects);
       if (all.length === 0) return [];
@@ -112,8 +131,9 @@ export class QueryPanel {
   }
 
   // The nodes that differ from what the other column shows, those with the most tests first.
-  differingParts(k) {
-    const { app } = this, { query, bodies } = app.columns[k], differing = [...app.content.differing(k)].sort((x, y) => y.paths - x.paths), most = 5;
+  /** @type {(k: number, query: Query) => HTMLElement[]} */
+  differingParts(k, query) {
+    const { app } = this, { bodies } = app.columns[k], differing = [...app.content.differing(k)].sort((x, y) => y.paths - x.paths), most = 5;
     return bodies.slice(0, 2).flatMap((body, side) => {
       const own = differing.filter((node) => node.side === side);
       if (own.length === 0) return [];
@@ -123,61 +143,67 @@ export class QueryPanel {
   }
 
   // The tests of all frames in the page that cost the most.
+  /** @type {(k: number, query: Query) => HTMLElement[]} */
   worstParts(k, query) {
     const { app } = this, many = query.told.frames.length > 1;
     return query.told.worst.flatMap((list, i) => {
       if (list.length === 0) return [];
       const { label } = query.told.worths[i], missing = i + 1 === worth.wrong;
-      const rows = list.map(({ frame, test, nodes, n_v, n_p, missed }) => [button(nodes.join(), 'Show this test', () => app.showTest(k, test, frame)), ...(many ? [String(frame)] : []), ...(missing ? [counted(missed)] : [counted(n_v), counted(n_p)])]);
+      const rows = list.map(({ frame, test, nodes, n_v = 0, n_p = 0, missed = 0 }) => [button(nodes.join(), 'Show this test', () => app.showTest(k, test, frame)), ...(many ? [String(frame)] : []), ...(missing ? [counted(missed)] : [counted(n_v), counted(n_p)])]);
       return [element('div', { className: 'faint' }, many ? 'worst of all frames, ' : 'worst, ', word(label), missing ? ': pairs of triangles missed' : ': tests that followed in vain'),
         element('div', { className: 'wide worst' }, table([['nodes', ...(many ? ['frame'] : []), ...(missing ? ['missed'] : [word('N_v'), word('N_p')])], ...rows]))];
     });
   }
 
   // The test of the traversal that is looked at.
-  testParts(k) {
-    const { app } = this, { bodies, query } = app.columns[k], { frame, steps } = app.scenes[k], { state } = app, i = app.shownTest(frame);
+  /** @type {(k: number, frame: QueryFrame) => HTMLElement[]} */
+  testParts(k, frame) {
+    const { app } = this, { bodies } = app.columns[k], { query } = frame, { state } = app, i = app.shownTest(frame);
     if (i < 0) return [faint('There are no tests.')];
-    Icicle.follow(frame);
     const group = query.told.groups[frame.outcomes[i] - 2], verdict = query.told.worths[frame.worths[i] - 1], slots = [frame.a[i], frame.b[i]];
-    const cell = state.cell && frame.cells?.all.get(state.cell.join());
+    const [x, y] = state.cell ?? [], cell = frame.cells.all.get(`${x},${y}`);
+    /** @type {(Node | string)[][]} */
     const rows = [
       ['test', counted(i)],
       ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].wordsOf(slots[side])}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
       ['how it ended', group ? group.label : `passed: ${query.dividesBoth(frame, i) ? 'both were' : `${bodies[frame.outcomes[i]].name} was`} divided`],
       ...(verdict ? [['worth', word(verdict.label)]] : []),
-      ['tests that follow', counted(frame.sizes[i] - 1)],
+      ['tests that follow', counted(frame.followers.sizes[i] - 1)],
     ];
-    const about = element('div', { className: 'faint test', textContent: cell ? `Depth ${state.cell[0]} of ${bodies[0].name}, ${state.cell[1]} of ${bodies[1].name}: ${counted(cell.tests)} tests, ${counted(cell.rejected)} rejected` : 'A test, above those that follow from it' });
-    const parts = [about, table(rows), ...this.otherParts(k, i), ...this.stepParts(k, i, steps)];
+    const about = element('div', { className: 'faint test', textContent: cell ? `Depth ${x} of ${bodies[0].name}, ${y} of ${bodies[1].name}: ${counted(cell.tests)} tests, ${counted(cell.rejected)} rejected` : 'A test, above those that follow from it' });
+    const parts = [about, table(rows), ...this.otherParts(k, frame, i), ...this.stepParts(k, query, i)];
     parts.push(row(button('By ending', 'Colors say how tests ended (V)', () => app.set({ by: 'ending' }), state.by === 'ending'), button('By worth', 'Colors say which passed in vain (V)', () => app.set({ by: 'worth' }), state.by === 'worth')));
-    const legend = (color, ...words) => element('div', {}, swatch(color), ...words);
+    const legend = (/** @type {Color} */ color, /** @type {(Node | string)[]} */ ...words) => element('div', {}, swatch(color), ...words);
     if (state.by === 'ending') parts.push(legend(passedOn(app.theme), word('passed on')), ...query.told.groups.flatMap((g, n) => (frame.ended.counts[n] ? [legend(g[state.theme], `${g.label}: ${counted(frame.ended.counts[n])}`)] : [])));
     else parts.push(legend(passedOn(app.theme, 0.5), 'triangles below meet'), legend(passedOn(app.theme, 0.12), 'rejected'), ...query.told.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
     return [...parts, ...this.worstParts(k, query)];
   }
 
   // What the other column made of the same nodes.
-  otherParts(k, test) {
-    const { app } = this, other = 1 - k;
-    if (!app.compares || !app.scenes[other]?.frame) return [];
-    const { query, title } = app.columns[other], { frame } = app.scenes[other], { frame: own } = app.scenes[k], there = query.testOf(frame, own.a[test], own.b[test]);
+  /** @type {(k: number, own: QueryFrame, test: number) => HTMLElement[]} */
+  otherParts(k, own, test) {
+    const { app } = this, other = 1 - k, frame = app.compares ? app.scenes[other].frame : null;
+    if (!frame) return [];
+    const { query } = frame, { title } = app.columns[other], there = query.testOf(frame, own.a[test], own.b[test]);
     if (there >= 0) return [table([[`in ${title}`, button(query.endingOf(frame, there), 'Show it there', () => app.showTest(other, there))]])];
     const lost = query.lostAt(frame, own.a[test], own.b[test]);
     return [table([[`in ${title}`, lost < 0 ? 'not tested' : button(`not tested: ended at ${query.pairText(frame, lost)}, ${query.endingOf(frame, lost)}`, 'Show the test that ended this path', () => app.showTest(other, lost))]])];
   }
 
   // The overlap test step by step, as scb explain prints it.
-  stepParts(k, test, steps) {
-    const { app } = this, told = steps?.[test], command = app.explain(k, test), parts = [];
+  /** @type {(k: number, query: Query, test: number) => HTMLElement[]} */
+  stepParts(k, query, test) {
+    const { app } = this, told = app.scenes[k].steps?.[test], command = app.explain(k, test);
+    /** @type {HTMLElement[]} */
+    const parts = [];
     if (told) {
       const lines = told.steps.map((step) => element('tr', { title: step.not_tried ?? step.error ?? step.stage, className: `step ${step.rejects ? 'decides' : step.not_tried ? 'skipped' : ''}` },
         element('td', {}, step.formula, ...(step.error ? [element('div', { className: 'wrong', textContent: step.error })] : []), ...(step.not_tried && step.not_tried !== 'not reached' ? [faint(step.not_tried)] : [])),
         element('td', { textContent: step.not_tried ? 'not tried' : short(step.slack) })));
       parts.push(element('details', { open: true }, element('summary', { textContent: `Steps: ${told.answer}` }),
-        table([['exactly', told.exact], ...('room' in told ? [[told.exact === 'disjoint' ? 'gap' : 'depth of overlap', short(told.room)]] : [])]),
+        table([['exactly', told.exact], ...(told.room !== undefined ? [[told.exact === 'disjoint' ? 'gap' : 'depth of overlap', short(told.room)]] : [])]),
         element('table', {}, element('tr', {}, element('td', { className: 'faint', textContent: 'step, separates if' }), element('td', {}, word('slack'))), ...lines),
-        ...symbolsOf(told.steps, app.columns[k].query.told.symbols).map(faint)));
+        ...symbolsOf(told.steps, query.told.symbols).map(faint)));
     } else if (command) {
       parts.push(faint('Its steps are not in the page (--steps adds more); this prints them:'));
     }
@@ -186,8 +212,9 @@ export class QueryPanel {
 }
 
 // What the symbols of the formulas mean.
+/** @type {(steps: Step[], told: string[]) => string[]} */
 function symbolsOf(steps, told) {
-  const has = (text) => steps.some(({ formula }) => formula.includes(text)), both = told.join(' ').startsWith('0:'), first = [...(both ? [] : ['0: of A; 1: of B']), 'c1\u2032: B\u2019s center, from A\u2019s'];
+  const has = (/** @type {string} */ text) => steps.some(({ formula }) => formula.includes(text)), both = told.join(' ').startsWith('0:'), first = [...(both ? [] : ['0: of A; 1: of B']), 'c1\u2032: B\u2019s center, from A\u2019s'];
   if (has('r0')) first.push('r: radius');
   if (!both && (has('d0') || has('d1'))) first.push('d: the other center, along the normal n');
   if (has('e0') || has('f0')) first.push('e, f: upper and lower plane');

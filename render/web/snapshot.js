@@ -1,24 +1,27 @@
 import { modes } from './words.js';
-import { element, counted, css } from './elements.js';
+import { element, contextOf, counted, css } from './elements.js';
 import { passedOn } from './icicle.js';
 
 // A picture of what is seen that explains itself: title, numbers, the scene with its scale, the traversal, and what colors mean.
+/** @param {App} app */
 export function snapshotOf(app) {
-  const { canvas, state, manifest, columns, theme } = app, ratio = window.devicePixelRatio || 1, margin = 12, line = 20;
-  const tests = document.getElementById('tests'), parts = [canvas, ...(tests.hidden ? [] : [tests])], width = canvas.clientWidth, middle = parts.reduce((sum, part) => sum + part.clientHeight, 0);
-  const made = element('canvas'), context = made.getContext('2d'), font = (size, weight = 400) => (context.font = `${weight} ${size}px Roboto, system-ui, sans-serif`);
-  const head = [[document.title, 16, 500], ...columns.map((_, k) => [numbersLine(app, k), 13, 400])];
+  const { canvas, columns, theme } = app, ratio = window.devicePixelRatio || 1, margin = 12, line = 20;
+  const tests = /** @type {HTMLElement} */ (document.getElementById('tests')), parts = [canvas, ...(tests.hidden ? [] : [tests])], width = canvas.clientWidth, middle = parts.reduce((sum, part) => sum + part.clientHeight, 0);
+  const made = element('canvas'), context = contextOf(made), font = (/** @type {number} */ size, weight = 400) => (context.font = `${weight} ${size}px Roboto, system-ui, sans-serif`);
+  const head = [{ text: document.title, size: 16, weight: 500 }, ...columns.map((_, k) => ({ text: numbersLine(app, k), size: 13, weight: 400 }))];
   // Rows of the legend, each entry with its square of color.
   font(13);
-  const entries = legendOf(app), scale = app.isHeat || (state.mode === 'levels' && manifest.legend), rows = [[]];
+  const scale = scaleOf(app);
+  /** @type {(Entry & { at: number })[][]} */
+  const rows = [[]];
   let x = margin;
-  for (const [color, text] of scale ? [] : entries) {
+  for (const { color, text } of scale ? [] : entriesOf(app)) {
     const w = context.measureText(text).width + 36;
-    if (x + w > width && rows.at(-1).length > 0) {
+    if (x + w > width && rows[rows.length - 1].length > 0) {
       rows.push([]);
       x = margin;
     }
-    rows.at(-1).push([x, color, text]);
+    rows[rows.length - 1].push({ at: x, color, text });
     x += w;
   }
   const top = margin + head.length * line + 4, bottom = scale ? 52 : rows.length * line + margin, height = top + middle + bottom;
@@ -27,13 +30,13 @@ export function snapshotOf(app) {
   context.fillStyle = css(theme.background);
   context.fillRect(0, 0, width, height);
   context.textBaseline = 'middle';
-  const write = (text, at, y, room = width - at - margin) => {
+  const write = (/** @type {string} */ text, /** @type {number} */ at, /** @type {number} */ y, room = width - at - margin) => {
     context.fillStyle = css(theme.text);
     let shown = text;
     while (shown.length > 1 && context.measureText(shown).width > room) shown = `${shown.slice(0, -2).trimEnd()}\u2026`;
     context.fillText(shown, at, y);
   };
-  head.forEach(([text, size, weight], i) => {
+  head.forEach(({ text, size, weight }, i) => {
     font(size, weight);
     write(text, margin, margin + (i + 0.5) * line);
   });
@@ -41,13 +44,13 @@ export function snapshotOf(app) {
   if (!tests.hidden) for (const one of tests.querySelectorAll('canvas')) context.drawImage(one, one.offsetLeft, top + canvas.clientHeight + one.offsetTop, one.clientWidth, one.clientHeight);
   font(13);
   if (columns.length > 1) app.rectangles.forEach(([left, y, w], k) => write(columns[k].title, left / ratio + 8, top + y / ratio + 14, w / ratio - 16));
-  const bar = document.getElementById('bar'), size = parseFloat(bar.lastElementChild.style.width), y = top + canvas.clientHeight - 16;
+  const [barText, barLine] = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#bar > *')), size = parseFloat(barLine.style.width), y = top + canvas.clientHeight - 16;
   context.strokeStyle = css(theme.text);
   context.strokeRect(16, y, size, 0);
-  write(bar.firstElementChild.textContent, 16, y - 10);
+  write(barText.textContent ?? '', 16, y - 10);
   const legendTop = top + middle + margin / 2;
   if (scale) {
-    const [title, ticks] = entries, room = Math.min(width - 2 * margin, 360);
+    const { title, ticks } = scale, room = Math.min(width - 2 * margin, 360);
     write(title, margin, legendTop + 8);
     for (let i = 0; i < room; ++i) {
       context.fillStyle = css(app.scaleColor(i / room));
@@ -59,7 +62,7 @@ export function snapshotOf(app) {
     });
     return made;
   }
-  rows.forEach((row, i) => row.forEach(([at, color, text]) => {
+  rows.forEach((row, i) => row.forEach(({ at, color, text }) => {
     context.fillStyle = css(color);
     context.fillRect(at, legendTop + i * line + 4, 11, 11);
     write(text, at + 17, legendTop + i * line + 10, width - at - 17);
@@ -68,20 +71,28 @@ export function snapshotOf(app) {
 }
 
 // The numbers of a column, in a line.
+/** @type {(app: App, k: number) => string} */
 function numbersLine(app, k) {
   const { state, manifest, columns } = app, { title, query } = columns[k], told = query?.frames.get(manifest.frames[state.at]);
-  const words = [modes.find(({ name }) => name === state.mode).text, ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
+  const words = [modes.find(({ name }) => name === state.mode)?.text ?? '', ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
   if (told && state.mode !== 'levels') words.push(`${counted(told.pairs)} pairs`, `${counted(told.n_v)} volume tests`, `${counted(told.n_p)} triangle tests`, ...(told.judged ? [`${counted(told.wasted)} wasted`] : []));
   return (columns.length > 1 ? `${title}: ` : '') + words.join(', ');
 }
 
-// Colors and what they mean; of a scale its title and its ticks.
-function legendOf(app) {
-  const { state, manifest, theme } = app, k = state.column, { query, bodies } = app.columns[k], { frame, heat } = app.scenes[k] ?? {}, ofBodies = bodies.map(({ color, name }) => [color, name]);
-  if (state.mode === 'levels' && manifest.legend) return [manifest.legend.title, manifest.legend.ticks];
-  if (heat) return app.panel.queryPanel.heatScale(heat);
-  if (state.mode === 'levels' || state.mode === 'pairs' || !frame || app.isHeat) return ofBodies;
-  const verdicts = state.mode === 'verdicts' || (state.mode === 'traversal' && state.by === 'worth'), classes = verdicts ? frame.judged : frame.ended;
-  const groups = (verdicts ? query.told.worths : query.told.groups).flatMap((group, i) => (classes.counts[i] > 0 && !state.hidden.includes(group.label) ? [[group[state.theme], `${group.label}: ${counted(classes.counts[i])}`]] : []));
-  return state.mode === 'traversal' ? [...(verdicts ? [] : [[passedOn(theme), 'passed on']]), ...groups] : groups;
+// The scale of the colors; null where colors are of entriesOf.
+/** @type {(app: App) => { title: string, ticks: Tick[] } | null} */
+function scaleOf(app) {
+  const { state, manifest } = app, heat = app.scenes[state.column]?.heat;
+  return state.mode === 'levels' ? manifest.legend : heat ? app.panel.queryPanel.heatScale(heat) : null;
+}
+
+// Colors and what they mean.
+/** @typedef {{ color: Color, text: string }} Entry */
+/** @type {(app: App) => Entry[]} */
+function entriesOf(app) {
+  const { state, theme } = app, frame = app.scenes[state.column]?.frame;
+  if (state.mode === 'levels' || state.mode === 'pairs' || !frame || app.isHeat) return app.columns[state.column].bodies.map(({ color, name }) => ({ color, text: name }));
+  const { told } = frame.query, verdicts = state.mode === 'verdicts' || (state.mode === 'traversal' && state.by === 'worth'), classes = verdicts ? frame.judged : frame.ended;
+  const groups = (verdicts ? told.worths : told.groups).flatMap((group, i) => (classes.counts[i] > 0 && !state.hidden.includes(group.label) ? [{ color: group[state.theme], text: `${group.label}: ${counted(classes.counts[i])}` }] : []));
+  return state.mode === 'traversal' && !verdicts ? [{ color: passedOn(theme), text: 'passed on' }, ...groups] : groups;
 }

@@ -5,11 +5,41 @@ const texelWidth = 2048;
 // A hierarchy. Its nodes are in the order of their levels; levels are unpacked when they are shown, small ones together. "Slot" is a node's place in this
 // order, "node" its index, by which pixels and queries name it, "number" what users call it: of another engine's tree, its own number.
 export class Tree {
+  // From open(): per slot.
+  order = new Uint32Array();
+  children = new Uint32Array();
+  firstChild = new Uint32Array();
+  parent = new Int32Array();
+  numbers = new Uint32Array();
+  /** @type {Record<number, string>} */
+  names = {};
+  // By node and by number, filled when they are asked for.
+  /** @type {Map<number, number>} */
+  slots = new Map();
+  // From upload().
+  /** @type {WebGLTexture | null} */
+  volumeTexture = null;
+  /** @type {WebGLTexture | null} */
+  extraTexture = null;
+  /** @type {Map<number, number> | undefined} */
+  numbered;
+  // From openItems().
+  items = new Uint32Array();
+  firstItem = new Uint32Array();
+
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {Blocks} blocks
+   * @param {ManifestTree} told
+   */
   constructor(gl, blocks, told) {
-    Object.assign(this, { gl, blocks, told });
+    this.gl = gl;
+    this.blocks = blocks;
+    this.told = told;
     this.start = [0];
-    for (const count of told.counts) this.start.push(this.start.at(-1) + count);
+    for (const count of told.counts) this.start.push(this.start[this.start.length - 1] + count);
     this.depth = told.counts.length - 1;
+    /** @type {TreePart[]} */
     this.parts = [];  // those that are unpacked: the first ones
     this.loading = Promise.resolve();
   }
@@ -26,14 +56,13 @@ export class Tree {
       this.firstChild[slot] = next;
       for (let i = 0; i < this.children[slot]; ++i) this.parent[next++] = slot;
     }
-    this.slots = new Map();
-    this.numbers = 'numbers' in this.told ? await this.blocks.get(this.told.numbers) : this.order;
-    this.names = 'names' in this.told ? JSON.parse(new TextDecoder().decode(await this.blocks.get(this.told.names))) : {};
+    this.numbers = this.told.numbers !== undefined ? await this.blocks.get(this.told.numbers) : this.order;
+    this.names = this.told.names !== undefined ? JSON.parse(new TextDecoder().decode(await this.blocks.get(this.told.names))) : {};
   }
 
   // Which triangles, or objects, a node has itself.
   async openItems() {
-    if (this.firstItem) return;
+    if (this.firstItem.length > 0) return;
     const counts = await this.blocks.get(this.told.item_counts);
     this.items = await this.blocks.get(this.told.items);
     const first = new Uint32Array(counts.length + 1);
@@ -41,28 +70,34 @@ export class Tree {
     this.firstItem = first;
   }
 
+  /** @param {number} slot */
   itemsOf(slot) {
     return this.items.subarray(this.firstItem[slot], this.firstItem[slot + 1]);
   }
 
+  /** @param {number} node */
   slotOf(node) {
     if (this.slots.size === 0) this.order.forEach((of, slot) => this.slots.set(of, slot));
     return this.slots.get(node) ?? -1;
   }
+  /** @param {number} number */
   slotOfNumber(number) {
     if (this.numbers === this.order) return this.slotOf(number);
     this.numbered ??= new Map(Array.from(this.numbers, (of, slot) => [of, slot]));
     return this.numbered.get(number) ?? -1;
   }
+  /** @param {number} slot */
   numberOf(slot) {
     return this.numbers[slot];
   }
   // The number, and the name in quotes where it has one.
+  /** @param {number} slot */
   wordsOf(slot) {
     const name = this.names[this.order[slot]];
     return name === undefined ? String(this.numbers[slot]) : `${this.numbers[slot]} "${name}"`;
   }
 
+  /** @param {number} slot */
   levelOf(slot) {
     let least = 0, most = this.depth;
     while (least < most) {
@@ -74,11 +109,14 @@ export class Tree {
   }
 
   // Whether the volumes of a level are unpacked.
+  /** @param {number} level */
   has(level) {
-    return this.parts.length > 0 && Math.min(level, this.depth) < this.parts.at(-1).end;
+    const last = this.parts.at(-1);
+    return last !== undefined && Math.min(level, this.depth) < last.end;
   }
 
   // Unpacks all levels down to this one, part after part.
+  /** @param {number} level */
   load(level) {
     // One after the other; what failed does not stop the next.
     this.loading = this.loading.catch(() => {}).then(async () => {
@@ -89,12 +127,16 @@ export class Tree {
     return this.loading;
   }
 
+  /**
+   * @param {ManifestPart} told
+   * @returns {Promise<TreePart>}
+   */
   async unpack(told) {
     const shapes = await this.blocks.get(told.shapes), numbers = await this.blocks.get(told.numbers);
     const colors = await this.blocks.get(told.colors), count = shapes.length;
-    const extras = 'extras' in told ? await this.blocks.get(told.extras) : null;
-    const extraTexels = extras ? await this.blocks.get(told.texels) : new Float32Array(0);
-    for (const name of ['shapes', 'numbers', 'colors', 'extras', 'texels']) this.blocks.forget(told[name]);
+    const extras = told.extras !== undefined ? await this.blocks.get(told.extras) : null;
+    const extraTexels = told.texels !== undefined ? await this.blocks.get(told.texels) : new Float32Array(0);
+    for (const block of [told.shapes, told.numbers, told.colors, told.extras, told.texels]) this.blocks.forget(block);
     const first = this.parts.at(-1)?.last ?? 0, before = this.parts.at(-1)?.extrasEnd ?? 0;
     const texels = new Float32Array(16 * count), offsets = new Uint32Array(count);
     let extra = before;
@@ -103,14 +145,15 @@ export class Tree {
       offsets[i] = at;
       texels.set(numbers.subarray(at, at + n), 16 * i);
       at += n;
-      const many = extras ? extras[i] & 0x7fffffff : 0;
-      if (many > 0) texels.set([extra, many, extras[i] >>> 31], 16 * i + 12);
+      const packed = extras ? extras[i] : 0, many = packed & 0x7fffffff;
+      if (many > 0) texels.set([extra, many, packed >>> 31], 16 * i + 12);
       extra += many;
     }
     const end = (this.parts.at(-1)?.end ?? 0) + told.levels;  // the first level behind it
     return { shapes, numbers, offsets, colors, texels, extraTexels, first, last: first + count, extrasEnd: extra, end };
   }
 
+  /** @type {(unit: number, arrays: Float32Array[]) => WebGLTexture | null} */
   texture(unit, arrays) {
     const { gl } = this, floats = arrays.reduce((sum, array) => sum + array.length, 0);
     const rows = Math.max(1, Math.ceil(floats / 4 / texelWidth));
@@ -139,6 +182,7 @@ export class Tree {
   }
 
   // The slots that cover the body at a level: its nodes, and the leaves above; or of them those below a node.
+  /** @param {number} level */
   cover(level, root = -1) {
     const slots = [], last = Math.min(level, this.depth);
     for (let depth = 0; depth <= last; ++depth)
@@ -147,17 +191,20 @@ export class Tree {
     return slots;
   }
 
+  /** @type {(slot: number, root: number) => boolean} */
   isBelow(slot, root) {
     while (slot > root) slot = this.parent[slot];
     return slot === root;
   }
 
+  /** @param {number} slot */
   partOf(slot) {
     const part = this.lastPart ?? this.parts[0];
-    return slot >= part.first && slot < part.last ? part : (this.lastPart = this.parts.find(({ last }) => slot < last));
+    return slot >= part.first && slot < part.last ? part : (this.lastPart = this.parts[this.parts.findIndex(({ last }) => slot < last)]);
   }
 
   // Its planes or points, four numbers each.
+  /** @param {number} slot */
   extrasOf(slot) {
     const { first, texels, extrasEnd, extraTexels } = this.partOf(slot), at = 16 * (slot - first) + 12;
     const begin = 4 * (texels[at] - extrasEnd) + extraTexels.length;
@@ -165,6 +212,10 @@ export class Tree {
   }
 
   // Shape, numbers and color of a slot whose level is unpacked.
+  /**
+   * @param {number} slot
+   * @returns {Volume}
+   */
   volume(slot) {
     const part = this.partOf(slot);
     const i = slot - part.first, shape = part.shapes[i], at = part.offsets[i];
@@ -178,6 +229,7 @@ export class Tree {
 }
 
 // Of a ball about a volume.
+/** @param {Volume} volume */
 export function radiusOf({ shape, numbers }) {
   return shapeNames[shape] === 'box' ? Math.hypot(numbers[3], numbers[7], numbers[11]) : numbers[3] ?? 0;
 }

@@ -1,4 +1,5 @@
 // What can be shown, by the keys 1, 2 and so on.
+/** @type {{ name: ModeName, text: string, about: string }[]} */
 export const modes = [
   { name: 'levels', text: 'Levels', about: 'The volumes of a level of the hierarchies' },
   { name: 'rejections', text: 'Rejections', about: 'The nodes at which paths of the traversal ended, colored by how' },
@@ -10,6 +11,7 @@ export const modes = [
 ];
 
 // What words of the field mean.
+/** @type {Record<string, string>} */
 export const terms = {
   'N_v': 'tests of two volumes',
   'N_p': 'tests of two triangles',

@@ -712,16 +712,30 @@ test('a click names the node, and what hangs on it', async () => {
   });
 });
 
+async function saved_png(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);
+  assert.equal(download.suggestedFilename(), 'cone.png');
+  const file = join(folder, 'saved.png');
+  await download.saveAs(file);
+  return read_png(file);
+}
+
 test('what is seen is saved as PNG', async () => {
   await onPage(page_of('cone', '--level', '4'), {}, async (page) => {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);
-    assert.equal(download.suggestedFilename(), 'cone.png');
-    const file = join(folder, 'saved.png');
-    await download.saveAs(file);
-    const { width, height, ids } = read_png(file), size = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
+    const { width, height, ids } = await saved_png(page), size = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
     // With title, numbers and legend.
     assert.ok(width === size[0] && height > size[1] + 50 && height < size[1] + 150);
     assert.ok(new Set(ids).size > 50, 'it has colors');
+  });
+});
+
+test('at a frame without a query, a PNG has the colors of the bodies and no scale', async () => {
+  await onPage(page_of('cone', '--frames', '100', '--queries', '90:110:10'), {}, async (page) => {
+    await page.getByLabel('Frame', { exact: true }).fill('98');
+    await press(page, '3');
+    const of_pairs = await saved_png(page);
+    await press(page, '4');
+    assert.equal((await saved_png(page)).height, of_pairs.height);
   });
 });
 
