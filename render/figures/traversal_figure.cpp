@@ -112,7 +112,7 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes&
     std::vector<Key> keys = {{"divided", divided_color(theme), divided}};
     for (const EndingGroup& group : groups) {
         const std::uint64_t count = count_of(group, counts);
-        // Of queries that were not told to stop early there is nothing to explain.
+        // A query without an early end leaves nothing over to explain.
         if (group.endings.front() == Stage::left_over && count == 0) continue;
         keys.push_back({std::string(group.label), group.color, count});
     }

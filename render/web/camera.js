@@ -16,22 +16,22 @@ export class View {
   standBack = 0;
 
   /**
-   * @param {ManifestCamera} told
+   * @param {ManifestCamera} stored
    * @param {Vector} up
    */
-  constructor(told, up) {
+  constructor(stored, up) {
     this.up = up;
-    this.fov = told.fov;
-    this.aspect = told.aspect;
+    this.fov = stored.fov;
+    this.aspect = stored.aspect;
     this.widen = 1;
-    this.axes = told.axes;
-    this.orthographic = told.orthographic;
-    const away = dot(subtract(told.center, told.position), scaled(-1, told.axes[2]));
-    this.distance = told.orthographic ? told.view_height / (2 * this.slope) : Math.max(away, 1e-300);
-    this.target = subtract(told.position, scaled(told.orthographic ? away : this.distance, told.axes[2]));
+    this.axes = stored.axes;
+    this.orthographic = stored.orthographic;
+    const away = dot(subtract(stored.center, stored.position), scaled(-1, stored.axes[2]));
+    this.distance = stored.orthographic ? stored.view_height / (2 * this.slope) : Math.max(away, 1e-300);
+    this.target = subtract(stored.position, scaled(stored.orthographic ? away : this.distance, stored.axes[2]));
     this.fitted = { distance: this.distance, target: this.target };
     // A plane of the world { normal, offset }, or null: only points p with normal.p <= offset are drawn. The normal has any length but 0.
-    this.clip = told.clip ?? null;
+    this.clip = stored.clip ?? null;
   }
 
   // Half the height of the view at distance 1: a narrow pane still shows the width that was fitted.

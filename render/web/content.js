@@ -206,10 +206,10 @@ export class Content {
   // The lines in which the pairs of triangles meet, from the middle of A's tree.
   /** @type {(k: number, query: Query, pairs: Uint32Array) => Contact[]} */
   contactsOf(k, query, pairs) {
-    const { app } = this, { bodies } = app.columns[k], middle = query.trees[0].told.center, meshes = bodies.flatMap(({ mesh }) => mesh ?? []);
+    const { app } = this, { bodies } = app.columns[k], middle = query.trees[0].stored.center, meshes = bodies.flatMap(({ mesh }) => mesh ?? []);
     /** @type {Contact[]} */
     const contacts = [];
-    if (query.told.objects || meshes.length < bodies.length) return [];
+    if (query.stored.objects || meshes.length < bodies.length) return [];
     const [of_a, of_b] = bodies.map((_, b) => app.poseOf(k, b));
     const corners = (/** @type {number} */ side, /** @type {number} */ triangle) => {
       const { positions, indices } = this.arrays[meshes[side]], { center } = app.manifest.meshes[meshes[side]];
@@ -242,7 +242,7 @@ export class Content {
   /** @type {(k: number, node: ShownNode) => boolean} */
   isTriangle(k, { side, slot, group }) {
     const { query, bodies } = this.app.columns[k];
-    return this.app.state.mode === 'rejections' && query !== null && query.told.groups[group].triangles && bodies[side].tree.children[slot] === 0 && bodies[side].mesh !== null;
+    return this.app.state.mode === 'rejections' && query !== null && query.stored.groups[group].triangles && bodies[side].tree.children[slot] === 0 && bodies[side].mesh !== null;
   }
 
   loadMeshes() {
@@ -332,8 +332,8 @@ export class Content {
       }
       if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, first_id: pairs ? first_ids.whole[b] : 0, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
     });
-    const meet = query?.told.groups.find((group) => group.meet);
-    const ofLines = placed(0, bodies[0].tree.told.center);  // see contactsOf
+    const meet = query?.stored.groups.find((group) => group.meet);
+    const ofLines = placed(0, bodies[0].tree.stored.center);  // see contactsOf
     if (scene.lines) {
       const line = { segments: scene.lines, placement: ofLines };
       if (pairs) segments.push({ ...line, color: app.theme.faint, width: 1.5, on_top: true }, { ...line, color: app.theme.text, width: 3, on_top: false });

@@ -22,15 +22,15 @@ export class FrameChart {
   // The canvas, and the frames that waste the most; nothing where there are no frames to choose from.
   parts() {
     if (this.columns.length === 0) return [];
-    const most = Math.max(...this.columns.flatMap(({ query }) => query.told.frames.map(({ n_v }) => n_v)));
+    const most = Math.max(...this.columns.flatMap(({ query }) => query.stored.frames.map(({ n_v }) => n_v)));
     return [this.canvas, faint(`Volume tests by frame, the wasted ones colored; at most ${counted(most)}`), (this.worst = element('div'))];
   }
 
   update() {
     const { app } = this;
     this.draw();
-    this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.told.frames.length > 1).flatMap(({ query, k }) => {
-      const worst = [...query.told.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
+    this.worst?.replaceChildren(...(['wasted', 'traversal', 'verdicts'].includes(app.state.mode) ? this.columns : []).filter(({ query }) => query.stored.frames.length > 1).flatMap(({ query, k }) => {
+      const worst = [...query.stored.frames].sort((x, y) => y.wasted - x.wasted || x.frame - y.frame).slice(0, 3), of = app.columns.length > 1 ? `${app.columns[k].title}: ` : '';
       return [faint(`${of}frames with the most wasted tests`), row(...worst.map(({ frame, wasted, n_v }) =>
         button(`${frame}: ${counted(wasted)}`, `${percent(wasted, n_v)} of ${counted(n_v)}`, () => app.set({ at: this.placeOf(frame) }))))];
     }));
@@ -53,14 +53,14 @@ export class FrameChart {
     if (width === 0 || this.columns.length === 0) return;
     Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const { frames } = app.manifest, row = height / this.columns.length, step = width / frames.length, most = Math.max(1, ...this.columns.flatMap(({ query }) => query.told.frames.map(({ n_v }) => n_v)));
+    const { frames } = app.manifest, row = height / this.columns.length, step = width / frames.length, most = Math.max(1, ...this.columns.flatMap(({ query }) => query.stored.frames.map(({ n_v }) => n_v)));
     this.columns.forEach(({ query }, i) => {
       const bottom = (i + 1) * row, unit = (row - 3) / most;
-      for (const { frame, n_v, wasted } of query.told.frames) {
+      for (const { frame, n_v, wasted } of query.stored.frames) {
         const x = this.placeOf(frame) * step;
         context.fillStyle = css(passedOn(app.theme, 0.6));
         context.fillRect(x, bottom - unit * (n_v - wasted), Math.max(step, 2), unit * (n_v - wasted));
-        context.fillStyle = css(query.told.worths[0][app.state.theme]);
+        context.fillStyle = css(query.stored.worths[0][app.state.theme]);
         context.fillRect(x, bottom - unit * n_v, Math.max(step, 2), unit * wasted);
         context.fillRect(x, bottom - 1, Math.max(step, 2), 1);  // also of none
       }

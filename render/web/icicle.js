@@ -99,10 +99,10 @@ export class Icicle {
   /** @type {(frame: QueryFrame, test: number, narrow: boolean) => Color} */
   colorOf(frame, test, narrow) {
     const { app } = this, { query } = frame, { by, theme } = app.state, worth = frame.worths[test], outcome = frame.outcomes[test];
-    if (by === 'worth') return worth > 0 ? query.told.worths[worth - 1][theme] : passedOn(app.theme, query.rejects(outcome) ? 0.12 : 0.5);
+    if (by === 'worth') return worth > 0 ? query.stored.worths[worth - 1][theme] : passedOn(app.theme, query.rejects(outcome) ? 0.12 : 0.5);
     // What is too narrow for its ends has the color of most of them.
     const ending = outcome >= 2 ? outcome - 2 : narrow ? frame.followers.dominant[test] : -1;
-    return ending < 0 ? passedOn(app.theme) : query.told.groups[ending][theme];
+    return ending < 0 ? passedOn(app.theme) : query.stored.groups[ending][theme];
   }
 
   // Lights up the tests of a node that the mouse is on in the scene; null: of none.

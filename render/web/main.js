@@ -79,12 +79,12 @@ export class App {
     const { manifest } = this;
     this.painter = new Painter(this.canvas, await Promise.all(manifest.grids.map((grid) => this.blocks.get(grid))));
     Object.assign(this.canvas, { app: this });  // for scripts
-    const trees = manifest.trees.map((told) => new Tree(this.painter.gl, this.blocks, told));
+    const trees = manifest.trees.map((stored) => new Tree(this.painter.gl, this.blocks, stored));
     await Promise.all(trees.map((tree) => tree.open()));
     this.depth = Math.max(...trees.map((tree) => tree.depth));
-    this.columns = await Promise.all(manifest.columns.map(async (told) => {
-      const bodies = await Promise.all(told.bodies.map(async (body) => ({ ...body, tree: trees[body.tree], poses: await this.blocks.get(body.poses) })));
-      return { ...told, bodies, query: told.query ? new Query(this.blocks, told.query, bodies.map((body) => body.tree)) : null };
+    this.columns = await Promise.all(manifest.columns.map(async (stored) => {
+      const bodies = await Promise.all(stored.bodies.map(async (body) => ({ ...body, tree: trees[body.tree], poses: await this.blocks.get(body.poses) })));
+      return { ...stored, bodies, query: stored.query ? new Query(this.blocks, stored.query, bodies.map((body) => body.tree)) : null };
     }));
     this.triangleIds = this.columns.map(({ bodies }) => this.idsOf(bodies));
     document.documentElement.classList.add('draws');
@@ -105,7 +105,7 @@ export class App {
   /** @param {ColumnBody[]} bodies */
   idsOf(bodies) {
     const counts = bodies.map((body) => (body.mesh === null ? 0 : this.manifest.meshes[body.mesh].triangles));
-    let next = Math.max(...bodies.map((body) => body.first_id + body.tree.told.nodes));
+    let next = Math.max(...bodies.map((body) => body.first_id + body.tree.stored.nodes));
     const firsts = () => counts.map((count) => (next += count) - count);
     return { whole: firsts(), marked: firsts() };
   }
@@ -137,7 +137,7 @@ export class App {
    * @returns {Label[]}
    */
   labelsOf(query) {
-    return this.state.mode === 'verdicts' ? query.told.worths : query.told.groups;
+    return this.state.mode === 'verdicts' ? query.stored.worths : query.stored.groups;
   }
 
   /** @type {(column: number, body: number) => Tree} */
@@ -159,9 +159,9 @@ export class App {
    * @returns {Ball[]}
    */
   ballsOf(column) {
-    return this.columns[column].bodies.map(({ tree: { told } }, b) => {
+    return this.columns[column].bodies.map(({ tree: { stored } }, b) => {
       const pose = this.poseOf(column, b);
-      return { center: add(times(pose.rotation, told.center), pose.translation), radius: told.radius };
+      return { center: add(times(pose.rotation, stored.center), pose.translation), radius: stored.radius };
     });
   }
 
@@ -315,7 +315,7 @@ export class App {
       };
       const placed = (/** @type {VolumeGroup} */ group) => {
         const pose = this.poseOf(k, group.body);
-        return { ...group, pose, placement: view.placement(pose, group.tree.told.center, eye.far) };
+        return { ...group, pose, placement: view.placement(pose, group.tree.stored.center, eye.far) };
       };
       const content = this.content.pane(k, eye);
       return { ...content, rectangle, background: this.theme.background, view, eye, opaque: list(content.opaque.map(placed)), translucent: list(content.translucent.map(placed)) };
@@ -351,7 +351,7 @@ export class App {
     if (frame && state.root > 0 && frame.a[state.root] >= 0 && frame.b[state.root] >= 0) words.push(`--root ${frame.query.pairText(frame, state.root)}`);
     if (state.mode === 'rejections' && state.focus !== 0.5) words.push(`--focus ${state.focus}`);
     if (state.mode === 'rejections' && state.hidden.length > 0) {
-      const shown = columns.find(({ query }) => query)?.query?.told.groups.filter(({ label }) => !state.hidden.includes(label)) ?? [];
+      const shown = columns.find(({ query }) => query)?.query?.stored.groups.filter(({ label }) => !state.hidden.includes(label)) ?? [];
       if (shown.length > 0) words.push(`--stages ${shown.map(({ stages }) => stages).join()}`);
     }
     const bodies = columns[0].bodies.filter((_, b) => !state.without.includes(b));
@@ -404,7 +404,7 @@ export class App {
   /** @type {(column: number, px: number, py: number, most: number) => number[] | null} */
   lineAt(column, px, py, most) {
     const { eye } = this.panes[column], { half_view, orthographic } = eye.uniforms, [left, top, width, height] = this.rectangles[column];
-    const placement = this.view.placement(this.poseOf(column, 0), this.treeOf(column, 0).told.center, eye.far);
+    const placement = this.view.placement(this.poseOf(column, 0), this.treeOf(column, 0).stored.center, eye.far);
     const onScreen = (/** @type {Vector} */ p) => {
       const [x, y, z] = add(placement.origin, scaled(placement.scale, times(placement.columns, p))), depth = orthographic ? 1 : -z;
       return [left + (width * (1 + x / depth / half_view[0])) / 2, top + (height * (1 - y / depth / half_view[1])) / 2];
@@ -511,11 +511,11 @@ export class App {
     /** @type {(k: number, b: number, slot: number) => Ball} */
     const ballOf = (k, b, slot) => {
       const tree = this.treeOf(k, b), volume = tree.volume(slot);
-      return { center: place(k, b, add(tree.told.center, volume.numbers)), radius: radiusOf(volume) };
+      return { center: place(k, b, add(tree.stored.center, volume.numbers)), radius: radiusOf(volume) };
     };
     const { nodes, contacts: all } = this.scenes[column], isChosen = (/** @type {Contact} */ { pair: [a, b] }) => pair !== null && a === pair[0] && b === pair[1], contacts = pair ? all?.filter(isChosen) : all;
     const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length && !pair ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
-      : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).told.center, point)), radius: 0 })));
+      : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).stored.center, point)), radius: 0 })));
     const finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
     if (finite.length > 0) this.fit(finite, pair ? 20 : 1.2);
   }
@@ -555,7 +555,7 @@ export class App {
       const { name, tree } = bodies[b], volume = tree.volume(slot), number = tree.numberOf(slot);
       return {
         name: `${name} ${number}`, ...solidOf(volume.shape, volume.numbers, tree.extrasOf(slot), corners), color: colors.get(`${b} ${slot}`) ?? volume.color,
-        opacity: state.mode === 'levels' ? Math.max(state.opacity, 0.05) : 1, pose: this.poseOf(k, b), center: tree.told.center, id: number, depth: tree.levelOf(slot),
+        opacity: state.mode === 'levels' ? Math.max(state.opacity, 0.05) : 1, pose: this.poseOf(k, b), center: tree.stored.center, id: number, depth: tree.levelOf(slot),
       };
     }), this.manifest.scene);
     if (file) this.offer(new Blob([file], { type: 'model/gltf-binary' }), 'glb');

@@ -55,7 +55,7 @@ export class NodePanel {
     if (triangle !== null) parts.push(...this.triangleParts(column, body, triangle));
     app.columns.forEach(({ title, bodies }, k) => {
       const at = app.selectedSlot(k), of = bodies[body]?.tree;
-      if (at >= 0 && of.has(of.levelOf(at))) parts.push(faint(title), table(numbersText(of.volume(at), of.told.center)));
+      if (at >= 0 && of.has(of.levelOf(at))) parts.push(faint(title), table(numbersText(of.volume(at), of.stored.center)));
     });
     app.columns.forEach((_, k) => parts.push(...this.testParts(body, k)));
     if (chain.length) parts.push(faint('Above, from the root'), row(...above));
@@ -71,11 +71,11 @@ export class NodePanel {
     if (!entry) return [faint(`${of}: none`)];
     const { theme } = app.state, passed = entry.tests - entry.counts.reduce((sum, n) => sum + n, 0), other = 1 - body, most = 12;
     /** @type {(Node | string)[][]} */
-    const rows = query.told.groups.flatMap((group, i) => (entry.counts[i] > 0 ? [[element('span', {}, swatch(group[theme]), group.label), counted(entry.counts[i])]] : []));
+    const rows = query.stored.groups.flatMap((group, i) => (entry.counts[i] > 0 ? [[element('span', {}, swatch(group[theme]), group.label), counted(entry.counts[i])]] : []));
     if (passed > 0) rows.push(['passed on', counted(passed)]);
     const tests = query.testsWith(frame, body, slot);
     const met = tests.slice(0, this.all ? 200 : most).map((test) => {
-      const at = (other === 0 ? frame.a : frame.b)[test], number = query.trees[other].numberOf(at), group = query.told.groups[frame.outcomes[test] - 2];
+      const at = (other === 0 ? frame.a : frame.b)[test], number = query.trees[other].numberOf(at), group = query.stored.groups[frame.outcomes[test] - 2];
       const made = button(String(number), `${query.endingOf(frame, test)}; ${counted(frame.followers.sizes[test] - 1)} tests follow`, () => app.showTest(k, test));
       made.prepend(swatch(group ? group[theme] : passedOn(app.theme)));
       return made;
@@ -92,7 +92,7 @@ export class NodePanel {
     const parts = [];
     app.columns.forEach(({ query, bodies, title }, k) => {
       const frame = app.scenes[k]?.frame, heat = app.scenes[k]?.heat;
-      if (!query || !frame || query.told.objects || body > 1 || (k !== own && !app.manifest.same_nodes)) return;
+      if (!query || !frame || query.stored.objects || body > 1 || (k !== own && !app.manifest.same_nodes)) return;
       /** @type {number[][]} */
       const meets = [];
       const other = bodies[1 - body].name, kind = app.columns.length > 1 ? `${title}: ` : '';

@@ -249,7 +249,7 @@ export class Painter {
     let next = 0;
     const of = new Uint32Array(list.count), words = list.words;
     list.groups.forEach((group, g) => {
-      const axis = transposedTimes(group.pose.rotation, backward), at = dot(add(times(group.pose.rotation, group.tree.told.center), group.pose.translation), backward);
+      const axis = transposedTimes(group.pose.rotation, backward), at = dot(add(times(group.pose.rotation, group.tree.stored.center), group.pose.translation), backward);
       for (let i = 0; i < group.count; ++i, ++next) {
         const [x, y, z] = axis, k = 3 * i;
         depth[next] = at + x * group.centers[k] + y * group.centers[k + 1] + z * group.centers[k + 2];

@@ -124,7 +124,7 @@ export class Panel {
   levelNumbers() {
     const { app } = this, many = app.columns.length > 1, titles = many ? [['', ...app.columns.map(({ title }) => title)]] : [];
     const parts = app.longest.bodies.flatMap((body, b) => {
-      const level = Math.min(app.levelOf(b), app.depth), of = app.columns.map(({ bodies }) => bodies[b]?.tree.told.levels).map((levels) => levels?.[Math.min(level, levels.length - 1)]);
+      const level = Math.min(app.levelOf(b), app.depth), of = app.columns.map(({ bodies }) => bodies[b]?.tree.stored.levels).map((levels) => levels?.[Math.min(level, levels.length - 1)]);
       const line = (/** @type {string} */ name, /** @type {number} */ i, /** @type {(n: number) => string} */ words) => [name, ...of.map((numbers) => (numbers ? words(numbers[i]) : ''))];
       return [faint(`${app.longest.bodies.length > 1 ? `${body.name}, level` : 'Level'} ${level} of ${app.depth}`),
         table([...titles, line('volumes', 0, counted), line('mean d', 1, short), line('mean \u03c4', 2, short), line('area', 3, short), line('volume', 4, short)])];
@@ -144,7 +144,7 @@ export class Panel {
     const at = (/** @type {number} */ level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts[counts.length - 1]) : 'over 20,000'));
     const gaps = of.map((counts, k) => (counts.length === 0 ? '' : counts.at(-1) === 0 ? `level ${counts.length - 1}` : isWhole(counts, k) ? 'none has one' : 'not counted so far'));
     const rows = Array.from({ length: Math.max(...of.map((counts) => counts.length)) }, (_, level) => [button(String(level), 'Show this level', () => app.set({ level }), level === state.level), ...at(level)]);
-    const pairs = columns.map(({ query }) => query?.frames.get(number)).map((told) => (told ? counted(told.pairs) : ''));
+    const pairs = columns.map(({ query }) => query?.frames.get(number)).map((stored) => (stored ? counted(stored.pairs) : ''));
     return [table([...titles, ['pairs', ...pairs], ['overlapping pairs', ...at(state.level)], ['first level with a gap', ...gaps]]),
       (this.eachLevel = element('details', { open: this.eachLevel?.open ?? false }, element('summary', { textContent: 'Overlapping pairs of each level' }), table(rows)))];
   }

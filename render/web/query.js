@@ -26,12 +26,12 @@ export class QueryFrame {
 
   /**
    * @param {Query} query
-   * @param {ManifestFrame} told
+   * @param {ManifestFrame} stored
    * @param {Uint8Array} bits see render/web/query_blocks.h, as `nodes`
    * @param {Uint32Array} pairs
    * @param {Uint32Array | null} nodes
    */
-  constructor(query, told, bits, pairs, nodes) {
+  constructor(query, stored, bits, pairs, nodes) {
     const { trees } = query, count = bits.length, outcomes = bits.map((byte) => byte & 63);
     const a = new Int32Array(count), b = new Int32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
@@ -64,10 +64,10 @@ export class QueryFrame {
       if (bits[i] & 128) meets[i] = 1;
       if (meets[i] && parents[i] >= 0) meets[parents[i]] = 1;
       const erred = (bits[i] & 64) !== 0;
-      if (told.judged) worths[i] = query.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
+      if (stored.judged) worths[i] = query.rejects(outcomes[i]) ? (erred ? worth.wrong : worth.right) : meets[i] ? worth.right : erred ? worth.weak : worth.loose;
     }
     this.query = query;
-    this.told = told;
+    this.stored = stored;
     this.outcomes = outcomes;
     this.a = a;
     this.b = b;
@@ -76,7 +76,7 @@ export class QueryFrame {
     this.meets = meets;
     this.worths = worths;
     this.passed = outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0);  // tests that others followed from
-    this.ended = query.classes(this, outcomes.map((outcome) => Math.max(outcome - 1, 0)), query.told.groups.length);
+    this.ended = query.classes(this, outcomes.map((outcome) => Math.max(outcome - 1, 0)), query.stored.groups.length);
   }
 
   /** @type {(x: number, y: number) => boolean} */
@@ -91,7 +91,7 @@ export class QueryFrame {
 
   // What tests were worth.
   get judged() {
-    return (this.#judged ??= this.query.classes(this, this.worths, this.query.told.worths.length));
+    return (this.#judged ??= this.query.classes(this, this.worths, this.query.stored.worths.length));
   }
 
   get followers() {
@@ -144,14 +144,14 @@ function cellsOf({ query, a, b, outcomes }) {
 export class Query {
   /**
    * @param {Blocks} blocks
-   * @param {ManifestQuery} told
+   * @param {ManifestQuery} stored
    * @param {Tree[]} trees
    */
-  constructor(blocks, told, trees) {
+  constructor(blocks, stored, trees) {
     this.blocks = blocks;
-    this.told = told;
+    this.stored = stored;
     this.trees = trees;
-    this.frames = new Map(told.frames.map((frame) => [frame.frame, frame]));
+    this.frames = new Map(stored.frames.map((frame) => [frame.frame, frame]));
     /** @type {Map<number, Promise<QueryFrame>>} */
     this.unpacked = new Map();
   }
@@ -162,33 +162,33 @@ export class Query {
    * @returns {Promise<QueryFrame | null>}
    */
   get(number) {
-    const told = this.frames.get(number);
-    if (!told) return Promise.resolve(null);
+    const stored = this.frames.get(number);
+    if (!stored) return Promise.resolve(null);
     const known = this.unpacked.get(number);
     if (known) return known;
     this.unpacked.clear();  // one frame at a time
-    const unpacked = this.unpack(told);
+    const unpacked = this.unpack(stored);
     this.unpacked.set(number, unpacked);
     return unpacked;
   }
 
-  /** @param {ManifestFrame} told */
-  async unpack(told) {
-    const bits = await this.blocks.get(told.outcomes), pairs = await this.blocks.get(told.pair_block);
-    const nodes = told.nodes !== undefined ? await this.blocks.get(told.nodes) : null;
-    for (const number of [told.outcomes, told.pair_block, told.nodes]) this.blocks.forget(number);
-    return new QueryFrame(this, told, bits, pairs, nodes);
+  /** @param {ManifestFrame} stored */
+  async unpack(stored) {
+    const bits = await this.blocks.get(stored.outcomes), pairs = await this.blocks.get(stored.pair_block);
+    const nodes = stored.nodes !== undefined ? await this.blocks.get(stored.nodes) : null;
+    for (const number of [stored.outcomes, stored.pair_block, stored.nodes]) this.blocks.forget(number);
+    return new QueryFrame(this, stored, bits, pairs, nodes);
   }
 
   /** @param {number} outcome */
   rejects(outcome) {
-    return outcome >= 2 && this.told.groups[outcome - 2].rejects;
+    return outcome >= 2 && this.stored.groups[outcome - 2].rejects;
   }
 
   // How a test ended, in words; and its nodes.
   /** @type {(frame: QueryFrame, test: number) => string} */
   endingOf(frame, test) {
-    return frame.outcomes[test] < 2 ? 'passed' : this.told.groups[frame.outcomes[test] - 2].label;
+    return frame.outcomes[test] < 2 ? 'passed' : this.stored.groups[frame.outcomes[test] - 2].label;
   }
   // Whether the tests that followed are of children of both nodes: other engines go into both at once.
   /** @type {(frame: QueryFrame, test: number) => boolean} */
@@ -269,8 +269,8 @@ export class Query {
    * @returns {Promise<Record<number, Explanation>>}
    */
   async steps(frame) {
-    if (frame.told.steps === undefined) return {};
-    return (frame.explained ??= JSON.parse(new TextDecoder().decode(await this.blocks.get(frame.told.steps))));
+    if (frame.stored.steps === undefined) return {};
+    return (frame.explained ??= JSON.parse(new TextDecoder().decode(await this.blocks.get(frame.stored.steps))));
   }
 
   // The tests of a slot of a side, those from which the most others followed first.

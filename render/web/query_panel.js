@@ -21,7 +21,7 @@ export class QueryPanel {
       if (!query) return parts.push(faint('No query of it is in the page.'));
       if (!frame) return parts.push(...this.otherFrames(query));
       if (columns.length === 1) parts.push(table(this.counts(k)));
-      if (!frame.told.judged && ['wasted', 'verdicts'].includes(state.mode)) return parts.push(faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
+      if (!frame.stored.judged && ['wasted', 'verdicts'].includes(state.mode)) return parts.push(faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
       if (heat) return parts.push(...this.heatParts(k, query, heat));
       if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k, frame) : [button('Its traversal', '', () => app.set({ column: k }))]));
       if (meeting) return parts.push(...this.pairParts(k, frame, meeting));
@@ -39,9 +39,9 @@ export class QueryPanel {
   counts(k) {
     const { frame } = this.app.scenes[k];
     if (!frame) return [];
-    const { told, passed, query } = frame;
-    return [[query.told.objects ? 'pairs of nodes' : 'pairs', counted(told.pairs)], ['N_v', counted(told.n_v)], ['N_p', counted(told.n_p)], ['passed on', counted(passed)],
-      ...(told.judged ? [['wasted N_v', counted(told.wasted)], ['wasted share', percent(told.wasted, told.n_v)]] : [])];
+    const { stored, passed, query } = frame;
+    return [[query.stored.objects ? 'pairs of nodes' : 'pairs', counted(stored.pairs)], ['N_v', counted(stored.n_v)], ['N_p', counted(stored.n_p)], ['passed on', counted(passed)],
+      ...(stored.judged ? [['wasted N_v', counted(stored.wasted)], ['wasted share', percent(stored.wasted, stored.n_v)]] : [])];
   }
 
   // The counts of all columns beside each other, and what differs.
@@ -62,7 +62,7 @@ export class QueryPanel {
 
   /** @param {Query} query */
   otherFrames(query) {
-    const { app } = this, { frames } = app.manifest, have = query.told.frames.map(({ frame }) => frame), now = frames[app.state.at];
+    const { app } = this, { frames } = app.manifest, have = query.stored.frames.map(({ frame }) => frame), now = frames[app.state.at];
     const nearest = have.reduce((best, frame) => (Math.abs(frame - now) < Math.abs(best - now) ? frame : best), have[0]);
     return [faint(`The page has no query of frame ${now}, but of ${have.slice(0, 8).join(', ')}${have.length > 8 ? ', ...' : ''}; \u201c--queries\u201d of scb view adds others.`),
       ...(have.length ? [row(button(`Frame ${nearest}`, 'The nearest with a query', () => app.set({ at: frames.indexOf(nearest) })))] : [])];
@@ -88,7 +88,7 @@ export class QueryPanel {
 
   /** @type {(k: number, frame: QueryFrame, meeting: Set<number>[]) => HTMLElement[]} */
   pairParts(k, frame, meeting) {
-    const { app } = this, { bodies } = app.columns[k], { query } = frame, { objects } = query.told, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
+    const { app } = this, { bodies } = app.columns[k], { query } = frame, { objects } = query.stored, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
     const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} ${what} meet others`));
     if (only.length === 0) return parts;
     const link = (/** @type {number[]} */ pair) => {
@@ -122,7 +122,7 @@ export class QueryPanel {
   mostParts(k, query, classes) {
     const { app } = this, { bodies } = app.columns[k], verdicts = app.state.mode === 'verdicts', most = 5;
     return bodies.flatMap((body, side) => {
-      const all = query.mostOf(classes, side, (group) => verdicts || query.told.groups[group].rejects);
+      const all = query.mostOf(classes, side, (group) => verdicts || query.stored.groups[group].rejects);
       if (all.length === 0) return [];
       const rest = all.length > most && all[most][1] === all[most - 1][1] ? `; ${counted(all.slice(most).filter(([, n]) => n === all[most - 1][1]).length)} more have as many as the last` : '';
       return [faint(`nodes of ${body.name} with the most ${verdicts ? 'of these' : 'rejections'}${rest}`),
@@ -145,10 +145,10 @@ export class QueryPanel {
   // The tests of all frames in the page that cost the most.
   /** @type {(k: number, query: Query) => HTMLElement[]} */
   worstParts(k, query) {
-    const { app } = this, many = query.told.frames.length > 1;
-    return query.told.worst.flatMap((list, i) => {
+    const { app } = this, many = query.stored.frames.length > 1;
+    return query.stored.worst.flatMap((list, i) => {
       if (list.length === 0) return [];
-      const { label } = query.told.worths[i], missing = i + 1 === worth.wrong;
+      const { label } = query.stored.worths[i], missing = i + 1 === worth.wrong;
       const rows = list.map(({ frame, test, nodes, n_v = 0, n_p = 0, missed = 0 }) => [button(nodes.join(), 'Show this test', () => app.showTest(k, test, frame)), ...(many ? [String(frame)] : []), ...(missing ? [counted(missed)] : [counted(n_v), counted(n_p)])]);
       return [element('div', { className: 'faint' }, many ? 'worst of all frames, ' : 'worst, ', word(label), missing ? ': pairs of triangles missed' : ': tests that followed in vain'),
         element('div', { className: 'wide worst' }, table([['nodes', ...(many ? ['frame'] : []), ...(missing ? ['missed'] : [word('N_v'), word('N_p')])], ...rows]))];
@@ -160,7 +160,7 @@ export class QueryPanel {
   testParts(k, frame) {
     const { app } = this, { bodies } = app.columns[k], { query } = frame, { state } = app, i = app.shownTest(frame);
     if (i < 0) return [faint('There are no tests.')];
-    const group = query.told.groups[frame.outcomes[i] - 2], verdict = query.told.worths[frame.worths[i] - 1], slots = [frame.a[i], frame.b[i]];
+    const group = query.stored.groups[frame.outcomes[i] - 2], verdict = query.stored.worths[frame.worths[i] - 1], slots = [frame.a[i], frame.b[i]];
     const [x, y] = state.cell ?? [], cell = frame.cells.all.get(`${x},${y}`);
     /** @type {(Node | string)[][]} */
     const rows = [
@@ -174,8 +174,8 @@ export class QueryPanel {
     const parts = [about, table(rows), ...this.otherParts(k, frame, i), ...this.stepParts(k, query, i)];
     parts.push(row(button('By ending', 'Colors say how tests ended (V)', () => app.set({ by: 'ending' }), state.by === 'ending'), button('By worth', 'Colors say which passed in vain (V)', () => app.set({ by: 'worth' }), state.by === 'worth')));
     const legend = (/** @type {Color} */ color, /** @type {(Node | string)[]} */ ...words) => element('div', {}, swatch(color), ...words);
-    if (state.by === 'ending') parts.push(legend(passedOn(app.theme), word('passed on')), ...query.told.groups.flatMap((g, n) => (frame.ended.counts[n] ? [legend(g[state.theme], `${g.label}: ${counted(frame.ended.counts[n])}`)] : [])));
-    else parts.push(legend(passedOn(app.theme, 0.5), 'triangles below meet'), legend(passedOn(app.theme, 0.12), 'rejected'), ...query.told.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
+    if (state.by === 'ending') parts.push(legend(passedOn(app.theme), word('passed on')), ...query.stored.groups.flatMap((g, n) => (frame.ended.counts[n] ? [legend(g[state.theme], `${g.label}: ${counted(frame.ended.counts[n])}`)] : [])));
+    else parts.push(legend(passedOn(app.theme, 0.5), 'triangles below meet'), legend(passedOn(app.theme, 0.12), 'rejected'), ...query.stored.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
     return [...parts, ...this.worstParts(k, query)];
   }
 
@@ -193,17 +193,17 @@ export class QueryPanel {
   // The overlap test step by step, as scb explain prints it.
   /** @type {(k: number, query: Query, test: number) => HTMLElement[]} */
   stepParts(k, query, test) {
-    const { app } = this, told = app.scenes[k].steps?.[test], command = app.explain(k, test);
+    const { app } = this, stored = app.scenes[k].steps?.[test], command = app.explain(k, test);
     /** @type {HTMLElement[]} */
     const parts = [];
-    if (told) {
-      const lines = told.steps.map((step) => element('tr', { title: step.not_tried ?? step.error ?? step.stage, className: `step ${step.rejects ? 'decides' : step.not_tried ? 'skipped' : ''}` },
+    if (stored) {
+      const lines = stored.steps.map((step) => element('tr', { title: step.not_tried ?? step.error ?? step.stage, className: `step ${step.rejects ? 'decides' : step.not_tried ? 'skipped' : ''}` },
         element('td', {}, step.formula, ...(step.error ? [element('div', { className: 'wrong', textContent: step.error })] : []), ...(step.not_tried && step.not_tried !== 'not reached' ? [faint(step.not_tried)] : [])),
         element('td', { textContent: step.not_tried ? 'not tried' : short(step.slack) })));
-      parts.push(element('details', { open: true }, element('summary', { textContent: `Steps: ${told.answer}` }),
-        table([['exactly', told.exact], ...(told.room !== undefined ? [[told.exact === 'disjoint' ? 'gap' : 'depth of overlap', short(told.room)]] : [])]),
+      parts.push(element('details', { open: true }, element('summary', { textContent: `Steps: ${stored.answer}` }),
+        table([['exactly', stored.exact], ...(stored.room !== undefined ? [[stored.exact === 'disjoint' ? 'gap' : 'depth of overlap', short(stored.room)]] : [])]),
         element('table', {}, element('tr', {}, element('td', { className: 'faint', textContent: 'step, separates if' }), element('td', {}, word('slack'))), ...lines),
-        ...symbolsOf(told.steps, query.told.symbols).map(faint)));
+        ...symbolsOf(stored.steps, query.stored.symbols).map(faint)));
     } else if (command) {
       parts.push(faint('Its steps are not in the page (--steps adds more); this prints them:'));
     }
@@ -212,12 +212,12 @@ export class QueryPanel {
 }
 
 // What the symbols of the formulas mean.
-/** @type {(steps: Step[], told: string[]) => string[]} */
-function symbolsOf(steps, told) {
-  const has = (/** @type {string} */ text) => steps.some(({ formula }) => formula.includes(text)), both = told.join(' ').startsWith('0:'), first = [...(both ? [] : ['0: of A; 1: of B']), 'c1\u2032: B\u2019s center, from A\u2019s'];
+/** @type {(steps: Step[], stored: string[]) => string[]} */
+function symbolsOf(steps, stored) {
+  const has = (/** @type {string} */ text) => steps.some(({ formula }) => formula.includes(text)), both = stored.join(' ').startsWith('0:'), first = [...(both ? [] : ['0: of A; 1: of B']), 'c1\u2032: B\u2019s center, from A\u2019s'];
   if (has('r0')) first.push('r: radius');
   if (!both && (has('d0') || has('d1'))) first.push('d: the other center, along the normal n');
   if (has('e0') || has('f0')) first.push('e, f: upper and lower plane');
   if (has('c\u03b1')) first.push('c\u03b1, s\u03b1: cosine and sine of the angle of the normals');
-  return [`${first.join('; ')}. ${told.join(' ')}`];
+  return [`${first.join('; ')}. ${stored.join(' ')}`];
 }

@@ -73,9 +73,9 @@ export function snapshotOf(app) {
 // The numbers of a column, in a line.
 /** @type {(app: App, k: number) => string} */
 function numbersLine(app, k) {
-  const { state, manifest, columns } = app, { title, query } = columns[k], told = query?.frames.get(manifest.frames[state.at]);
+  const { state, manifest, columns } = app, { title, query } = columns[k], stored = query?.frames.get(manifest.frames[state.at]);
   const words = [modes.find(({ name }) => name === state.mode)?.text ?? '', ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
-  if (told && state.mode !== 'levels') words.push(`${counted(told.pairs)} pairs`, `${counted(told.n_v)} volume tests`, `${counted(told.n_p)} triangle tests`, ...(told.judged ? [`${counted(told.wasted)} wasted`] : []));
+  if (stored && state.mode !== 'levels') words.push(`${counted(stored.pairs)} pairs`, `${counted(stored.n_v)} volume tests`, `${counted(stored.n_p)} triangle tests`, ...(stored.judged ? [`${counted(stored.wasted)} wasted`] : []));
   return (columns.length > 1 ? `${title}: ` : '') + words.join(', ');
 }
 
@@ -92,7 +92,7 @@ function scaleOf(app) {
 function entriesOf(app) {
   const { state, theme } = app, frame = app.scenes[state.column]?.frame;
   if (state.mode === 'levels' || state.mode === 'pairs' || !frame || app.isHeat) return app.columns[state.column].bodies.map(({ color, name }) => ({ color, text: name }));
-  const { told } = frame.query, verdicts = state.mode === 'verdicts' || (state.mode === 'traversal' && state.by === 'worth'), classes = verdicts ? frame.judged : frame.ended;
-  const groups = (verdicts ? told.worths : told.groups).flatMap((group, i) => (classes.counts[i] > 0 && !state.hidden.includes(group.label) ? [{ color: group[state.theme], text: `${group.label}: ${counted(classes.counts[i])}` }] : []));
+  const { stored } = frame.query, verdicts = state.mode === 'verdicts' || (state.mode === 'traversal' && state.by === 'worth'), classes = verdicts ? frame.judged : frame.ended;
+  const groups = (verdicts ? stored.worths : stored.groups).flatMap((group, i) => (classes.counts[i] > 0 && !state.hidden.includes(group.label) ? [{ color: group[state.theme], text: `${group.label}: ${counted(classes.counts[i])}` }] : []));
   return state.mode === 'traversal' && !verdicts ? [{ color: passedOn(theme), text: 'passed on' }, ...groups] : groups;
 }

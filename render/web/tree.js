@@ -30,15 +30,15 @@ export class Tree {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {Blocks} blocks
-   * @param {ManifestTree} told
+   * @param {ManifestTree} stored
    */
-  constructor(gl, blocks, told) {
+  constructor(gl, blocks, stored) {
     this.gl = gl;
     this.blocks = blocks;
-    this.told = told;
+    this.stored = stored;
     this.start = [0];
-    for (const count of told.counts) this.start.push(this.start[this.start.length - 1] + count);
-    this.depth = told.counts.length - 1;
+    for (const count of stored.counts) this.start.push(this.start[this.start.length - 1] + count);
+    this.depth = stored.counts.length - 1;
     /** @type {TreePart[]} */
     this.parts = [];  // those that are unpacked: the first ones
     this.loading = Promise.resolve();
@@ -46,25 +46,25 @@ export class Tree {
 
   // Who hangs from whom. Needed before all else.
   async open() {
-    this.order = await this.blocks.get(this.told.order);
-    this.children = await this.blocks.get(this.told.children);
+    this.order = await this.blocks.get(this.stored.order);
+    this.children = await this.blocks.get(this.stored.children);
     const count = this.order.length;
     this.firstChild = new Uint32Array(count);
     this.parent = new Int32Array(count).fill(-1);
-    let next = this.told.counts[0] ?? 0;
+    let next = this.stored.counts[0] ?? 0;
     for (let slot = 0; slot < count; ++slot) {
       this.firstChild[slot] = next;
       for (let i = 0; i < this.children[slot]; ++i) this.parent[next++] = slot;
     }
-    this.numbers = this.told.numbers !== undefined ? await this.blocks.get(this.told.numbers) : this.order;
-    this.names = this.told.names !== undefined ? JSON.parse(new TextDecoder().decode(await this.blocks.get(this.told.names))) : {};
+    this.numbers = this.stored.numbers !== undefined ? await this.blocks.get(this.stored.numbers) : this.order;
+    this.names = this.stored.names !== undefined ? JSON.parse(new TextDecoder().decode(await this.blocks.get(this.stored.names))) : {};
   }
 
   // Which triangles, or objects, a node has itself.
   async openItems() {
     if (this.firstItem.length > 0) return;
-    const counts = await this.blocks.get(this.told.item_counts);
-    this.items = await this.blocks.get(this.told.items);
+    const counts = await this.blocks.get(this.stored.item_counts);
+    this.items = await this.blocks.get(this.stored.items);
     const first = new Uint32Array(counts.length + 1);
     counts.forEach((count, slot) => (first[slot + 1] = first[slot] + count));
     this.firstItem = first;
@@ -121,22 +121,22 @@ export class Tree {
     // One after the other; what failed does not stop the next.
     this.loading = this.loading.catch(() => {}).then(async () => {
       if (this.has(level) || this.depth < 0) return;
-      while (!this.has(level)) this.parts.push(await this.unpack(this.told.parts[this.parts.length]));
+      while (!this.has(level)) this.parts.push(await this.unpack(this.stored.parts[this.parts.length]));
       this.upload();
     });
     return this.loading;
   }
 
   /**
-   * @param {ManifestPart} told
+   * @param {ManifestPart} stored
    * @returns {Promise<TreePart>}
    */
-  async unpack(told) {
-    const shapes = await this.blocks.get(told.shapes), numbers = await this.blocks.get(told.numbers);
-    const colors = await this.blocks.get(told.colors), count = shapes.length;
-    const extras = told.extras !== undefined ? await this.blocks.get(told.extras) : null;
-    const extraTexels = told.texels !== undefined ? await this.blocks.get(told.texels) : new Float32Array(0);
-    for (const block of [told.shapes, told.numbers, told.colors, told.extras, told.texels]) this.blocks.forget(block);
+  async unpack(stored) {
+    const shapes = await this.blocks.get(stored.shapes), numbers = await this.blocks.get(stored.numbers);
+    const colors = await this.blocks.get(stored.colors), count = shapes.length;
+    const extras = stored.extras !== undefined ? await this.blocks.get(stored.extras) : null;
+    const extraTexels = stored.texels !== undefined ? await this.blocks.get(stored.texels) : new Float32Array(0);
+    for (const block of [stored.shapes, stored.numbers, stored.colors, stored.extras, stored.texels]) this.blocks.forget(block);
     const first = this.parts.at(-1)?.last ?? 0, before = this.parts.at(-1)?.extrasEnd ?? 0;
     const texels = new Float32Array(16 * count), offsets = new Uint32Array(count);
     let extra = before;
@@ -149,7 +149,7 @@ export class Tree {
       if (many > 0) texels.set([extra, many, packed >>> 31], 16 * i + 12);
       extra += many;
     }
-    const end = (this.parts.at(-1)?.end ?? 0) + told.levels;  // the first level behind it
+    const end = (this.parts.at(-1)?.end ?? 0) + stored.levels;  // the first level behind it
     return { shapes, numbers, offsets, colors, texels, extraTexels, first, last: first + count, extrasEnd: extra, end };
   }
 

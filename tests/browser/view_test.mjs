@@ -120,7 +120,7 @@ for (const options of [['--volume', 'scb'], ['--volume', 'obb', '--split', 'cost
       const found = await page.evaluate(() => {
         const { app } = document.getElementById('canvas'), { frame, nodes } = app.scenes[0];
         return {
-          ...frame.told, counts: frame.ended.counts, groups: app.columns[0].query.told.groups, drawn: [0, 1].map((side) => nodes.filter((node) => node.side === side).length),
+          ...frame.stored, counts: frame.ended.counts, groups: app.columns[0].query.stored.groups, drawn: [0, 1].map((side) => nodes.filter((node) => node.side === side).length),
           lines: app.scenes[0].contacts.length,
         };
       });
@@ -196,7 +196,7 @@ for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'
     await onPage(page_of(scene, ...options), { hash: '#show=verdicts' }, async (page) => {
       const [counts, told] = await page.evaluate(() => {
         const { app } = document.getElementById('canvas');
-        return [app.scenes[0].frame.judged.counts, app.columns[0].query.told];
+        return [app.scenes[0].frame.judged.counts, app.columns[0].query.stored];
       });
       assert.deepEqual(counts, ['fit', 'test'].map((reason) => sum.inner[reason] + sum.leaves[reason]).concat(sum.wrongly_rejected));
       assert.equal(told.frames[0].wasted, sum.wasted.n_v);
@@ -285,7 +285,7 @@ test('two queries stand beside each other, and what differs is outlined and coun
 test('each level tells how many of its volumes overlap, and which shows a gap', async () => {
   for (const [frame, meets] of [['100', true], ['0', false]])
     await onPage(page_of('cone', '--frames', frame, '--volume', 'obb'), {}, async (page) => {
-      const overlaps = await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.told.frames[0].overlaps);
+      const overlaps = await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.stored.frames[0].overlaps);
       assert.equal(overlaps.at(-1) > 0, meets);
       const text = async () => (await page.locator('#panel').innerText()).replaceAll(/\s+/g, ' ');
       assert.ok((await text()).includes(`first level with a gap ${meets ? 'none has one' : `level ${overlaps.length - 1}`}`));
@@ -474,9 +474,9 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await changes('a filter');
     assert.equal((await address(page)).hide, 'triangles apart');
     const [most, highest] = await page.evaluate(() => {
-      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { query } = app.columns[0], [[slot, n]] = query.mostOf(frame.ended, 0, (group) => query.told.groups[group].rejects);
+      const { app } = document.getElementById('canvas'), { frame } = app.scenes[0], { query } = app.columns[0], [[slot, n]] = query.mostOf(frame.ended, 0, (group) => query.stored.groups[group].rejects);
       const counts = new Map();
-      frame.outcomes.forEach((outcome, i) => outcome > 1 && query.told.groups[outcome - 2].rejects && counts.set(frame.a[i], (counts.get(frame.a[i]) ?? 0) + 1));
+      frame.outcomes.forEach((outcome, i) => outcome > 1 && query.stored.groups[outcome - 2].rejects && counts.set(frame.a[i], (counts.get(frame.a[i]) ?? 0) + 1));
       return [[n, `${query.trees[0].order[slot]}: ${n.toLocaleString('en-US')}`], Math.max(...counts.values())];
     });
     assert.equal(most[0], highest);
@@ -549,7 +549,7 @@ test('another engine\'s recording is a page like any other', async () => {
   const boxes = join(folder, 'boxes.scbrec'), overlaps = [];
   scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '-o', boxes);
   for (const made of [page_of(boxes), page_of('cone', '--volume', 'obb', '--frames', '100')])
-    await onPage(made, {}, async (page) => overlaps.push(await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.told.frames[0].overlaps)));
+    await onPage(made, {}, async (page) => overlaps.push(await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.stored.frames[0].overlaps)));
   assert.ok(overlaps[0].length > 5);
   assert.deepEqual(overlaps[0], overlaps[1]);
 });
@@ -598,7 +598,7 @@ test('another engine\'s nodes have its numbers', async () => {
     scb(...words.slice(0, -1), out);
     assert.equal(JSON.parse(readFileSync(join(out, 'index.json'))).files[0].n_v, sizes[test]);
     // Lists, links and searches.
-    for (const list of await evaluated(() => document.getElementById('canvas').app.columns[0].query.told.worst))
+    for (const list of await evaluated(() => document.getElementById('canvas').app.columns[0].query.stored.worst))
       for (const { test: worst, nodes } of list) assert.deepEqual(nodes, tests[worst].nodes);
     await page.getByRole('button', { name: `${name}, depth`, exact: false }).click();
     await settled(page);
