@@ -6,10 +6,10 @@
 namespace scb {
 
 /// Two boxes along the axes of their bodies: in A's frame, an upright box and a turned box. As in
-/// engines, A against the upright box about the turned one: the first three of the separating axes
-/// (van den Bergen, "Efficient Collision Detection of Complex Deformable Models using AABB Trees",
-/// 1997, calls it SAT lite); or exactly, by all fifteen. The turned axes are columns of the pose,
-/// so that only B's center is transformed.
+/// engines, A is tested against the upright box about the turned one, with the first three of the
+/// separating axes; or exactly, with all fifteen. For trees of such boxes see van den Bergen,
+/// "Efficient Collision Detection of Complex Deformable Models using AABB Trees", 1997. The turned
+/// axes are columns of the pose, so that only B's center is transformed.
 template <bool exact>
 Stage overlap_aabb(const BasicAabb<exact>& a, const BasicAabb<exact>& b, const Placement& placed) {
     const Vec3 offset = transform_point(placed.b_to_a, b.center) - a.center;
