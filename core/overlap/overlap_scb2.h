@@ -76,7 +76,7 @@ bool is_beyond_plane(const BasicSlab<T>& slab, const BasicScb2<T>& other, const 
 /// separates crossing needles. The last two directions are not unit vectors: if the axes are
 /// parallel, both sides of the comparison vanish, and because of the margin the pair passes. Every
 /// rejection has a separating direction. The long axes themselves and the other eight products
-/// would reject few more pairs, see core/README.md. T is the scalar type, see BasicScb.
+/// would reject few more pairs, see tests/volumes/README.md. T is the scalar type, see BasicScb.
 template <class T>
 Stage overlap_scb2(const BasicScb2<T>& a, const BasicScb2<T>& b, const BasicPlacement<T>& placed) {
     using std::sqrt;

@@ -26,8 +26,8 @@ struct FacePlane {
 };
 
 /// A bounding volume given by its farthest points: all points within `rounding` of a convex core.
-/// Your own volume needs no more than this, see core/README.md, "Your own bounding volume in one
-/// header". A plain struct with
+/// Your own volume needs no more than this, see core/topics/volumes.md, "Your own bounding volume
+/// in one header". A plain struct with
 /// - `center(v)`: a point in its middle, from which it is measured, in the body's frame;
 /// - `support_point(v, d)`: the point of the core, from the center, that is farthest in the
 ///   direction d, which need not be a unit vector and is not zero. Correct to rounding in every

@@ -55,7 +55,7 @@ class PackedWorkspace {
     std::unique_ptr<Parts> parts_;
 };
 
-/// What a query on packed hierarchies found.
+/// The result of a query on packed hierarchies.
 struct PackedCollision {
     std::vector<IndexPair> pairs;  ///< triangles of A and B that intersect, sorted
     std::uint64_t n_v = 0;         ///< pairs of volumes that were tested

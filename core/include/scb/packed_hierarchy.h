@@ -135,7 +135,8 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
                             LeafCorners corners = LeafCorners::stored,
                             std::string_view name = "mesh", int threads = 1);
 
-/// The codec with which queries are quickest, on scans and on CAD models, see core/README.md.
+/// The codec with which queries are quickest, on scans and on CAD models, see
+/// core/topics/packed.md.
 using QuickestCodec = QuantizedCodec<8, Scb2>;
 /// How packed hierarchies are built by default.
 inline constexpr BuildOptions packed_build = {.split = SplitMethod::cost};
