@@ -13,7 +13,6 @@ namespace scb::python {
 namespace {
 
 using Shared = std::shared_ptr<BuiltHierarchy>;
-using HierarchyClass = py::class_<BuiltHierarchy, Shared>;
 
 Shared build(const SharedMesh& mesh, const std::string& volume, const std::string& split,
              const std::string& growth, double margin, std::int64_t threads) {
@@ -45,8 +44,53 @@ int level_of(const py::object& level, int depth) {
     return app::parse_level(std::to_string(number), depth, "level");
 }
 
-void add_nodes(HierarchyClass& type) {
-    type.def_property_readonly(
+void add_build(py::module_& module) {
+    module.def("build", build, py::arg("mesh"), py::arg("volume") = "scb", py::kw_only(),
+               py::arg("split") = "paper", py::arg("growth") = "ritter", py::arg("margin") = 0.0,
+               py::arg("threads") = 0, R"(Build the hierarchy of a mesh.
+
+volume: one of volume_kinds(). split: "paper" (Section 3) or "cost" (a surface area heuristic).
+growth: "ritter" or "radius", how a minimum ball grows over the points outside. margin: by which share
+of the radius, 0 to 1, slabs are widened. threads: how many build it, 0 for one per processor; the
+result is the same for any number.
+
+Raises InputError.)");
+    module.def(
+        "volume_kinds",
+        [] {
+            std::vector<std::string> names;
+            for (const VolumeKind kind : all_volume_kinds())
+                names.emplace_back(volume_kind_name(kind));
+            return names;
+        },
+        "The kinds of volumes that build knows.");
+}
+
+}  // namespace
+
+int BuiltHierarchy::depth() const { return scb::depth(topology()); }
+
+void add_hierarchy(py::module_& module) {
+    py::class_<BuiltHierarchy, Shared>(
+        module, "Hierarchy", py::is_final(),
+        R"(A bounding volume hierarchy of a mesh: a binary tree with one triangle per leaf.
+
+Node 0 is the root; the children of a node follow each other. Arrays of a hierarchy are read-only and
+no copies. A hierarchy does not change, and any number of threads may ask it.)")
+        .def_property_readonly(
+            "mesh",
+            [](const Shared& h) {
+                return SharedMesh{h->mesh, h->name};
+            },
+            "Its mesh.")
+        .def_property_readonly(
+            "volume", [](const Shared& h) { return std::string(volume_kind_name(h->kind)); },
+            "The kind of its volumes, as build calls it.")
+        .def_property_readonly(
+            "depth", [](const Shared& h) { return h->depth(); },
+            "Of the deepest node; the root has 0.")
+        .def("__len__", [](const Shared& h) { return h->topology().nodes.size(); })
+        .def_property_readonly(
             "first", [](const Shared& h) { return nodes_of(h, &TopologyNode::first); },
             "Per node, uint32: where its triangles begin in order.")
         .def_property_readonly(
@@ -80,57 +124,8 @@ void add_nodes(HierarchyClass& type) {
 
 level: 0 to depth, or "leaves". The nodes are those at that depth and the leaves above it.
 
-Raises InputError where there is no such level.)");
-}
-
-void add_build(py::module_& module) {
-    module.def("build", build, py::arg("mesh"), py::arg("volume") = "scb", py::kw_only(),
-               py::arg("split") = "paper", py::arg("growth") = "ritter", py::arg("margin") = 0.0,
-               py::arg("threads") = 0, R"(Build the hierarchy of a mesh.
-
-volume: one of volume_kinds(). split: "paper" (Section 3) or "cost" (a surface area heuristic).
-growth: "ritter" or "radius", how a minimum ball grows over the points outside. margin: by which share
-of the radius, 0 to 1, slabs are widened. threads: how many build it, 0 for one per processor; the
-result is the same for any number.
-
-Raises InputError.)");
-    module.def(
-        "volume_kinds",
-        [] {
-            std::vector<std::string> names;
-            for (const VolumeKind kind : all_volume_kinds())
-                names.emplace_back(volume_kind_name(kind));
-            return names;
-        },
-        "The kinds of volumes that build knows.");
-}
-
-}  // namespace
-
-int BuiltHierarchy::depth() const { return scb::depth(topology()); }
-
-void add_hierarchy(py::module_& module) {
-    HierarchyClass type(
-        module, "Hierarchy", py::is_final(),
-        R"(A bounding volume hierarchy of a mesh: a binary tree with one triangle per leaf.
-
-Node 0 is the root; the children of a node follow each other. Arrays of a hierarchy are read-only and
-no copies. A hierarchy does not change, and any number of threads may ask it.)");
-    type.def_property_readonly(
-            "mesh",
-            [](const Shared& h) {
-                return SharedMesh{h->mesh, h->name};
-            },
-            "Its mesh.")
-        .def_property_readonly(
-            "volume", [](const Shared& h) { return std::string(volume_kind_name(h->kind)); },
-            "The kind of its volumes, as build calls it.")
-        .def_property_readonly(
-            "depth", [](const Shared& h) { return h->depth(); },
-            "Of the deepest node; the root has 0.")
-        .def("__len__", [](const Shared& h) { return h->topology().nodes.size(); });
-    add_nodes(type);
-    type.def(
+Raises InputError where there is no such level.)")
+        .def(
             "validate",
             [](const Shared& h, const SharedMesh* mesh) {
                 const Mesh& of = mesh != nullptr ? *mesh->mesh : *h->mesh;
