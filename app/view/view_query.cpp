@@ -81,18 +81,14 @@ struct Worst {
     }
 
     /// Lists by the index of the verdict, with the nodes' numbers.
-    Json json(const QuerySource& source) const {
-        const auto numbers = [&source](int frame, IndexPair nodes) -> Json {
-            return {source.body(0, frame).tree->number(nodes.a),
-                    source.body(1, frame).tree->number(nodes.b)};
-        };
+    Json json() const {
         Json worst = Json::array();
         for (const WorstPairs* pairs : {&fits, &tests}) {
             Json list = Json::array();
             for (const FalsePair& pair : pairs->pairs())
                 list.push_back({{"frame", pair.frame},
                                 {"test", pair.pair.test},
-                                {"nodes", numbers(pair.frame, pair.test.nodes)},
+                                {"nodes", Json{pair.test.nodes.a, pair.test.nodes.b}},
                                 {"n_v", pair.pair.below.volume_tests},
                                 {"n_p", pair.pair.below.triangle_tests}});
             worst.push_back(std::move(list));
@@ -101,7 +97,7 @@ struct Worst {
         for (const WronglyRejectedPair& pair : wrong.pairs())
             list.push_back({{"frame", pair.frame},
                             {"test", pair.rejection.test},
-                            {"nodes", numbers(pair.frame, pair.test.nodes)},
+                            {"nodes", Json{pair.test.nodes.a, pair.test.nodes.b}},
                             {"missed", pair.rejection.missed}});
         worst.push_back(std::move(list));
         return worst;
@@ -166,9 +162,12 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
         for (const std::string_view line :
              render::symbol_lines(header.volume, header.options.overlap))
             symbols.push_back(line);
-    return {{"objects", pairs_are_nodes(header)}, {"symbols", std::move(symbols)},
-            {"groups", groups_json(header)},      {"worths", worths_json()},
-            {"worst", worst.json(source)},        {"frames", std::move(frames)}};
+    return {{"objects", pairs_are_nodes(header)},
+            {"symbols", std::move(symbols)},
+            {"groups", groups_json(header)},
+            {"worths", worths_json()},
+            {"worst", worst.json()},
+            {"frames", std::move(frames)}};
 }
 
 }  // namespace scb::app

@@ -21,7 +21,7 @@ void AlternativeTest::add(const AlternativeTest& other) {
 
 std::vector<OverlapOptions> alternative_tests(const TraceHeader& header) {
     std::vector<OverlapOptions> tests;
-    if (header.volume != VolumeKind::scb) return tests;
+    if (header.engine || header.volume != VolumeKind::scb) return tests;
     for (const double threshold : {0.5, 0.7, 0.9})
         tests.push_back({OverlapTest::corrected, threshold});
     tests.push_back({OverlapTest::symmetric, OverlapOptions{}.threshold});

@@ -28,13 +28,8 @@ Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
     return length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
-int depth_of(const Topology& topology) {
-    const std::vector<std::uint16_t> depths = node_depths(topology);
-    return *std::max_element(depths.begin(), depths.end());
-}
-
-BodyCauses body_causes(const Topology& topology, const Mesh& mesh) {
-    BodyCauses causes{mesh_facts(mesh), depth_of(topology)};
+BodyCauses body_causes(int depth, const Mesh& mesh) {
+    BodyCauses causes{mesh_facts(mesh), depth};
     const MeshFacts& facts = causes.facts;
     causes.slender = 20 * facts.slender() >= facts.triangles;
     causes.duplicated = 100 * facts.duplicates >= facts.triangles;
@@ -63,11 +58,11 @@ VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& f
     return vain;
 }
 
-WasteCauses waste_causes(const Topology& a, const Mesh& mesh_a, const Topology& b,
-                         const Mesh& mesh_b, const VainTests& vain) {
+WasteCauses waste_causes(int depth_a, const Mesh& mesh_a, int depth_b, const Mesh& mesh_b,
+                         const VainTests& vain) {
     const bool alike = &mesh_a == &mesh_b;
-    const BodyCauses of_a = body_causes(a, mesh_a);
-    WasteCauses causes{{of_a, alike ? of_a : body_causes(b, mesh_b)}, alike, vain};
+    const BodyCauses of_a = body_causes(depth_a, mesh_a);
+    WasteCauses causes{{of_a, alike ? of_a : body_causes(depth_b, mesh_b)}, alike, vain};
     const auto diagonal = [](const BodyCauses& body) {
         return (body.facts.box.upper - body.facts.box.lower).norm();
     };

@@ -39,7 +39,8 @@ struct WasteCauses {
     bool parallel = false;  ///< at least half of the vain tests are of nearly parallel triangles
 };
 
-WasteCauses waste_causes(const Topology& a, const Mesh& mesh_a, const Topology& b,
-                         const Mesh& mesh_b, const VainTests& vain);
+/// `depth_a` and `depth_b`: the depths of the hierarchies.
+WasteCauses waste_causes(int depth_a, const Mesh& mesh_a, int depth_b, const Mesh& mesh_b,
+                         const VainTests& vain);
 
 }  // namespace scb

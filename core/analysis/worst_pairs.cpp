@@ -4,10 +4,6 @@
 #include <set>
 #include <utility>
 
-#include "core/collide/query_placement.h"
-#include "core/explain/pair_explanation.h"
-#include "scb/collide.h"
-
 namespace scb {
 namespace {
 
@@ -39,19 +35,14 @@ void keep_worst(std::vector<P>& sorted, std::size_t most) {
     sorted = std::move(kept);
 }
 
-}  // namespace
-
-void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
-                    const Pose& b_to_a) {
-    pair.margin = std::visit(
-        [&]<class V>(const Hierarchy<V>& of_a) {
-            const auto& of_b = std::get<Hierarchy<V>>(b);
-            return explain(of_a.volumes[pair.test.nodes.a], of_b.volumes[pair.test.nodes.b],
-                           query_placement(of_a, of_b, b_to_a), {})
-                .certificate.margin;
-        },
-        a);
+/// The test of a frame, with the numbers of its nodes.
+Step numbered(const TraceFrame& frame, std::uint32_t test) {
+    Step step = frame.steps.volumes[test];
+    step.nodes = numbers_of(frame, step.nodes);
+    return step;
 }
+
+}  // namespace
 
 void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
     const bool weak = reason_ == PassReason::weak_test;
@@ -62,7 +53,7 @@ void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
         const std::uint64_t around = parent == no_step ? 0 : listed[parent];
         listed[pair.test] = around;
         if (pair.reason != reason_) continue;
-        const FalsePair found{frame.frame, pair, frame.steps.volumes[pair.test]};
+        const FalsePair found{frame.frame, pair, numbered(frame, pair.test)};
         const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
         if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;
         (outermost ? outermost_ : parts_).push_back(found);
@@ -94,7 +85,7 @@ std::vector<FalsePair> WorstPairs::pairs() const {
 
 void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
     for (const WrongRejection& rejection : attribution.wrongly_rejected)
-        pairs_.push_back({frame.frame, rejection, frame.steps.volumes[rejection.test]});
+        pairs_.push_back({frame.frame, rejection, numbered(frame, rejection.test)});
     add(std::vector<WronglyRejectedPair>{});
 }
 

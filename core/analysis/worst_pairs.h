@@ -8,20 +8,16 @@ namespace scb {
 struct FalsePair {
     int frame = 0;
     PassedPair pair;
-    Step test;
-    /// A lower bound of the gap or depth of the volumes, see ContactCertificate and sharpen_margin.
+    Step test;  ///< its nodes by their numbers, see numbers_of
+    /// A lower bound of the gap or depth of the volumes, see ContactCertificate; set by reports.
     double margin = 0;
 };
-
-/// Raises the margin to the margin of the sharpened certificate, as explain() does.
-void sharpen_margin(FalsePair& pair, const AnyHierarchy& a, const AnyHierarchy& b,
-                    const Pose& b_to_a);
 
 /// A pair that was rejected although its volumes overlap or triangles below it intersect.
 struct WronglyRejectedPair {
     int frame = 0;
     WrongRejection rejection;
-    Step test;
+    Step test;  ///< its nodes by their numbers
 };
 
 /// The costliest false pairs of one reason in all added frames. The cost is the number of volume

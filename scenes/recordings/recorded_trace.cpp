@@ -55,6 +55,22 @@ RecordedTrace::RecordedTrace(std::shared_ptr<const Recording> recording, const s
     queries_ = std::make_unique<RecordedQueries>(*recording_->file);
 }
 
+RecordedTrace::RecordedTrace(const RecordedTrace& other)
+    : recording_(other.recording_),
+      sides_(other.sides_),
+      numbers_(other.numbers_),
+      frames_(other.frames_),
+      all_frames_(other.all_frames_),
+      header_(other.header_),
+      stages_(other.stages_),
+      bodies_(other.bodies_),
+      test_counts_(other.test_counts_),
+      queries_(std::make_unique<RecordedQueries>(*recording_->file)) {}
+
+std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
+    return std::unique_ptr<RecordedTrace>(new RecordedTrace(*this));
+}
+
 void RecordedTrace::choose(const std::string& bodies, const std::string& frames) {
     const std::vector<QueriedPair>& pairs = recording_->pairs;
     const std::string& path = recording_->file->path;
@@ -174,6 +190,8 @@ const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {
 }
 
 const TraceFrame& RecordedTrace::frame(int number) {
+    if (latest_ == number) return frame_;
+    latest_ = number;
     while (true) {
         const Ended ended = queries_->next();
         if (ended == Ended::end)
@@ -181,8 +199,18 @@ const TraceFrame& RecordedTrace::frame(int number) {
                              std::to_string(number) + " any more.");
         if (ended == Ended::query && queries_->frame() == number && is_wanted(*queries_)) break;
     }
-    frame_ = trace_frame(queries_->query(), stages_);
-    for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, number).tree;
+    return set_frame(queries_->query());
+}
+
+const TraceFrame* RecordedTrace::frame_at(const RecordedQueries& queries) {
+    if (!is_wanted(queries) || visited_ == queries.frame()) return nullptr;
+    visited_ = queries.frame();
+    return &set_frame(queries.query());
+}
+
+const TraceFrame& RecordedTrace::set_frame(const EngineQuery& query) {
+    frame_ = trace_frame(query, stages_);
+    for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, query.frame).tree;
     return frame_;
 }
 

@@ -30,7 +30,8 @@ class RecordedTrace {
                   const std::string& frames);
     RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
         : RecordedTrace(std::make_shared<const Recording>(read_recording(path)), bodies, frames) {}
-    RecordedTrace(const RecordedTrace&) = delete;
+    /// The same queries, to be read again from the first frame.
+    std::unique_ptr<RecordedTrace> rewound() const;
 
     const Recording& recording() const { return *recording_; }
     const TraceHeader& header() const { return header_; }
@@ -47,10 +48,13 @@ class RecordedTrace {
     bool tells_results() const { return recording_->file->summary.tells_results(); }
     /// The number of tests of volumes in the query of a chosen frame.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
-    /// The first query of the two bodies at a chosen frame; valid until the next call. Frames must
-    /// be requested in ascending order.
+    /// The first query of the two bodies at a chosen frame; valid until another frame is requested.
+    /// Frames must be requested in ascending order.
     const TraceFrame& frame(int number);
-    /// The same query as recorded; valid as long.
+    /// The query that `queries` has read, if it is the first of the two bodies at a chosen frame;
+    /// else null. Valid until the next call.
+    const TraceFrame* frame_at(const RecordedQueries& queries);
+    /// The query of the latest frame() as recorded; valid as long.
     const EngineQuery& query() const { return queries_->query(); }
     /// The best frame to show a test of two nodes, by their numbers: the first in which the test
     /// rejected overlapping volumes; else `usual`, if its query tested the nodes; else the first
@@ -66,7 +70,9 @@ class RecordedTrace {
     std::vector<std::size_t> level_overlaps(std::size_t most);
 
   private:
+    RecordedTrace(const RecordedTrace& other);
     bool is_wanted(const RecordedQueries& queries) const;
+    const TraceFrame& set_frame(const EngineQuery& query);
     /// Chooses bodies and frames.
     void choose(const std::string& bodies, const std::string& frames);
     /// Reads the bodies at the chosen frames.
@@ -85,6 +91,8 @@ class RecordedTrace {
     std::map<int, std::uint64_t> test_counts_;
     std::unique_ptr<RecordedQueries> queries_;
     TraceFrame frame_;
+    std::optional<int> latest_;   ///< the frame of the latest frame()
+    std::optional<int> visited_;  ///< the frame of the latest frame_at() that was not null
     OwnContacts own_;
 };
 

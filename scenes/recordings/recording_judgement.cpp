@@ -20,8 +20,9 @@ namespace {
 /// Judges a recording query by query.
 class RecordingJudge {
   public:
-    RecordingJudge(const RecordingFile& file, const std::function<bool()>& go_on)
-        : recording_(file), trees_(recording_), go_on_(go_on) {
+    RecordingJudge(const RecordingFile& file, const std::function<bool()>& go_on,
+                   const JudgedQueryVisitor& visit)
+        : recording_(file), trees_(recording_), go_on_(go_on), visit_(visit) {
         result_.summary = file.summary;
     }
 
@@ -86,6 +87,7 @@ class RecordingJudge {
         const QueryJudgement judged =
             judge_query(query, own_.contacts(query, recording_.finite_meshes()), go_on_);
         if (judged.interrupted) return;
+        if (visit_) visit_(recording_, judged);
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         tests_.take(recording_, query, judged, name, row);
         row.wasted += judged.wasted_weak + judged.wasted_loose;
@@ -287,6 +289,7 @@ class RecordingJudge {
     std::string unplaced_why_;
     std::set<std::uint32_t> stretched_;  ///< bodies whose stretch was noted
     const std::function<bool()> go_on_;
+    const JudgedQueryVisitor visit_;
     std::uint64_t frames_judged_ = 0;   ///< of an interrupted judgement
     std::uint64_t grazing_missed_ = 0;  ///< see QueryJudgement
     std::string first_grazing_;
@@ -315,8 +318,11 @@ Verdict RecordingJudgement::verdict() const {
 
 RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int)>& wanted,
-                                   const std::function<bool(bool)>& done) {
-    return RecordingJudge(file, [&done] { return done(false); }).judged(wanted, done);
+                                   const std::function<bool(bool)>& done,
+                                   const JudgedQueryVisitor& visit) {
+    return RecordingJudge(
+               file, [&done] { return done(false); }, visit)
+        .judged(wanted, done);
 }
 
 }  // namespace scb::scenes

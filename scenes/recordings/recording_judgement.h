@@ -134,11 +134,15 @@ struct RecordingJudgement {
     bool wrong() const { return verdict() == Verdict::wrong; }
 };
 
-/// Judges the frames that `wanted` accepts. `done` is called with true after each frame; with false
-/// after each query, and from time to time during one. It ends the work by returning false. Throws
-/// InputError as RecordedQueries does.
+/// Receives each judged query: the recording at the query, and its judgement.
+using JudgedQueryVisitor = std::function<void(const RecordedQueries&, const QueryJudgement&)>;
+
+/// Judges the frames that `wanted` accepts, and hands each judged query to `visit`. `done` is
+/// called with true after each frame; with false after each query, and from time to time during
+/// one. It ends the work by returning false. Throws InputError as RecordedQueries does.
 RecordingJudgement judge_recording(const RecordingFile& file,
                                    const std::function<bool(int frame)>& wanted,
-                                   const std::function<bool(bool frame)>& done);
+                                   const std::function<bool(bool frame)>& done,
+                                   const JudgedQueryVisitor& visit = {});
 
 }  // namespace scb::scenes

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/hierarchy/tree_shape.h"
 #include "scb/hierarchy.h"
 
 namespace scb {
@@ -40,7 +41,8 @@ Mat3 about_x(double degrees) {
 }
 
 WasteCauses causes_of(const Mesh& a, const Mesh& b, const VainTests& vain = {}) {
-    return waste_causes(build_topology(a), a, build_topology(b), b, vain);
+    return waste_causes(depth(tree_shape(build_topology(a))), a,
+                        depth(tree_shape(build_topology(b))), b, vain);
 }
 
 TEST(WasteCauses, NameWhatIsWrongWithAMeshAndNothingElse) {
