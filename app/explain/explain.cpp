@@ -71,7 +71,8 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     picture.subtitle = asked_words(pair);
     if (scene.frames > 1)
         picture.subtitle += (picture.subtitle.empty() ? "" : ", ") + format("frame %d", at.frame);
-    place_nodes(picture, query, at.frame, pair);
+    place_nodes(picture, {at.source.body(0, at.frame), at.source.body(1, at.frame)},
+                {a.index, b.index});
     picture.camera = asked_camera(options.camera, &scene);
     picture.orthographic = options.camera.orthographic;
     draw_explanation(pictures, options.picture, pair, picture, entry);

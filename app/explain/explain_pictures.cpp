@@ -1,13 +1,40 @@
 #include "app/explain/explain_pictures.h"
 
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "core/base/text_format.h"
-#include "core/hierarchy/node_mesh.h"
 #include "render/figures/explain_layout.h"
 #include "render/overlay/figure_layout.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb::app {
+namespace {
+
+/// The triangles below a node.
+Mesh mesh_below(const scenes::BodyAtFrame& body, std::uint32_t node) {
+    const TreeShape& shape = body.tree->shape();
+    Mesh mesh;
+    const auto add = [&](std::span<const std::uint32_t> items) {
+        for (const std::uint32_t item : items) {
+            if (item >= body.mesh->triangles.size()) continue;
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const Vec3& corner : corners(*body.mesh, item)) mesh.vertices.push_back(corner);
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+    };
+    add(body.tree->items(node));
+    std::vector<bool> is_below(shape.size());
+    is_below[node] = true;
+    for (const std::uint32_t i : shape.order)
+        if (shape.parents[i] != no_index && is_below[shape.parents[i]]) {
+            is_below[i] = true;
+            add(body.tree->items(i));
+        }
+    return mesh;
+}
+
+}  // namespace
 
 std::optional<scenes::CameraView> asked_camera(const CameraOptions& options,
                                                const scenes::Scene* scene) {
@@ -32,20 +59,18 @@ std::string explain_name(const std::string& stem, const TraceHeader& header,
     for (std::size_t side = 0; side < 2; ++side)
         which += "_" + scenes::file_name_of(header.bodies[side].name) + "-" +
                  std::to_string(nodes[side]);
-    return picture_name(stem, std::string(volume_kind_name(header.volume)) + "_explain", named,
-                        which);
+    return picture_name(stem, volume_file_part(header) + "_explain", named, which);
 }
 
-void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
-                 const ExplainedPair& pair) {
-    const std::size_t bodies[] = {query.a, query.b};
+void place_nodes(ExplainPicture& picture, const std::array<scenes::BodyAtFrame, 2>& bodies,
+                 IndexPair nodes) {
     picture.triangles.emplace();
     for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t body = bodies[side];
-        picture.to_world[side] = scenes::pose_at(query.scene.bodies[body].motion, frame);
-        (*picture.triangles)[side] = node_mesh(query.mesh(body), topology_of(query.hierarchy(body)),
-                                               (*pair.nodes)[side].index);
+        picture.to_world[side] = bodies[side].pose;
+        (*picture.triangles)[side] = mesh_below(bodies[side], side == 0 ? nodes.a : nodes.b);
     }
+    if ((*picture.triangles)[0].triangles.empty() || (*picture.triangles)[1].triangles.empty())
+        picture.triangles.reset();
 }
 
 void draw_explanation(PictureRun& pictures, const PictureOptions& options,

@@ -30,9 +30,10 @@ std::string explain_name(const std::string& stem, const TraceHeader& header,
                          const NamedOptions& named, int frame,
                          const std::array<std::uint32_t, 2>& nodes);
 
-/// Places the picture of two nodes at a frame, with the triangles below them.
-void place_nodes(ExplainPicture& picture, const SceneQuery& query, int frame,
-                 const ExplainedPair& pair);
+/// Places the picture of two nodes of these bodies, by index, with the triangles below them; with
+/// none if the items of a body are objects.
+void place_nodes(ExplainPicture& picture, const std::array<scenes::BodyAtFrame, 2>& bodies,
+                 IndexPair nodes);
 
 /// Draws the pair and queues the picture to be written. `entry`: its entry in the index.
 void draw_explanation(PictureRun& pictures, const PictureOptions& options,

@@ -3,52 +3,23 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
+#include "app/explain/recorded_pair.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "core/judge/node_explanation.h"
 #include "core/model/tree.h"
 #include "render/figures/volume_titles.h"
 #include "scb/error.h"
-#include "scb/triangle_overlap.h"
-#include "scenes/recordings/recorded_trace.h"
 #include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using scenes::BodyAtFrame;
 using scenes::RecordedTrace;
-
-/// A test of the two nodes.
-struct FoundTest {
-    std::size_t number = 0;             ///< index among the volume tests of its query
-    Stage stage = Stage::overlapping;   ///< of the test
-    std::optional<std::size_t> led_by;  ///< the test that led to it, if known
-    Answer answer = Answer::correct;
-};
-
-/// Two nodes of a recording at a frame, and the tests of them.
-struct RecordedPair {
-    const RecordedTrace* trace = nullptr;
-    const TraceFrame* frame = nullptr;
-    IndexPair numbers, nodes;  ///< as in the recording; indices
-    std::vector<FoundTest> tests;
-    ExplainedPair pair;
-    bool has_verdict = false;
-
-    const TraceHeader& header() const { return trace->header(); }
-    bool has_wrong_test() const {
-        return std::any_of(tests.begin(), tests.end(), [](const FoundTest& test) {
-            return test.answer == Answer::false_negative;
-        });
-    }
-};
 
 /// The trace at the frame in the options. Without --frames, RecordedTrace::frame_of_test chooses
 /// the frame.
@@ -74,81 +45,6 @@ std::uint32_t checked_number(std::int64_t number, const std::string& option) {
                          " is no number of a node; give numbers from 0 to " +
                          std::to_string(no_index - 1) + ".");
     return static_cast<std::uint32_t>(number);
-}
-
-std::uint32_t checked_node(const BodyAtFrame& body, const EngineNodes& tree, std::uint32_t number,
-                           int frame, const std::string& option) {
-    const std::uint32_t node = tree.index_of(number);
-    const std::string start = option + ": at frame " + std::to_string(frame) + " ";
-    if (node == no_index) {
-        std::uint32_t least = no_index, most = 0;
-        for (std::size_t i = 0; i < tree.size(); ++i) {
-            least = std::min(least, tree[i].number);
-            most = std::max(most, tree[i].number);
-        }
-        throw InputError(
-            start + "the tree of " + body.name + " has no node " + std::to_string(number) +
-            (tree.size() == 0
-                 ? std::string("; it has none.")
-                 : format("; it has %zu, with numbers from %u to %u.", tree.size(), least, most)));
-    }
-    if (!has_volume(tree[node].volume)) {
-        const std::string fault = tree.volume_fault(node);
-        throw InputError(start + tree.words(node) + " of " + body.name + " has no volume" +
-                         (fault.empty() ? std::string(" in the recording")
-                                        : " that could be judged (" + fault + ")") +
-                         "; name nodes with volumes.");
-    }
-    return node;
-}
-
-ExplainedNode described(const BodyAtFrame& body, const EngineSide& side, std::uint32_t node) {
-    const EngineNode& told = (*side.tree)[node];
-    ExplainedNode result{body.name, told.number, 0, items_below(*side.shape)[node]};
-    result.are_objects = side.mesh == nullptr;
-    if (side.shape->is_reachable(node)) result.depth = static_cast<int>(side.shape->depths[node]);
-    const std::string name = side.tree->name_of(node);
-    result.remark = (name.empty() ? "" : "'" + name + "', ") + volume_title(told.volume) +
-                    format(" told at frame %d", told.told_at);
-    return result;
-}
-
-RecordedPair recorded_pair(RecordedTrace& trace, IndexPair numbers, const std::string& option) {
-    RecordedPair found;
-    const int number = trace.frames()[0];
-    found.trace = &trace;
-    found.frame = &trace.frame(number);
-    found.numbers = numbers;
-    const EngineQuery& query = trace.query();
-    const auto& [a, b] = query.sides;
-    const BodyAtFrame &body_a = trace.body(0, number), &body_b = trace.body(1, number);
-    found.nodes = {checked_node(body_a, *a.tree, numbers.a, number, option),
-                   checked_node(body_b, *b.tree, numbers.b, number, option)};
-    const NodeVolume &of_a = (*a.tree)[found.nodes.a].volume,
-                     &of_b = (*b.tree)[found.nodes.b].volume;
-    const std::vector<Step>& tests = found.frame->steps.volumes;
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-        if (tests[i].nodes != found.nodes) continue;
-        found.tests.push_back({i, tests[i].stage, std::nullopt});
-        if (tests[i].parent != no_step) found.tests.back().led_by = tests[i].parent;
-    }
-    const Stage ended = found.tests.empty() ? Stage::overlapping : found.tests[0].stage;
-    Placement placed;
-    placed.b_to_a = query.b_to_a;
-    placed.margin = tolerance_of(query, found.nodes);
-    // Any convex kind, so that pictures have the symbols of general volumes.
-    found.pair = {VolumeKind::capsule,
-                  body_a.tree->volume(found.nodes.a),
-                  body_b.tree->volume(found.nodes.b),
-                  placed,
-                  {},
-                  explain_nodes(of_a, of_b, query.b_to_a, placed.margin, ended),
-                  {},
-                  {{described(body_a, a, found.nodes.a), described(body_b, b, found.nodes.b)}}};
-    found.has_verdict = proven_verdict(of_a, of_b, query.b_to_a, placed.margin).has_value();
-    for (FoundTest& test : found.tests)
-        test.answer = judged(test.stage, found.pair.found.certificate.contact);
-    return found;
 }
 
 /// "rejected at box", "passed": the recorded outcome.
@@ -258,29 +154,6 @@ Json report_json(const RecordedPair& found) {
     return json;
 }
 
-/// The triangles of the node's subtree.
-Mesh mesh_below(const BodyAtFrame& body, std::uint32_t node) {
-    const TreeShape& shape = body.tree->shape();
-    Mesh mesh;
-    const auto add = [&](std::span<const std::uint32_t> items) {
-        for (const std::uint32_t item : items) {
-            if (item >= body.mesh->triangles.size()) continue;
-            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-            for (const Vec3& corner : corners(*body.mesh, item)) mesh.vertices.push_back(corner);
-            mesh.triangles.push_back({first, first + 1, first + 2});
-        }
-    };
-    add(body.tree->items(node));
-    std::vector<bool> is_below(shape.size());
-    is_below[node] = true;
-    for (const std::uint32_t i : shape.order)
-        if (shape.parents[i] != no_index && is_below[shape.parents[i]]) {
-            is_below[i] = true;
-            add(body.tree->items(i));
-        }
-    return mesh;
-}
-
 ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& options) {
     const TraceHeader& header = found.header();
     const int frame = found.frame->frame;
@@ -288,19 +161,10 @@ ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& optio
     NamedOptions named;
     name_view(named, options.picture, options.camera);
     name_picture(named, options.picture);
-    std::string which = frame_part(frame);
-    picture.triangles.emplace();
-    for (std::size_t side = 0; side < 2; ++side) {
-        const BodyAtFrame& body = found.trace->body(side, frame);
-        which += "_" + scenes::file_name_of(body.name) + "-" +
-                 std::to_string((*found.pair.nodes)[side].index);
-        picture.to_world[side] = body.pose;
-        (*picture.triangles)[side] = mesh_below(body, side == 0 ? found.nodes.a : found.nodes.b);
-    }
-    if ((*picture.triangles)[0].triangles.empty() || (*picture.triangles)[1].triangles.empty())
-        picture.triangles.reset();
-    picture.name = picture_name(options.scene.file_stem(header.scene),
-                                volume_file_part(header) + "_explain", named, which);
+    const auto& [a, b] = *found.pair.nodes;
+    picture.name = explain_name(options.scene.file_stem(header.scene), header, named, frame,
+                                {a.index, b.index});
+    place_nodes(picture, {found.trace->body(0, frame), found.trace->body(1, frame)}, found.nodes);
     const PairNames names = pair_names(header.scene, found.pair);
     picture.title = (names.scene.empty() ? "" : names.scene + " · ") +
                     render::volume_title(header) + " · explain · " + names.nodes;
@@ -321,7 +185,7 @@ int explain_recording(const ExplainOptions& options, const Console& console) {
     const auto [i, j] = options.nodes();
     const IndexPair numbers{checked_number(i, option), checked_number(j, option)};
     const std::unique_ptr<RecordedTrace> trace = open_trace(options, numbers);
-    const RecordedPair found = recorded_pair(*trace, numbers, option);
+    const RecordedPair found = recorded_pair(*trace, trace->frames()[0], numbers, option);
     const std::string title = scenes::printable(found.header().scene) + ", " +
                               scenes::printable(found.header().engine->name) + ", frame " +
                               std::to_string(found.frame->frame) + ": " +

@@ -204,6 +204,15 @@ const TraceFrame& QuerySource::frame(int number) {
     return *frame;
 }
 
+TraceFrame QuerySource::frame_again(int number) const {
+    if (recorded_) return recorded_->rewound()->frame(number);
+    StepRecorder recorder;
+    TraceFrame frame{number, query_.b_to_a(number), {}, {}};
+    frame.found = query_.collide(number, recorder);
+    frame.steps = std::move(recorder.steps);
+    return frame;
+}
+
 Attribution QuerySource::attribution(const TraceFrame& frame) {
     if (recorded_) return recorded_->attribution();
     const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);

@@ -24,6 +24,8 @@ class QuerySource {
     /// The query that this project makes; not for recordings.
     const SceneQuery& query() const { return query_; }
     bool is_recording() const { return recorded_ != nullptr; }
+    /// The recorded queries; not for other sources.
+    scenes::RecordedTrace& recorded() const { return *recorded_; }
     const TraceHeader& header() const { return recorded_ ? recorded_->header() : header_; }
     const scenes::Scene& scene() const { return recorded_ ? recorded_->scene() : query_.scene; }
     /// The body A (0) or B (1), as an index of Scene::bodies.
@@ -43,6 +45,8 @@ class QuerySource {
     /// The query of one of these frames; valid until the next call. Ask for frames in ascending
     /// order. Throws InputError if the bodies of a trace had other poses.
     const TraceFrame& frame(int number);
+    /// The query of a frame, in any order of frames: makes or reads the query again.
+    TraceFrame frame_again(int number) const;
     /// The verdicts on the tests of the latest frame().
     Attribution attribution(const TraceFrame& frame);
     /// Of the two bodies, see core/analysis/level_overlaps.h: by the query's own test; in a
