@@ -72,20 +72,20 @@ FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top)
         others.emplace_back().overlap = other;
 }
 
-void FrameFindings::add(QuerySource& source, const TraceFrame& frame) {
-    const SceneQuery& query = source.query();
-    const AnyHierarchy &a = query.hierarchy(query.a), &b = query.hierarchy(query.b);
-    const Mesh &mesh_a = query.mesh(query.a), &mesh_b = query.mesh(query.b);
-    const Attribution attribution = source.attribution(frame);
+void FrameFindings::add(const QuerySource& source, const TraceFrame& frame,
+                        const Attribution& attribution) {
     frames.push_back({frame.frame, inspection(frame, attribution)});
     complete &= frame.found.complete;
-    vain += vain_tests(mesh_a, mesh_b, frame);
+    vain += vain_tests(*source.body(0, frame.frame).mesh, *source.body(1, frame.frame).mesh, frame);
     wrong.add(frame, attribution);
     weak_tests.add(frame, attribution);
     loose_fits.add(frame, attribution);
+    if (others.empty()) return;
+    const SceneQuery& query = source.query();
     for (AlternativeTest& other : others)
-        other.add(try_alternative_test(a, mesh_a, b, mesh_b, source.header(), frame, attribution,
-                                       other.overlap));
+        other.add(try_alternative_test(query.hierarchy(query.a), query.mesh(query.a),
+                                       query.hierarchy(query.b), query.mesh(query.b),
+                                       source.header(), frame, attribution, other.overlap));
 }
 
 FrameFindings& FrameFindings::operator+=(const FrameFindings& other) {

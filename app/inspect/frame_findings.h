@@ -22,8 +22,8 @@ struct FrameFindings {
 
     /// No frame yet; lists have at most `top` pairs.
     FrameFindings(const TraceHeader& header, std::size_t top);
-    /// Adds the frame, which must be the latest one of the source.
-    void add(QuerySource& source, const TraceFrame& frame);
+    /// Adds a frame of the source, with the attribution of its tests.
+    void add(const QuerySource& source, const TraceFrame& frame, const Attribution& attribution);
     /// Adds later frames.
     FrameFindings& operator+=(const FrameFindings& other);
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -17,100 +18,203 @@
 #include "app/inspect/inspect_options.h"
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/inspect_pictures.h"
-#include "app/inspect/inspect_recording.h"
 #include "app/inspect/inspect_report.h"
+#include "app/inspect/inspect_settings.h"
+#include "app/inspect/recording_pictures.h"
 #include "app/query/poses_json.h"
 #include "app/query/query_sources.h"
-#include "app/timing/tune_layout_report.h"
-#include "app/timing/tune_progress.h"
-#include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/judge/query_attribution.h"
 #include "scb/error.h"
-#include "scenes/scene/pose_rows.h"
+#include "scenes/text/input_files.h"
+#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
 
-/// The report on the findings, without other settings yet.
-InspectReport report_of(const QuerySource& source, const FrameFindings& found) {
-    const SceneQuery& query = source.query();
-    InspectReport report;
-    report.header = source.header();
-    report.frames = found.frames;
-    for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
-    report.others = found.others;
-    report.wrong = found.wrong.pairs();
-    report.weak_tests = found.weak_tests.pairs();
-    report.loose_fits = found.loose_fits.pairs();
-    for (auto* worst : {&report.weak_tests, &report.loose_fits})
-        for (FalsePair& pair : *worst)
-            sharpen_margin(pair, query.hierarchy(query.a), query.hierarchy(query.b),
-                           query.b_to_a(pair.frame));
-    sort_by_waste(report.frames);
-    report.causes =
-        waste_causes(topology_of(query.hierarchy(query.a)), query.mesh(query.a),
-                     topology_of(query.hierarchy(query.b)), query.mesh(query.b), found.vain);
-    return report;
-}
-
-/// Limit of the frames of a trace in a command.
-constexpr std::size_t most_named_frames = 20;
-
-/// The scene in a command; for a trace, the scene as recorded.
-std::string scene_words(const InspectOptions& options, const QuerySource& source) {
-    if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
-    std::string words;
-    for (const std::string& name : source.header().source) words += " " + file_word(name);
-    std::string frames;
-    for (const int frame : source.frames())
-        frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
-    if (source.frames().size() <= most_named_frames) words += frames;
-    if (source.header().source.size() != 2) return words;
-    std::string numbers;
-    for (const double number : scenes::rows_of(source.query().b_to_a(source.frames()[0])))
-        numbers += (numbers.empty() ? "" : ",") + format("%.17g", number);
-    return words + " --pose=" + numbers;
-}
-
-/// Tries other settings; if interrupted, the report has none.
-void find_settings(InspectReport& report, const InspectOptions& options, const QuerySource& source,
-                   const Console& console, const InterruptWatch& watch) {
-    const SceneQuery& query = source.query();
-    const TraceHeader& header = report.header;
-    TuneOptions asked;
-    asked.base = {header.volume, header.split, header.options.overlap, header.options.descent,
-                  header.growth};
-    asked.build = query.build;
-    asked.repeats = options.time ? 5 : 0;
-    asked.layouts = options.time && !query.is_self();
+/// The queries to inspect, and all that is found about them.
+struct Inspected {
+    std::shared_ptr<const scenes::RecordingFile> file;   ///< null unless a recording
+    std::shared_ptr<const scenes::Recording> recording;  ///< null if it has no tree
+    QuerySources sources;  ///< one; none for a recording without queries of two chosen bodies
+    std::string no_waste;  ///< why there is none: a sentence
     std::vector<int> frames;
-    for (const std::size_t i : counted_frames(source.frames().size(), report.sum.counts.all))
-        frames.push_back(source.frames()[i]);
-    report.settings =
-        tune_scene(query.scene, query.a, query.b, frames, asked, tune_progress(console, watch));
-    if (!report.settings) return;
-    const SceneTuning& found = *report.settings;
-    const std::string scene = scene_words(options, source);
-    report.command =
-        "scb collide" + scene + setting_options(found.rows[found.recommended()].setting);
-    if (found.quicker_layout)
-        report.layout_command =
-            "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
+    std::optional<FrameFindings> found;
+    InspectReport report;
+    std::optional<PictureRun> pictures;
+    std::size_t done = 0;  ///< of the frames
+};
+
+/// Opens the recorded queries in the options. Without two chosen bodies, only the recording.
+void open_recording(Inspected& result, const InspectOptions& options) {
+    const std::string& path = options.scene.names[0];
+    result.file = std::make_shared<const scenes::RecordingFile>(path);
+    result.frames = scenes::frames_among(result.file->summary.frames, options.query.frames, path,
+                                         "a recording may have");
+    TraceHeader& header = result.report.header;
+    header.scene = header.engine.emplace().name = std::filesystem::path(path).stem().string();
+    try {
+        result.recording =
+            std::make_shared<const scenes::Recording>(scenes::read_recording(result.file));
+        header.scene = result.recording->scene.name;
+        header.engine->name = result.recording->engine;
+        result.sources.emplace_back(result.recording, options.query);
+        header = result.sources.front().header();
+    } catch (const InputError& error) {
+        result.no_waste = error.what();
+    }
 }
 
-/// Sets the file names of a report, with the options that affect it.
-void name_files(InspectReport& report, const InspectOptions& options, const QuerySource& source) {
+void open_scene(Inspected& result, const InspectOptions& options, const Console& console) {
+    result.sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits,
+                                false);
+    const QuerySource& source = result.sources.front();
+    note_doubts(options.hierarchy, {source.query().kind}, console);
+    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    result.report.header = source.header();
+    result.frames = source.frames();
+}
+
+/// Sets the file names of the report, with the options that affect it.
+void name_files(Inspected& inspected, const InspectOptions& options) {
     const InspectOptions usual;
+    InspectReport& report = inspected.report;
     report.stem = options.scene.file_stem(report.header.scene);
-    name_query(report.named, source, source);
+    report.named = {};
+    report.named_frames = {};
+    std::size_t all = 0;
+    if (!inspected.sources.empty()) {
+        const QuerySource& source = inspected.sources.front();
+        name_query(report.named, source, source);
+        all = inspected.file ? inspected.file->summary.frames.size()
+                             : static_cast<std::size_t>(source.query().scene.frames);
+    }
     name_picture(report.named, options.picture);
-    if (source.frames().size() != static_cast<std::size_t>(source.query().scene.frames))
-        name_frames(report.named_frames, source.frames());
+    if (all != 0 && inspected.frames.size() != all)
+        name_frames(report.named_frames, inspected.frames);
     NamedOptions of_page;
     of_page.add_if(options.top != usual.top, "top", std::to_string(options.top));
     of_page.add_if(options.time, "time");
     report.files = inspect_name(report, of_page);
+}
+
+/// Makes the folder of the pictures.
+void begin_pictures(Inspected& inspected, const InspectOptions& options) {
+    name_files(inspected, options);
+    const std::string& files = inspected.report.files;
+    inspected.pictures.emplace(
+        options.picture,
+        inspected.file ? scenes::file_name_of(inspected.report.header.engine->name)
+                       : inspected.sources.front().scene().name,
+        std::vector<std::string>{files + ".html", files + "_view.html", files + "_frames.csv",
+                                 files + "_pairs.csv"});
+}
+
+/// Judges the recording, and attributes the tests of the two bodies on the way.
+void judge(Inspected& inspected, const InspectOptions& options, const Console& console,
+           const InterruptWatch& watch) {
+    Progress progress(console, inspected.frames.size());
+    const std::vector<int>& frames = inspected.frames;
+    scenes::JudgedQueryVisitor visit;
+    if (!inspected.sources.empty()) {
+        QuerySource& source = inspected.sources.front();
+        inspected.found.emplace(source.header(), static_cast<std::size_t>(options.top));
+        visit = [&](const scenes::RecordedQueries& queries, const QueryJudgement& judged) {
+            const TraceFrame* frame = source.recorded().frame_at(queries);
+            if (frame == nullptr) return;
+            inspected.found->add(source, *frame,
+                                 attribution(queries.query(), judged, source.header(), *frame));
+        };
+    }
+    scenes::RecordingJudgement judged = scenes::judge_recording(
+        *inspected.file,
+        [&](int frame) { return std::binary_search(frames.begin(), frames.end(), frame); },
+        [&](bool frame) {
+            if (frame) progress.step("frames");
+            return watch.signal() == 0;
+        },
+        visit);
+    if (judged.trees.empty() && judged.summary.queries == 0)
+        throw InputError(inspected.file->path +
+                         ": it has no trees and no queries, so there is nothing to judge." +
+                         (judged.damage.empty() ? "" : " " + judged.damage));
+    inspected.done = frames.size() - judged.frames_left;
+    const auto top = static_cast<std::size_t>(options.top);
+    inspected.report.recording = {
+        inspected.file->path, std::move(judged), top, options.asks_top ? top : 1, {}};
+}
+
+/// Makes or reads the queries of a scene frame by frame, until interrupted.
+void inspect_frames(Inspected& inspected, const InspectOptions& options, Parts& parts,
+                    const Console& console, const InterruptWatch& watch) {
+    QuerySource& source = inspected.sources.front();
+    const std::vector<int>& frames = inspected.frames;
+    Progress progress(console, frames.size());
+    const auto top = static_cast<std::size_t>(options.top);
+    const auto inspect_frame = [&source](FrameFindings& findings, int number) {
+        const TraceFrame& frame = source.frame(number);
+        findings.add(source, frame, source.attribution(frame));
+    };
+    FrameFindings& found = inspected.found.emplace(source.header(), top);
+    std::size_t& done = inspected.done;
+    for (; done < frames.size() && watch.signal() == 0; ++done) {
+        const int number = frames[done];
+        if (parts.are_merged()) {
+            parts.read(done, [&](const nlohmann::ordered_json& made, const auto&) {
+                found += findings_of_json(made, source, number, top);
+            });
+        } else if (parts.are_of_shard() && parts.is_made_here(done)) {
+            FrameFindings of_frame(source.header(), top);
+            inspect_frame(of_frame, number);
+            parts.keep(done, findings_json(of_frame));
+        } else if (!parts.are_of_shard()) {
+            inspect_frame(found, number);
+        }
+        progress.step("frames");
+    }
+}
+
+WasteCauses causes_of(const QuerySource& source, int frame, const VainTests& vain) {
+    const scenes::BodyAtFrame a = source.body(0, frame), b = source.body(1, frame);
+    return waste_causes(depth(a.tree->shape()), *a.mesh, depth(b.tree->shape()), *b.mesh, vain);
+}
+
+/// Takes the findings over into the report. Returns the explanations of its pairs.
+ExplainedPairs report_waste(Inspected& inspected) {
+    InspectReport& report = inspected.report;
+    if (!inspected.found || inspected.found->frames.empty()) {
+        report.has_waste = false;
+        return {};
+    }
+    const FrameFindings& found = *inspected.found;
+    const QuerySource& source = inspected.sources.front();
+    report.frames = found.frames;
+    for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
+    // An error may be the cause of the waste of a recording that is wrong.
+    if (inspected.file)
+        report.has_waste = source.recorded().tells_results() && !report.recording->judged.wrong() &&
+                           report.sum.counts.all.volume_tests > 0;
+    if (!report.has_waste) return {};
+    report.others = found.others;
+    report.wrong = found.wrong.pairs();
+    report.weak_tests = found.weak_tests.pairs();
+    report.loose_fits = found.loose_fits.pairs();
+    ExplainedPairs explained = explain_pairs(report, source);
+    sort_by_waste(report.frames);
+    if (!report.header.engine || !report.header.engine->objects)
+        report.causes = causes_of(source, found.frames.front().frame, found.vain);
+    return explained;
+}
+
+/// Whether other settings can be compared with the queries: not with partial queries, with
+/// deliberate errors, or with queries that miss contacts.
+bool can_compare(const Inspected& inspected) {
+    if (inspected.sources.empty()) return false;
+    if (inspected.file) return !inspected.report.recording->judged.wrong();
+    const SceneQuery& query = inspected.sources.front().query();
+    return inspected.found->complete && query.options.stop_level < 0 &&
+           query.mutation == Mutation::none && inspected.report.sum.counts.missed == 0;
 }
 
 /// The page of `scb view` with the frames of the pairs in the report; without pairs, the worst
@@ -129,6 +233,11 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.level.picture.gl = options.picture.gl;
     view.query = options.query;
     view.level.recording = options.recording;
+    if (report.recording) {
+        // The page has one frame of a recording.
+        view.level.scene.frames = std::to_string(report.frames.front().frame);
+        return view_page(view, console);
+    }
     view.queries.clear();
     for (const int frame : frames)
         view.queries += (view.queries.empty() ? "" : ",") + std::to_string(frame);
@@ -137,51 +246,73 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     return view_page(view, console);
 }
 
-/// Draws the report and writes all other files. Returns whether everything was drawn.
-bool write_report(PictureRun& pictures, const InspectOptions& options, const QuerySources& sources,
-                  const InspectReport& report, const Console& console,
-                  const InterruptWatch& watch) {
-    const SceneQuery& query = sources.front().query();
+/// Draws the pictures of the waste, writes its tables, and makes the page `view` of `scb view`.
+/// Returns whether everything was drawn.
+bool write_waste(Inspected& inspected, InspectPage& page, std::string& view,
+                 const InspectOptions& options, const ExplainedPairs& explained,
+                 const Console& console, const InterruptWatch& watch) {
+    const InspectReport& report = inspected.report;
+    PictureRun& pictures = *inspected.pictures;
     Progress progress(
         console, 2 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
     const auto step = [&] {
         progress.step("pictures");
         return watch.signal() == 0;
     };
-    bool whole = draw_inspection(pictures, options.picture, query, report, step);
-    std::string bodies;
-    if (whole) bodies = draw_bodies(pictures, options.picture, sources, report);
-    whole = whole && step();
-    std::string view;
-    // The page needs whole queries.
-    const bool all =
-        query.options.stop_level < 0 && options.limits.max_pairs == QueryLimits{}.max_pairs;
-    if (whole && all && !options.no_view) {
-        try {
-            view = report_view(options, report, console);
-        } catch (const InputError& error) {
-            console.note("scb: there is no page of `scb view`: " + std::string(error.what()));
-        }
+    const QuerySource& source = inspected.sources.front();
+    if (!draw_inspection(pictures, options.picture, source, report, explained, step)) return false;
+    page.bodies = draw_bodies(pictures, options.picture, inspected.sources, report);
+    if (!step()) return false;
+    pictures.write(report.files + "_frames.csv", frames_csv(report));
+    pictures.write(report.files + "_pairs.csv", pairs_csv(report));
+    // The page of `scb view` needs whole queries.
+    const bool all = inspected.file || (source.query().options.stop_level < 0 &&
+                                        options.limits.max_pairs == QueryLimits{}.max_pairs);
+    if (!all || options.no_view) return true;
+    try {
+        view = report_view(options, report, console);
+        page.view = report.files + "_view.html";
+    } catch (const InputError& error) {
+        console.note("scb: there is no page of `scb view`: " + std::string(error.what()));
     }
-    const InspectPage page{inspect_name(report) + ".png",
-                           bodies,
-                           options.picture.width(),
-                           options.picture.height(),
-                           options.picture.theme() == &render::light_theme,
-                           options.command,
-                           options.explain,
-                           view.empty() ? "" : report.files + "_view.html"};
+    return true;
+}
+
+/// Draws the report and writes all other files. Returns whether everything was drawn.
+bool write_report(Inspected& inspected, const InspectOptions& options,
+                  const ExplainedPairs& explained, const Console& console,
+                  const InterruptWatch& watch) {
+    InspectReport& report = inspected.report;
+    PictureRun& pictures = *inspected.pictures;
+    InspectPage page;
+    page.summary = inspect_name(report) + ".png";
+    page.width = options.picture.width();
+    page.height = options.picture.height();
+    page.light = options.picture.theme() == &render::light_theme;
+    page.command = options.command;
+    page.explain = options.explain;
+    if (inspected.file && inspected.recording)
+        report.recording->pictures = draw_problems(pictures, options.picture, *inspected.recording,
+                                                   report.recording->judged);
+    report.drawn = report.has_waste;
+    std::string view;
+    if (report.has_waste &&
+        !write_waste(inspected, page, view, options, explained, console, watch)) {
+        report.drawn = false;
+        return false;
+    }
+    pictures.write(report.files + ".html", inspect_html(report, page));
+    if (!page.view.empty()) pictures.write(page.view, view);
+    if (options.picture.json)
+        pictures.print_instead(json_text(inspect_json(report), 2) + "\n");
+    else
+        pictures.say(inspect_text(report));
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(inspect_json(report));
-    head["poses"] = poses_json(query.scene, query.frames);
-    if (whole) {
-        pictures.write(report.files + "_frames.csv", frames_csv(report));
-        pictures.write(report.files + "_pairs.csv", pairs_csv(report));
-        pictures.write(report.files + ".html", inspect_html(report, page));
-        if (!page.view.empty()) pictures.write(page.view, view);
-        pictures.finish(std::move(head), console);
-    }
-    return whole;
+    if (!inspected.file)
+        head["poses"] = poses_json(inspected.sources.front().query().scene, inspected.frames);
+    pictures.finish(std::move(head), console);
+    return true;
 }
 
 void print_report(const InspectOptions& options, const InspectReport& report) {
@@ -189,88 +320,107 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
-int run(InspectOptions& options, const Console& console) {
-    if (options.scene.is_recording() && asks_for_recorded(options.recording)) {
-        refuse_with_shard(options.picture.shards, true, "SCENE",
-                          "another engine's recording is judged as a whole");
-        return inspect_recording(options, console);
-    }
-    options.check();
-    options.picture.shards.check_folder(options.picture.output);
-    QuerySources sources;
-    sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits, false);
-    QuerySource& source = sources.front();
-    const SceneQuery& query = source.query();
-    note_doubts(options.hierarchy, {query.kind}, console);
-    note_doubts(options.scene, options.query, {query.kind}, console);
-    const InterruptWatch watch;
-    const std::vector<int>& frames = source.frames();
-    Parts parts(
-        options.picture.shards, frames.size(), versions_json(nullptr),
-        [&] { return subject_of(sources); }, options.picture.output);
-    std::optional<PictureRun> pictures;
-    if (options.draws() && !parts.are_of_shard()) {
-        InspectReport named;
-        named.header = source.header();
-        name_files(named, options, source);
-        pictures.emplace(
-            options.picture, query.scene.name,
-            std::vector<std::string>{named.files + ".html", named.files + "_view.html",
-                                     named.files + "_frames.csv", named.files + "_pairs.csv"});
-    }
+/// The command that explains the first faulty test; empty if there is none.
+std::string explain_command(const scenes::RecordingJudgement& judged, const std::string& path) {
+    for (const auto* groups : {&judged.test_problems, &judged.missed})
+        for (const scenes::ProblemGroup& group : *groups) {
+            const scenes::ProblemCase& first = group.cases.front();
+            if (first.nodes.a == no_index || first.nodes.b == no_index) continue;
+            const bool several = judged.summary.body_names.size() > 2;
+            return "scb explain " + file_word(path) +
+                   (several ? " --bodies " + file_word(first.query.a + "," + first.query.b) : "") +
+                   " --frames " + std::to_string(first.query.frame) +
+                   format(" --pair %u,%u", first.nodes.a, first.nodes.b);
+        }
+    return {};
+}
 
-    Progress progress(console, frames.size());
-    const auto top = static_cast<std::size_t>(options.top);
-    FrameFindings found(source.header(), top);
-    std::size_t done = 0;
-    for (; done < frames.size() && watch.signal() == 0; ++done) {
-        const int number = frames[done];
-        if (parts.are_merged()) {
-            parts.read(done, [&](const nlohmann::ordered_json& made, const auto&) {
-                found += findings_of_json(made, source, number, top);
-            });
-        } else if (parts.are_of_shard() && parts.is_made_here(done)) {
-            FrameFindings of_frame(source.header(), top);
-            of_frame.add(source, source.frame(number));
-            parts.keep(done, findings_json(of_frame));
-        } else if (!parts.are_of_shard()) {
-            found.add(source, source.frame(number));
-        }
-        progress.step("frames");
+/// Notes on a recording: what the report lacks, and the next commands.
+void note_next(const Inspected& inspected, const Console& console) {
+    const scenes::RecordingJudgement& judged = inspected.report.recording->judged;
+    const std::string& path = inspected.file->path;
+    if (judged.wrong() && !inspected.pictures)
+        console.note("scb: `scb inspect " + file_word(path) +
+                     " -o out` draws the first of each kind of what is wrong.");
+    if (const std::string next = explain_command(judged, path); !next.empty())
+        console.note("scb: `" + next + "` explains the first test at fault, step by step.");
+}
+
+int status_of(scenes::Verdict verdict) {
+    switch (verdict) {
+        case scenes::Verdict::sound:
+            return exit_done;
+        case scenes::Verdict::partly_judged:
+            return exit_partly_judged;
+        case scenes::Verdict::wrong:
+            break;
     }
-    if (parts.are_of_shard()) return finish_shard(parts, watch, console);
-    // Partial queries, and queries with deliberate errors, cannot rate settings.
-    const bool whole =
-        found.complete && query.options.stop_level < 0 && query.mutation == Mutation::none;
-    InspectReport report = report_of(source, found);
-    if (watch.signal() == 0 && whole && report.sum.counts.missed == 0)
-        find_settings(report, options, source, console, watch);
-    if (pictures && watch.signal() == 0) {
-        report.drawn = true;
-        name_files(report, options, source);
-        if (options.picture.json)
-            pictures->print_instead(json_text(inspect_json(report), 2) + "\n");
-        else
-            pictures->say(inspect_text(report));
-        if (!write_report(*pictures, options, sources, report, console, watch)) {
-            report.drawn = false;
-            print_report(options, report);
-            console.note("scb: interrupted; not all pictures are drawn, and there is no page.");
-            return exit_interrupted(watch.signal());
-        }
-    } else {
-        print_report(options, report);
-    }
-    if (watch.signal() != 0) {
-        console.note("scb: interrupted; " + std::to_string(done) + " of " +
-                     std::to_string(frames.size()) + " frames were inspected" +
-                     (pictures ? ", and nothing is drawn." : "."));
-        return exit_interrupted(watch.signal());
-    }
+    return exit_different;
+}
+
+/// The exit status of a report that is not interrupted.
+int status_of(const InspectReport& report, const Console& console) {
+    if (report.recording) return status_of(report.recording->judged.verdict());
     const PassCounts& counts = report.sum.counts;
     if (counts.wrongly_rejected == 0) return exit_done;
     console.alarm("scb: " + wrong_rejections_sentence(counts));
     return exit_different;
+}
+
+int run(InspectOptions& options, const Console& console) {
+    const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
+    if (recorded)
+        refuse_with_shard(options.picture.shards, true, "SCENE",
+                          "another engine's recording is judged as a whole");
+    options.check();
+    options.picture.shards.check_folder(options.picture.output);
+    Inspected inspected;
+    if (recorded)
+        open_recording(inspected, options);
+    else
+        open_scene(inspected, options, console);
+    InspectReport& report = inspected.report;
+    const InterruptWatch watch;
+    if (recorded) {
+        if (options.time)
+            console.note("scb: --time has no effect on the recording of another engine.");
+        judge(inspected, options, console, watch);
+    } else {
+        Parts parts(
+            options.picture.shards, inspected.frames.size(), versions_json(nullptr),
+            [&] { return subject_of(inspected.sources); }, options.picture.output);
+        if (options.draws() && !parts.are_of_shard()) begin_pictures(inspected, options);
+        inspect_frames(inspected, options, parts, console, watch);
+        if (parts.are_of_shard()) return finish_shard(parts, watch, console);
+    }
+    const ExplainedPairs explained = report_waste(inspected);
+    std::string no_settings =
+        recorded && !report.recording->judged.wrong() ? inspected.no_waste : "";
+    if (watch.signal() == 0 && can_compare(inspected)) {
+        try {
+            report.settings =
+                inspect_settings(options, inspected.sources.front(), report.frames, console, watch);
+        } catch (const InputError& error) {
+            if (!recorded) throw;
+            no_settings = error.what();
+        }
+    }
+    if (recorded && options.draws() && watch.signal() == 0) begin_pictures(inspected, options);
+    const bool draws = inspected.pictures && watch.signal() == 0;
+    const bool whole = draws && write_report(inspected, options, explained, console, watch);
+    if (!whole) print_report(options, report);
+    if (!no_settings.empty())
+        console.note("scb: there is no comparison with this project's hierarchies: " + no_settings);
+    if (recorded) note_next(inspected, console);
+    if (watch.signal() != 0) {
+        console.note(draws
+                         ? "scb: interrupted; not all pictures are drawn, and there is no page."
+                         : "scb: interrupted; " + std::to_string(inspected.done) + " of " +
+                               std::to_string(inspected.frames.size()) + " frames were inspected" +
+                               (inspected.pictures ? ", and nothing is drawn." : "."));
+        return exit_interrupted(watch.signal());
+    }
+    return status_of(report, console);
 }
 
 }  // namespace
@@ -322,7 +472,9 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         "For another engine's recording the command checks: each tree is a tree and contains its "
         "triangles; each test is right\nfor the recorded volumes; no pair is missed or false. It "
         "explains each problem. Exit status 1: something is wrong; 4:\nno error was found, but "
-        "parts could not be judged. -o draws the first case of each problem.\n\n"
+        "parts could not be judged. If nothing is wrong, the "
+        "report has the same tables of passed pairs, with the\nengine's numbers of nodes. -o "
+        "writes a page with the verdict, the first case of each problem, and the worst pairs.\n\n"
         "Examples:\n"
         "  scb inspect spheres-l1 --frames 0:499:50\n"
         "  scb inspect spheres-l1 --frames 0:499:10 --top 20 -o out/\n"

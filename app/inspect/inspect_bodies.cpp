@@ -15,15 +15,6 @@ constexpr std::size_t most_marked = 3;
 /// A square that fills more of the view does not show a place.
 constexpr double largest_marked = 0.3;
 
-/// Repeats the query of a frame, since a trace can only be read forward.
-TraceFrame frame_of(const SceneQuery& query, int number) {
-    StepRecorder recorder;
-    TraceFrame frame{number, query.b_to_a(number), {}, {}};
-    frame.found = query.collide(number, recorder);
-    frame.steps = std::move(recorder.steps);
-    return frame;
-}
-
 /// Squares around the smaller node of each of the frame's worst pairs; one square per place.
 std::vector<render::SceneMarker> markers_of(const InspectReport& report, int frame,
                                             const render::QueryBodies& bodies) {
@@ -32,7 +23,11 @@ std::vector<render::SceneMarker> markers_of(const InspectReport& report, int fra
         return render::SceneMarker{
             center(volume), std::visit([](const auto& v) { return diameter(v); }, volume) / 2};
     };
-    const double whole = std::max(ball_about(0, 0).radius, ball_about(1, 0).radius);
+    double whole = 0;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const std::uint32_t root : bodies[side].tree->shape().roots)
+            if (bodies[side].tree->has_volume(root))
+                whole = std::max(whole, ball_about(side, root).radius);
     std::vector<FalsePair> worst;
     for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& pair : *pairs)
@@ -42,8 +37,8 @@ std::vector<render::SceneMarker> markers_of(const InspectReport& report, int fra
     });
     std::vector<render::SceneMarker> markers;
     for (const FalsePair& pair : worst) {
-        const render::SceneMarker a = ball_about(0, pair.test.nodes.a),
-                                  b = ball_about(1, pair.test.nodes.b);
+        const render::SceneMarker a = ball_about(0, bodies[0].tree->node_of(pair.test.nodes.a)),
+                                  b = ball_about(1, bodies[1].tree->node_of(pair.test.nodes.b));
         const render::SceneMarker& smaller = a.radius <= b.radius ? a : b;
         const bool is_near = std::any_of(markers.begin(), markers.end(), [&](const auto& marked) {
             return std::sqrt(squared_norm(marked.center - smaller.center)) <
@@ -59,12 +54,13 @@ std::vector<render::SceneMarker> markers_of(const InspectReport& report, int fra
 
 std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
                         const QuerySources& sources, const InspectReport& report) {
-    if (report.frames.empty() || report.frames.front().found.counts.wasted.volume_tests == 0)
-        return "";
+    if (report.sum.counts.wasted.volume_tests == 0) return "";
+    if (report.header.engine && report.header.engine->objects) return "";
     const int number = report.frames.front().frame;
-    const TraceFrame frame = frame_of(sources.front().query(), number);
+    const TraceFrame frame = sources.front().frame_again(number);
     QueryViewOptions of_view;
     of_view.picture = options;
+    if (report.recording) of_view.scene.names = {report.recording->path};
     const QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
     const render::Heat heat =

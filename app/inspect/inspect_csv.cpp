@@ -1,17 +1,27 @@
 #include "app/inspect/inspect_csv.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "core/base/text_format.h"
 
 namespace scb::app {
 namespace {
 
-std::string row(std::initializer_list<std::uint64_t> values) {
+/// Numbers; an unknown one is an empty cell.
+std::string row(std::initializer_list<std::optional<std::uint64_t>> values) {
     std::string text;
-    for (const std::uint64_t value : values)
-        text += (text.empty() ? "" : ",") + std::to_string(value);
+    bool first = true;
+    for (const std::optional<std::uint64_t>& value : values)
+        text += (std::exchange(first, false) ? "" : ",") + (value ? std::to_string(*value) : "");
     return text;
+}
+
+/// The operations of volume tests, if they are known.
+std::optional<std::uint64_t> operations(const InspectReport& report, const Work& work) {
+    if (report.header.engine) return std::nullopt;
+    return work.operations;
 }
 
 std::string pair_row(int frame, const Step& test, const char* reason) {
@@ -37,9 +47,9 @@ std::string frames_csv(const InspectReport& report) {
                 row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
                      c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
                      c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
-                     c.all.operations, c.wasted.volume_tests, c.wasted.triangle_tests,
-                     c.wasted.operations, c.wasted_by_tests.volume_tests,
-                     c.wasted_by_tests.triangle_tests, c.wasted_by_tests.operations}) +
+                     operations(report, c.all), c.wasted.volume_tests, c.wasted.triangle_tests,
+                     operations(report, c.wasted), c.wasted_by_tests.volume_tests,
+                     c.wasted_by_tests.triangle_tests, operations(report, c.wasted_by_tests)}) +
                 "\n";
     }
     return text;
@@ -56,14 +66,15 @@ std::string pairs_csv(const InspectReport& report) {
                 pair_row(p.frame, p.test, std::string(pass_reason_names[p.pair.reason]).c_str()) +
                 "," + std::string(contact_names[p.pair.exact]) +
                 format(p.pair.exact == Contact::disjoint ? ",%.17g,," : ",,%.17g,", p.margin) +
-                row({p.pair.leaves, below.volume_tests, below.triangle_tests, below.operations}) +
+                row({p.pair.leaves, below.volume_tests, below.triangle_tests,
+                     operations(report, below)}) +
                 ",overlapping,," + file_of(report, p.frame, p.test) + "\n";
         }
     for (const WronglyRejectedPair& w : report.wrong)
         text += pair_row(w.frame, w.test, "wrongly rejected") + "," +
                 std::string(contact_names[w.rejection.exact]) + ",,,,,,," +
-                std::string(stage_name(w.test.stage)) + "," + std::to_string(w.rejection.missed) +
-                "," + file_of(report, w.frame, w.test) + "\n";
+                stage_words(report.header, w.test.stage) + "," +
+                std::to_string(w.rejection.missed) + "," + file_of(report, w.frame, w.test) + "\n";
     return text;
 }
 

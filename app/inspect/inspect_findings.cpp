@@ -162,7 +162,8 @@ std::vector<std::string> inspect_findings(const InspectReport& report) {
         sentences.push_back(best_other(report));
     if (counts.wasted.volume_tests > 0)
         for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
-    if (report.settings) sentences.push_back(best_setting(*report.settings));
+    if (report.settings && !report.settings->recorded)
+        sentences.push_back(best_setting(report.settings->tuning));
     return sentences;
 }
 

@@ -6,6 +6,8 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/inspect/recording_report.h"
+#include "app/query/recording_verdict.h"
 #include "app/query/scene_title.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
@@ -69,7 +71,8 @@ data frame_rows(const InspectReport& report) {
     return rows;
 }
 
-data reason_rows(const PassCounts& counts) {
+data reason_rows(const InspectReport& report) {
+    const PassCounts& counts = report.sum.counts;
     data rows(data::type::list);
     const auto add = [&](const char* because, const char* color, PassReason reason,
                          const Work* wasted) {
@@ -81,7 +84,7 @@ data reason_rows(const PassCounts& counts) {
         row["leaves"] = render::count_text(counts.leaves[r]);
         row["n_v"] = wasted == nullptr ? "" : render::count_text(wasted->volume_tests);
         row["n_p"] = wasted == nullptr ? "" : render::count_text(wasted->triangle_tests);
-        row["operations"] = wasted == nullptr ? "" : render::count_text(wasted->operations);
+        row["operations"] = wasted == nullptr ? "" : operations_text(report, wasted->operations);
         rows << row;
     };
     const Work by_fit = counts.wasted_by_fit();
@@ -116,22 +119,94 @@ data other_rows(const InspectReport& report) {
     return rows;
 }
 
-data setting_rows(const SceneTuning& tuning) {
+data setting_rows(const InspectSettings& settings) {
+    const SceneTuning& tuning = settings.tuning;
+    const Work& from = settings.recorded ? *settings.recorded : tuning.base().counts;
     data rows(data::type::list);
     const auto add = [&](std::size_t r) {
         const TuneRow& found = tuning.rows[r];
         data row;
-        row["setting"] = (r == 0 ? "present: " : "") + setting_text(found.setting);
+        row["setting"] =
+            (r == 0 && !settings.recorded ? "present: " : "") + setting_text(found.setting);
         row["best"] =
             data(r == tuning.recommended() ? data::type::bool_true : data::type::bool_false);
-        set_changes(row, tuning.base().counts, found.counts);
+        set_changes(row, from, found.counts);
+        if (settings.recorded) {
+            row["operations_change"] = "";
+            row["cost_change"] = "";
+        }
         row["bytes"] = format("%.0f", found.bytes_per_triangle);
         row["ms"] = found.ms ? interval_text(tuning, *found.ms) : std::string();
         rows << row;
     };
-    add(0);
-    for (const std::size_t r : tuning.listed(most_settings)) add(r);
+    if (settings.recorded) {
+        data row;
+        row["setting"] = "recorded: " + scenes::printable(settings.engine);
+        row["n_v"] = render::count_text(from.volume_tests);
+        row["n_p"] = render::count_text(from.triangle_tests);
+        row["operations"] = "–";
+        row["cost"] = "–";
+        row["best"] = data(data::type::bool_false);
+        rows << row;
+    } else {
+        add(0);
+    }
+    for (const std::size_t r : listed_settings(settings)) add(r);
     return rows;
+}
+
+/// A row of a problem: text, and the picture if there is one.
+data problem_rows(const InspectedRecording& recording) {
+    data rows(data::type::list);
+    for (const ProblemPicture& picture : recording.pictures) {
+        data row;
+        row["what"] = scenes::printable(picture.what);
+        row["file"] = picture.file;
+        rows << row;
+    }
+    return rows;
+}
+
+/// The judgement of a recording: verdict, trees, tests by the stage at which they ended.
+void set_judgement(data& values, const InspectedRecording& recording,
+                   const std::optional<InspectSettings>& settings) {
+    const scenes::RecordingJudgement& judged = recording.judged;
+    data verdict(data::type::list);
+    for (const std::string& line : verdict_lines(judged)) {
+        data row;
+        row["text"] = scenes::printable(line);
+        row["alarm"] = data(verdict.is_empty_list() && judged.wrong() ? data::type::bool_true
+                                                                      : data::type::bool_false);
+        verdict << row;
+    }
+    values.set("verdict", verdict);
+    values["problems"] = problem_rows(recording);
+    values["has_problems"] =
+        data(recording.pictures.empty() ? data::type::bool_false : data::type::bool_true);
+    data trees(data::type::list);
+    for (const scenes::TreeJudgement& tree : judged.trees) {
+        data row;
+        row["tree"] = std::to_string(tree.number);
+        row["name"] = scenes::printable(tree.name);
+        row["nodes"] = render::count_text(tree.nodes);
+        row["depth"] = std::to_string(tree.depth);
+        row["problems"] = render::count_text(tree.problems.size());
+        trees << row;
+    }
+    values.set("trees", trees);
+    data stages(data::type::list);
+    for (const scenes::StageJudgement& stage : judged.stages) {
+        data row;
+        row["stage"] = scenes::printable(stage.name);
+        row["tests"] = render::count_text(stage.tests);
+        row["false"] = render::count_text(stage.false_positives);
+        row["wrong"] = render::count_text(stage.wrong);
+        stages << row;
+    }
+    values["has_stages"] =
+        data(judged.stages.empty() ? data::type::bool_false : data::type::bool_true);
+    values.set("stages", stages);
+    values["report"] = recording_text(recording, settings);
 }
 
 /// The close-ups of one list of pairs.
@@ -189,7 +264,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
                 "The worst first.");
     for (const WronglyRejectedPair& w : report.wrong)
         wrong.add(w.frame, w.test,
-                  "rejected at " + std::string(stage_name(w.test.stage)) + ", " +
+                  "rejected at " + stage_words(report.header, w.test.stage) + ", " +
                       missed_words(w.rejection));
     wrong.append_to(groups);
     Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
@@ -211,7 +286,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    return scene_title(header) + " · " + std::string(render::volume_title(header.volume)) +
+    return scene_title(header) + " · " + scenes::printable(render::volume_title(header)) +
            " · inspect";
 }
 
@@ -219,18 +294,25 @@ std::string inspect_subtitle(const InspectReport& report) {
     const TraceHeader& header = report.header;
     // The text is cut if there is no room, so it begins with what distinguishes pictures of a
     // scene.
-    std::string text = report.frames.size() == 1 ? "frame " + std::to_string(report.frames[0].frame)
-                                                 : std::to_string(report.frames.size()) + " frames";
-    if (header.volume == VolumeKind::scb) text += ", test " + overlap_title(header.options.overlap);
+    std::vector<int> frames;
+    for (const InspectedFrame& frame : report.frames) frames.push_back(frame.frame);
+    if (frames.empty() && report.recording)
+        for (const scenes::FrameJudgement& frame : report.recording->judged.frames)
+            frames.push_back(frame.frame);
+    std::string text = frames.size() == 1 ? "frame " + std::to_string(frames[0])
+                                          : std::to_string(frames.size()) + " frames";
+    if (!report.has_waste) return text;
+    if (!header.engine && header.volume == VolumeKind::scb)
+        text += ", test " + overlap_title(header.options.overlap);
     // If the scene is two meshes, the title has their names.
     if (header.source.size() == 2) return text;
     return text + ", " + bodies_text(header);
 }
 
-std::string inspect_html(const InspectReport& report, const InspectPage& page) {
-    data values;
-    values["title"] = inspect_title(report);
-    values["subtitle"] = inspect_subtitle(report);
+namespace {
+
+/// The findings on waste, with tables and close-ups.
+void set_waste(data& values, const InspectReport& report, const InspectPage& page) {
     data findings(data::type::list);
     for (const std::string& sentence : inspect_findings(report)) {
         data finding;
@@ -245,10 +327,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_bodies"] =
         data(page.bodies.empty() ? data::type::bool_false : data::type::bool_true);
     values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
-    values["width"] = std::to_string(page.width);
-    values["height"] = std::to_string(page.height);
-    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
-    values["reasons"] = reason_rows(report.sum.counts);
+    values["reasons"] = reason_rows(report);
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frame_rows)
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
@@ -260,20 +339,40 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
         data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
     values["others"] = other_rows(report);
     values["weak"] = render::count_text(report.sum.counts.passed(PassReason::weak_test));
-    values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
-    if (report.settings) {
-        values["settings"] = setting_rows(*report.settings);
-        values["settings_words"] = settings_words(report, "sums over");
-        values["cost_words"] = cost_words;
-        values["best_words"] = best_sentences(*report.settings, "the present setting").front();
-        values["use"] = report.command;
-        const std::string packed = layout_sentence(*report.settings);
-        if (!packed.empty()) values["packed"] = packed;
-        if (!report.layout_command.empty()) values["use_packed"] = report.layout_command;
-        values["timed"] =
-            data(report.settings->timed() ? data::type::bool_true : data::type::bool_false);
-    }
     values["groups"] = groups_of(report, page);
+}
+
+void set_settings(data& values, const InspectSettings& settings, std::size_t frames) {
+    const SceneTuning& tuning = settings.tuning;
+    values["settings"] = setting_rows(settings);
+    values["settings_words"] = settings_words(tuning, frames, "sums over");
+    values["cost_words"] = cost_words;
+    values["best_words"] = settings.recorded
+                               ? "The changes are against the recorded tests."
+                               : best_sentences(tuning, "the present setting").front();
+    values["use"] = settings.command;
+    const std::string packed = layout_sentence(tuning);
+    if (!packed.empty()) values["packed"] = packed;
+    if (!settings.layout_command.empty()) values["use_packed"] = settings.layout_command;
+    values["timed"] = data(tuning.timed() ? data::type::bool_true : data::type::bool_false);
+}
+
+}  // namespace
+
+std::string inspect_html(const InspectReport& report, const InspectPage& page) {
+    data values;
+    values["title"] = inspect_title(report);
+    values["subtitle"] = inspect_subtitle(report);
+    values["width"] = std::to_string(page.width);
+    values["height"] = std::to_string(page.height);
+    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
+    values["has_judgement"] =
+        data(report.recording ? data::type::bool_true : data::type::bool_false);
+    if (report.recording) set_judgement(values, *report.recording, report.settings);
+    values["has_waste"] = data(report.has_waste ? data::type::bool_true : data::type::bool_false);
+    if (report.has_waste) set_waste(values, report, page);
+    values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
+    if (report.settings) set_settings(values, *report.settings, report.frames.size());
     if (!page.view.empty()) values["view"] = page.view + "#show=verdicts";
     values["files"] = report.files;
     values["version"] = SCB_VERSION;

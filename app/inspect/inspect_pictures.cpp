@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
+#include "app/explain/recorded_pair.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
 #include "app/timing/tune_report.h"
@@ -12,6 +14,7 @@
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
+#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -54,10 +57,12 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     figure.frames = report.frames;
     figure.sum = report.sum;
     figure.others = report.others;
-    if (report.settings) {
-        figure.settings_from = report.settings->base().counts;
-        figure.settings = best_of_volumes(*report.settings);
-        figure.best = setting_text(report.settings->rows[report.settings->recommended()].setting);
+    // The operations of another engine are unknown, so that costs cannot be compared with its.
+    if (report.settings && !report.settings->recorded) {
+        const SceneTuning& tuning = report.settings->tuning;
+        figure.settings_from = tuning.base().counts;
+        figure.settings = best_of_volumes(tuning);
+        figure.best = setting_text(tuning.rows[tuning.recommended()].setting);
     }
     figure.theme = options.theme();
     const render::Picture picture =
@@ -65,22 +70,30 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
     pictures.draw(inspect_name(report), picture, Json{{"summary", true}});
 }
 
-void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
-               const InspectReport& report, int frame, const Step& test, const std::string& reason,
-               const std::string& detail) {
-    const ExplainedPair pair =
-        explained_nodes(query, frame, {test.nodes.a, test.nodes.b}, "the report");
+void draw_pair(PictureRun& pictures, const PictureOptions& options, const QuerySource& source,
+               const InspectReport& report, const ExplainedPairs& explained, int frame,
+               const Step& test, const std::string& reason, const std::string& detail) {
+    const ExplainedPair& pair = explained.at({frame, test.nodes.a, test.nodes.b});
     const std::string file = file_of(report, frame, test);
+    const TraceHeader& header = report.header;
     ExplainPicture picture;
     picture.name = file.substr(0, file.size() - std::string_view(".png").size());
-    const PairNames names = pair_names(query.scene.name, pair);
+    const PairNames names = pair_names(source.scene().name, pair);
     picture.title = reason + " · " + names.nodes;
-    const std::string asked = asked_words(pair);
+    const std::string asked = header.engine ? "" : asked_words(pair);
     picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
                        " · " + (names.scene.empty() ? "" : names.scene + " · ") +
-                       std::string(render::volume_title(query.kind));
+                       render::volume_title(header);
     if (reason == loose) picture.but = "the fit is too loose";
-    place_nodes(picture, query, frame, pair);
+    if (header.engine)
+        picture.ending =
+            scenes::printable(header.engine->name) + ":  " +
+            (test.stage == Stage::overlapping ? "passed"
+                                              : "rejected at " + stage_words(header, test.stage));
+    const std::array<scenes::BodyAtFrame, 2> bodies = {source.body(0, frame),
+                                                       source.body(1, frame)};
+    place_nodes(picture, bodies,
+                {bodies[0].tree->node_of(test.nodes.a), bodies[1].tree->node_of(test.nodes.b)});
     draw_explanation(pictures, options, pair, picture,
                      Json{{"frame", frame}, {"nodes", {test.nodes.a, test.nodes.b}}});
 }
@@ -88,24 +101,48 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const SceneQ
 }  // namespace
 
 std::string inspect_name(const InspectReport& report, const NamedOptions& more) {
-    return picture_name(report.stem,
-                        std::string(volume_kind_name(report.header.volume)) + "_inspect",
+    return picture_name(report.stem, volume_file_part(report.header) + "_inspect",
                         report.named + report.named_frames + more, "");
 }
 
-bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const SceneQuery& query,
-                     const InspectReport& report, const std::function<bool()>& step) {
+ExplainedPairs explain_pairs(InspectReport& report, const QuerySource& source) {
+    ExplainedPairs explained;
+    const std::unique_ptr<scenes::RecordedTrace> recorded =
+        source.is_recording() ? source.recorded().rewound() : nullptr;
+    std::set<std::tuple<int, std::uint32_t, std::uint32_t>> keys;
+    for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
+        for (const FalsePair& pair : *pairs)
+            keys.emplace(pair.frame, pair.test.nodes.a, pair.test.nodes.b);
+    for (const WronglyRejectedPair& pair : report.wrong)
+        keys.emplace(pair.frame, pair.test.nodes.a, pair.test.nodes.b);
+    // Ascending by frame, as recordings are read.
+    for (const auto& key : keys) {
+        const auto& [frame, a, b] = key;
+        explained.emplace(key, recorded
+                                   ? recorded_pair(*recorded, frame, {a, b}, "the report").pair
+                                   : explained_nodes(source.query(), frame, {a, b}, "the report"));
+    }
+    for (auto* pairs : {&report.loose_fits, &report.weak_tests})
+        for (FalsePair& pair : *pairs)
+            pair.margin = explained.at({pair.frame, pair.test.nodes.a, pair.test.nodes.b})
+                              .found.certificate.margin;
+    return explained;
+}
+
+bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const QuerySource& source,
+                     const InspectReport& report, const ExplainedPairs& explained,
+                     const std::function<bool()>& step) {
     draw_summary(pictures, options, report);
     if (!step()) return false;
     for (const WronglyRejectedPair& w : report.wrong) {
-        draw_pair(pictures, options, query, report, w.frame, w.test, "REJECTED WRONGLY",
+        draw_pair(pictures, options, source, report, explained, w.frame, w.test, "REJECTED WRONGLY",
                   missed_words(w.rejection));
         if (!step()) return false;
     }
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) {
             const std::uint64_t wasted = p.pair.below.volume_tests;
-            draw_pair(pictures, options, query, report, p.frame, p.test,
+            draw_pair(pictures, options, source, report, explained, p.frame, p.test,
                       worst == &report.loose_fits ? loose : "test too weak",
                       render::count_text(wasted) +
                           (wasted == 1 ? " volume test wasted" : " volume tests wasted"));

@@ -7,9 +7,10 @@
 #include "app/cli/console.h"
 #include "app/explain/explain_pictures.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/inspect/judgement_json.h"
+#include "app/inspect/recording_report.h"
 #include "app/query/scene_title.h"
 #include "app/query/trace_report.h"
-#include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/inspect_figure.h"
 #include "render/figures/volume_titles.h"
@@ -58,15 +59,16 @@ std::string frames_text(const InspectReport& report) {
     return text + "\n";
 }
 
-std::string reasons_text(const PassCounts& sum) {
+std::string reasons_text(const InspectReport& report) {
+    const PassCounts& sum = report.sum.counts;
     std::string text =
         "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
     const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
         const auto r = static_cast<std::size_t>(reason);
         text += format("%-14s", title) + cell(10, sum.inner[r]) + cell(9, sum.leaves[r]);
         if (wasted != nullptr)
-            text += cell(11, wasted->volume_tests) + cell(11, wasted->triangle_tests) +
-                    cell(18, wasted->operations);
+            text += cell(11, wasted->volume_tests) + cell(11, wasted->triangle_tests) + " " +
+                    right_aligned(operations_text(report, wasted->operations), 18);
         text += "\n";
     };
     const Work by_fit = sum.wasted_by_fit();
@@ -102,8 +104,8 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
         const Work& below = p.pair.below;
         text += format("%5d %8u %8u   %3d %3d", p.frame, p.test.nodes.a, p.test.nodes.b,
                        p.test.depth_a, p.test.depth_b) +
-                cell(11, below.volume_tests) + cell(9, below.triangle_tests) +
-                cell(12, below.operations);
+                cell(11, below.volume_tests) + cell(9, below.triangle_tests) + " " +
+                right_aligned(operations_text(report, below.operations), 12);
         text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
         text += "\n";
     }
@@ -118,7 +120,7 @@ std::string wrong_text(const InspectReport& report) {
     for (const WronglyRejectedPair& w : report.wrong)
         text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
                        w.test.depth_a, w.test.depth_b, wide(w.rejection.missed),
-                       std::string(stage_name(w.test.stage)).c_str());
+                       stage_words(report.header, w.test.stage).c_str());
     return text + "\n";
 }
 
@@ -142,20 +144,6 @@ std::string others_text(const InspectReport& report) {
     return text;
 }
 
-std::string settings_text(const InspectReport& report) {
-    if (!report.settings) return "";
-    return "\nwhat would have helped, by cost, the least first: " +
-           settings_words(report, "means per frame over") + "\ncost: " + cost_words +
-           ", over that of the base, which is the present setting\n" +
-           tune_rows_text(*report.settings, most_settings, "the present setting") +
-           (report.settings->timed()
-                ? ""
-                : "Packed layouts change time and memory: --time tries them.\n") +
-           "\nTo use it: " + report.command + "\n" +
-           (report.layout_command.empty() ? ""
-                                          : "Quicker, packed: " + report.layout_command + "\n");
-}
-
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
     Json json;
     for (std::size_t r = 0; r < pass_reason_count; ++r)
@@ -163,12 +151,15 @@ Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
     return json;
 }
 
-Json work_json(const Work& work) {
-    return {
-        {"n_v", work.volume_tests}, {"n_p", work.triangle_tests}, {"operations", work.operations}};
+/// Work as JSON, without the operations of another engine, which are unknown.
+Json work_json(const InspectReport& report, const Work& work) {
+    Json json = {{"n_v", work.volume_tests}, {"n_p", work.triangle_tests}};
+    if (!report.header.engine) json["operations"] = work.operations;
+    return json;
 }
 
-Json inspection_json(const Inspection& i) {
+Json inspection_json(const InspectReport& report, const Inspection& i) {
+    const auto work = [&report](const Work& of) { return work_json(report, of); };
     return {{"pairs", i.pairs},
             {"n_v", i.counts.all.volume_tests},
             {"n_p", i.counts.all.triangle_tests},
@@ -178,11 +169,10 @@ Json inspection_json(const Inspection& i) {
             {"touching", i.counts.touching},
             {"wrongly_rejected", i.counts.wrongly_rejected},
             {"missed_pairs", i.counts.missed},
-            {"work", work_json(i.counts.all)},
-            {"wasted", work_json(i.counts.wasted)},
+            {"work", work(i.counts.all)},
+            {"wasted", work(i.counts.wasted)},
             {"wasted_by",
-             {{"test", work_json(i.counts.wasted_by_tests)},
-              {"fit", work_json(i.counts.wasted_by_fit())}}}};
+             {{"test", work(i.counts.wasted_by_tests)}, {"fit", work(i.counts.wasted_by_fit())}}}};
 }
 
 Json pair_json(const InspectReport& report, const FalsePair& p) {
@@ -194,57 +184,20 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
                  {"exact", contact_names[p.pair.exact]},
                  {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
                  {"leaves", p.pair.leaves},
-                 {"wasted", work_json(p.pair.below)}};
+                 {"wasted", work_json(report, p.pair.below)}};
     if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
     return json;
 }
 
-}  // namespace
-
-std::string share(std::uint64_t part, std::uint64_t whole) {
-    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
-}
-
-std::string file_of(const InspectReport& report, int frame, const Step& test) {
-    if (!report.drawn) return "";
-    return explain_name(report.stem, report.header, report.named, frame,
-                        {test.nodes.a, test.nodes.b}) +
-           ".png";
-}
-
-std::string settings_words(const InspectReport& report, const std::string& over) {
-    const std::size_t counted = report.settings->frames.size(), all = report.frames.size();
-    if (all == 1) return "frame " + std::to_string(report.frames[0].frame);
-    return over + " " +
-           (counted == all ? std::to_string(all)
-                           : std::to_string(counted) + " of the " + std::to_string(all)) +
-           " frames";
-}
-
-std::string inspect_text(const InspectReport& report) {
-    const TraceHeader& header = report.header;
-    std::string title = scenes::printable(header.scene) + ": " + bodies_text(header) + ", " +
-                        std::string(render::volume_title(header.volume));
-    if (header.volume == VolumeKind::scb)
-        title += ", test " + overlap_title(header.options.overlap);
-    title += build_text(build_options(header));
-    title += "\n\n";
-    for (const std::string& sentence : inspect_findings(report)) title += sentence + "\n";
-    return title + "\n" + frames_text(report) + reasons_text(report.sum.counts) +
-           depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
-           worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
-           others_text(report) + settings_text(report);
-}
-
-Json inspect_json(const InspectReport& report) {
-    Json json = trace_header_json(report.header);
+/// Adds the findings on waste.
+void add_waste_json(Json& json, const InspectReport& report) {
     json["frames"] = Json::array();
     for (const InspectedFrame& frame : report.frames) {
         Json entry = {{"frame", frame.frame}};
-        entry.update(inspection_json(frame.found));
+        entry.update(inspection_json(report, frame.found));
         json["frames"].push_back(std::move(entry));
     }
-    json["sum"] = inspection_json(report.sum);
+    json["sum"] = inspection_json(report, report.sum);
     json["depths"] = Json::array();
     for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
         const DepthInspection& at = report.sum.depths[d];
@@ -264,7 +217,7 @@ Json inspect_json(const InspectReport& report) {
         Json entry = {{"frame", w.frame},
                       {"nodes", {w.test.nodes.a, w.test.nodes.b}},
                       {"depths", {w.test.depth_a, w.test.depth_b}},
-                      {"stage", stage_name(w.test.stage)},
+                      {"stage", stage_words(report.header, w.test.stage)},
                       {"missed_pairs", w.rejection.missed}};
         if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
         json["worst_rejections"].push_back(std::move(entry));
@@ -274,19 +227,72 @@ Json inspect_json(const InspectReport& report) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};
         if (has_threshold(other.overlap.test)) entry["threshold"] = other.overlap.threshold;
         entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
-        entry.update(work_json(other.all));
+        entry.update(work_json(report, other.all));
         json["other_tests"].push_back(std::move(entry));
     }
-    if (report.settings) {
-        const Json settings = tune_json(*report.settings);
-        json["settings"] = Json::object();
-        for (const char* key :
-             {"frames", "timed_frames", "settings", "best_first", "best", "layouts"})
-            if (settings.contains(key)) json["settings"][key] = settings[key];
-        json["settings"]["command"] = report.command;
-        if (!report.layout_command.empty())
-            json["settings"]["layout_command"] = report.layout_command;
+}
+
+std::string title_text(const TraceHeader& header) {
+    std::string title = scenes::printable(header.scene) + ": " + bodies_text(header) + ", " +
+                        std::string(render::volume_title(header.volume));
+    if (header.volume == VolumeKind::scb)
+        title += ", test " + overlap_title(header.options.overlap);
+    return title + build_text(build_options(header)) + "\n\n";
+}
+
+std::string waste_text(const InspectReport& report) {
+    std::string text;
+    for (const std::string& sentence : inspect_findings(report)) text += sentence + "\n";
+    // The judgement of a recording has a table of frames.
+    return text + "\n" + (report.recording ? "" : frames_text(report)) + reasons_text(report) +
+           depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
+           worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
+           others_text(report);
+}
+
+}  // namespace
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+std::string file_of(const InspectReport& report, int frame, const Step& test) {
+    if (!report.drawn) return "";
+    return explain_name(report.stem, report.header, report.named, frame,
+                        {test.nodes.a, test.nodes.b}) +
+           ".png";
+}
+
+std::string operations_text(const InspectReport& report, std::uint64_t operations) {
+    return report.header.engine ? "–" : render::count_text(operations);
+}
+
+std::string inspect_text(const InspectReport& report) {
+    std::string text = report.recording ? recording_text(*report.recording, report.settings)
+                                        : title_text(report.header);
+    if (report.has_waste) {
+        if (report.recording)
+            text += "\nWaste in the queries of " + bodies_text(report.header) + "\n";
+        text += waste_text(report);
     }
+    if (report.settings) text += settings_text(*report.settings, report.frames.size());
+    if (!report.recording || report.recording->pictures.empty()) return text;
+    text += "\nPictures\n";
+    for (const ProblemPicture& picture : report.recording->pictures)
+        text += "  " + picture.file + ": " + picture.what + "\n";
+    return text;
+}
+
+Json inspect_json(const InspectReport& report) {
+    Json json = report.recording ? recording_json(report.recording->judged, report.recording->path)
+                                 : trace_header_json(report.header);
+    if (!report.recording) {
+        add_waste_json(json, report);
+    } else if (report.has_waste) {
+        json["waste"]["bodies"] = {report.header.bodies[0].name, report.header.bodies[1].name};
+        add_waste_json(json["waste"], report);
+    }
+    if (report.settings) json["settings"] = settings_json(*report.settings);
     return json;
 }
 

@@ -5,33 +5,52 @@
 #include <string>
 #include <vector>
 
+#include "app/inspect/inspect_settings.h"
 #include "app/pictures/picture_name.h"
-#include "app/timing/tune_run.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
 #include "core/analysis/waste_causes.h"
 #include "core/analysis/worst_pairs.h"
+#include "scenes/recordings/recording_judgement.h"
 
 namespace scb::app {
 
-/// All findings of `scb inspect`.
+/// A picture of a problem in a recording.
+struct ProblemPicture {
+    std::string what;  ///< the report's text of the problem
+    std::string file;
+};
+
+/// The judgement of another engine's recording.
+struct InspectedRecording {
+    std::string path;
+    scenes::RecordingJudgement judged;
+    std::size_t top = 0;    ///< limit of the listed frames, and of the problems of a tree
+    std::size_t cases = 1;  ///< limit of the listed cases of a problem
+    std::vector<ProblemPicture> pictures;
+};
+
+/// All findings of `scb inspect`: the judgement of a recording, and the waste in queries of two
+/// bodies, or of one with itself.
 struct InspectReport {
+    std::optional<InspectedRecording> recording;
     TraceHeader header;
-    std::string stem;                    ///< the beginning of file names
+    std::string stem;  ///< the beginning of file names
+    /// False: nothing is known about waste, and the members from `frames` to `settings` are unused.
+    /// A recording may be wrong, have no results, or have queries of several pairs of bodies.
+    bool has_waste = true;
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<WronglyRejectedPair> wrong;         ///< the ones that miss the most
     std::vector<AlternativeTest> others;
     WasteCauses causes;
-    std::optional<SceneTuning>
-        settings;                ///< settings that would have helped; none for partial queries
-    std::string command;         ///< makes the queries with the recommended setting
-    std::string layout_command;  ///< the same with a packed layout, if that is measurably quicker
-    bool drawn = false;          ///< each pair has a picture
-    NamedOptions named;          ///< options in the names of pictures
-    NamedOptions named_frames;   ///< frames in the name of the picture of all frames
-    std::string files;           ///< names of page and tables, without their endings
+    /// None for partial queries, and for recordings that cannot be compared.
+    std::optional<InspectSettings> settings;
+    bool drawn = false;         ///< each pair has a picture
+    NamedOptions named;         ///< options in the names of pictures
+    NamedOptions named_frames;  ///< frames in the name of the picture of all frames
+    std::string files;          ///< names of page and tables, without their endings
 };
 
 /// Limit of the frames in tables.
@@ -40,20 +59,18 @@ inline constexpr std::size_t most_frame_rows = 20;
 /// The file name of a pair's picture; empty if it was not drawn.
 std::string file_of(const InspectReport& report, int frame, const Step& test);
 
-/// Limit of the settings listed besides the setting of the queries.
-inline constexpr std::size_t most_settings = 8;
-
-/// The frames in which the settings were counted: "frame 150", or `over` and "10 of the 50 frames".
-std::string settings_words(const InspectReport& report, const std::string& over);
-
 /// "12 %": the share of a whole, for tables and pages.
 std::string share(std::uint64_t part, std::uint64_t whole);
+
+/// Operations of volume tests in words; a dash for another engine, whose operations are unknown.
+std::string operations_text(const InspectReport& report, std::uint64_t operations);
 
 /// Tables for a reader.
 std::string inspect_text(const InspectReport& report);
 
-/// All findings, in the paper's notation. Besides the header of a trace: `frames`, `sum`, `depths`,
-/// `worst`, `worst_rejections`, `alternative_tests`.
+/// All findings, in the paper's notation. The waste has `frames`, `sum`, `depths`, `worst`,
+/// `worst_rejections` and `other_tests`: besides the header of a trace, or in `waste` besides the
+/// judgement of a recording.
 nlohmann::ordered_json inspect_json(const InspectReport& report);
 
 }  // namespace scb::app

@@ -6,13 +6,11 @@
 #include <utility>
 
 #include "app/pictures/picture_name.h"
-#include "app/pictures/query_view.h"
 #include "app/pictures/scene_camera.h"
-#include "render/figures/heat_figure.h"
 #include "render/figures/problem_figure.h"
 #include "scb/error.h"
 #include "scenes/recordings/judgement_words.h"
-#include "scenes/recordings/recorded_trace.h"
+#include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::app {
 namespace {
@@ -203,47 +201,6 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         release();
     }
     return drawn;
-}
-
-std::vector<ProblemPicture> draw_waste(PictureRun& pictures, const PictureOptions& options,
-                                       std::shared_ptr<const scenes::Recording> recording,
-                                       const std::string& bodies,
-                                       const scenes::RecordingJudgement& judged) {
-    const auto worst =
-        std::max_element(judged.frames.begin(), judged.frames.end(),
-                         [](const auto& x, const auto& y) { return x.wasted < y.wasted; });
-    if (worst == judged.frames.end() || worst->wasted == 0) return {};
-    QueryViewOptions of_view;
-    of_view.picture = options;
-    of_view.scene.names = {recording->file->path};
-    of_view.query.bodies = bodies;
-    of_view.query.frames = std::to_string(worst->frame);
-    QuerySources sources;
-    try {
-        sources.emplace_back(std::move(recording), of_view.query);
-    } catch (const InputError&) {
-        return {};  // several pairs of bodies
-    }
-    const TraceHeader& header = sources.front().header();
-    if (header.engine->objects) return {};
-    const QueryView view(of_view, sources, pictures.renderer());
-    const TraceFrame& frame = sources.front().frame(worst->frame);
-    const render::QueryBodies at_frame = view.bodies(worst->frame);
-    const render::Heat heat =
-        render::heat_of(at_frame, header, frame, HeatOf::wasted, std::nullopt);
-    render::SceneFigure figure;
-    figure.title = view.title("where the waste is");
-    figure.subtitle = view.subtitle(worst->frame);
-    figure.pane = render::heat_pane(at_frame, heat);
-    figure.pane.camera = view.camera({});
-    figure.center = view.center({});
-    figure.panel = render::heat_panel(at_frame, frame, heat);
-    figure.theme = options.theme();
-    const std::string name = view.picture_name("inspect_bodies", worst->frame);
-    const render::Picture picture = render::compose(
-        std::move(figure), options.width(), options.height(), options.samples, pictures.overlay());
-    pictures.draw(name, picture, {{"frame", worst->frame}, {"bodies", true}});
-    return {{"where the waste is, in the frame with the most", name + ".png"}};
 }
 
 }  // namespace scb::app

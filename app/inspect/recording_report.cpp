@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "app/inspect/inspect_report.h"
-#include "app/inspect/recording_settings.h"
 #include "app/query/recording_verdict.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -161,17 +159,17 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
 
 /// The share of volume tests that this project's hierarchies need, for findings on the engine's
 /// cost.
-std::string own_words(const std::optional<RecordingSettings>& settings) {
+std::string own_words(const std::optional<InspectSettings>& settings) {
     if (!settings) return {};
     const Work& own = settings->tuning.rows[settings->tuning.recommended()].counts;
     return format("; this project's hierarchies take %.2g of the tests",
                   ratio(static_cast<double>(own.volume_tests),
-                        static_cast<double>(settings->recorded.volume_tests)));
+                        static_cast<double>(settings->recorded->volume_tests)));
 }
 
 /// Findings on cost, and scaled bodies.
 std::string costs_text(const RecordingJudgement& judged,
-                       const std::optional<RecordingSettings>& settings) {
+                       const std::optional<InspectSettings>& settings) {
     std::string text;
     for (const scenes::CostFinding& cost : judged.costs)
         text += "Cost: " + cost_finding_words(cost) +
@@ -279,16 +277,18 @@ std::string odd_text(const scenes::OddRecords& records) {
 
 }  // namespace
 
-std::string recording_text(const RecordingJudgement& judged,
-                           const std::optional<RecordingSettings>& settings,
-                           const std::string& file, std::size_t top, std::size_t cases) {
+std::string recording_text(const InspectedRecording& recording,
+                           const std::optional<InspectSettings>& settings) {
+    const RecordingJudgement& judged = recording.judged;
+    const std::size_t top = recording.top, cases = recording.cases;
     const std::vector<std::string> verdict = verdict_lines(judged);
-    std::string text =
-        verdict.front() + "\n" + file + (judged.engine.empty() ? "" : ", of " + judged.engine) +
-        ": " + counted(judged.frames.size(), "frame", "frames") + ", " +
-        counted(judged.total(&FrameJudgement::queries), "query", "queries") + ", " +
-        counted(judged.total(&FrameJudgement::volume_tests), "test", "tests") + " of volumes, " +
-        count_text(judged.total(&FrameJudgement::item_tests)) + " of triangles\n";
+    std::string text = verdict.front() + "\n" + recording.path +
+                       (judged.engine.empty() ? "" : ", of " + judged.engine) + ": " +
+                       counted(judged.frames.size(), "frame", "frames") + ", " +
+                       counted(judged.total(&FrameJudgement::queries), "query", "queries") + ", " +
+                       counted(judged.total(&FrameJudgement::volume_tests), "test", "tests") +
+                       " of volumes, " + count_text(judged.total(&FrameJudgement::item_tests)) +
+                       " of triangles\n";
     for (std::size_t i = 1; i < verdict.size(); ++i) text += verdict[i] + "\n";
     text += costs_text(judged, settings);
     text += poses_text(judged, top);

@@ -30,8 +30,9 @@ std::string_view volume_title(VolumeKind kind) {
 }
 
 std::string volume_title(const TraceHeader& header) {
-    return header.engine ? header.engine->name + ", " + header.engine->volumes
-                         : std::string(volume_title(header.volume));
+    if (!header.engine) return std::string(volume_title(header.volume));
+    const std::string& volumes = header.engine->volumes;
+    return header.engine->name + (volumes.empty() ? "" : ", " + volumes);
 }
 
 }  // namespace scb::render

@@ -107,6 +107,46 @@ TEST(InspectCommand, SaysTheSameOfATrace) {
     }
 }
 
+/// The pairs of nodes in a list, with the tests below them.
+json listed(const json& pairs) {
+    json list = json::array();
+    for (const json& pair : pairs)
+        list.push_back({pair["frame"], pair["nodes"], pair["depths"], pair["reason"], pair["exact"],
+                        pair["wasted"]["n_v"], pair["wasted"]["n_p"]});
+    return list;
+}
+
+TEST(InspectCommand, FindsTheSameWasteInARecordingOfTheSameQueries) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "r.scbrec";
+    for (const char* arguments :
+         {"spheres-l1 --frames 60,100", "knots-l1 --frames 7 --volume obb",
+          "long-triangles --frames 0,120 --test corrected --descent area"}) {
+        ASSERT_EQ(run_scb("trace " + std::string(arguments) + " -o " + recording).status, 0);
+        const json own = inspect(arguments), recorded = inspect(recording),
+                   waste = recorded["waste"];
+        EXPECT_EQ(recorded["verdict"], "sound");
+        for (const char* key : {"pairs", "n_v", "n_p", "passed", "inner", "leaves",
+                                "wrongly_rejected", "missed_pairs"})
+            EXPECT_EQ(waste["sum"][key], own["sum"][key]) << arguments << " " << key;
+        EXPECT_EQ(waste["depths"], own["depths"]) << arguments;
+        EXPECT_EQ(listed(waste["worst"]), listed(own["worst"])) << arguments;
+        EXPECT_FALSE(waste["sum"]["wasted"].contains("operations"))
+            << "the operations of another engine are unknown";
+        for (std::size_t i = 0; i < own["worst"].size(); ++i) {
+            const char* key = own["worst"][i]["exact"] == "disjoint" ? "gap" : "depth";
+            EXPECT_NEAR(waste["worst"][i][key], own["worst"][i][key], 1e-6) << arguments;
+        }
+    }
+}
+
+TEST(InspectCommand, HasNoWasteOfARecordingThatIsWrong) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "r.scbrec";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
+    EXPECT_FALSE(inspect(recording, 1).contains("waste"));
+}
+
 TEST(InspectCommand, TheWorstPairsAreFalse) {
     const json found = inspect("spheres-l1 --frame 60 --top 3");
     ASSERT_EQ(found["worst"].size(), 6u);

@@ -100,6 +100,46 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
     }
 }
 
+TEST(InspectPage, OfARecordingHasTheVerdictAndTheWorstPairs) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "r.scbrec";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60,100 -o " + recording).status, 0);
+    const ProgramRun run =
+        run_scb("inspect " + recording + " --size 640x360 --top 2 -o " + folder / "out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string html = html_in(folder / "out");
+    EXPECT_NE(html.find("<p class=\"verdict\">Sound.</p>"), std::string::npos) << html;
+    EXPECT_EQ(html.find("{{"), std::string::npos);
+    const std::vector<std::string> sources = all_between(html, "<img src=\"", "\"");
+    EXPECT_EQ(sources.size(), 2u + 4u) << "the bodies, all frames, and two pairs for each reason";
+    for (const std::string& file : sources)
+        EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + file))) << file;
+    EXPECT_FALSE(html_in(folder / "out", "_view.html").empty());
+    // The commands of its pairs work as they stand.
+    std::size_t explained = 0;
+    for (const std::string& command : all_between(html, "<code>", "</code>")) {
+        if (!command.starts_with("scb explain ")) continue;
+        EXPECT_EQ(run_scb(command.substr(4)).status, 0) << command;
+        ++explained;
+    }
+    EXPECT_EQ(explained, 4u);
+}
+
+TEST(InspectPage, OfAWrongRecordingShowsTheFirstOfEachKindOfProblem) {
+    const TemporaryFolder folder;
+    const std::string recording = folder / "r.scbrec";
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
+    const ProgramRun run = run_scb("inspect " + recording + " --size 640x360 -o " + folder / "out");
+    ASSERT_EQ(run.status, 1) << run.err;
+    const std::string html = html_in(folder / "out");
+    EXPECT_NE(html.find("<p class=\"alarm\">Wrong: "), std::string::npos) << html;
+    EXPECT_EQ(html.find("id=\"frames\""), std::string::npos) << "the waste";
+    const std::vector<std::string> sources = all_between(html, "<img src=\"", "\"");
+    ASSERT_FALSE(sources.empty());
+    for (const std::string& file : sources)
+        EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + file))) << file;
+}
+
 TEST(InspectPage, LeadsToAPageOfThePairs) {
     const TemporaryFolder folder;
     const std::string arguments = "cone --volume obb --frames 90:110:10 --top 2 --size 320x240 -o ",

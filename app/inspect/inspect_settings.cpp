@@ -1,0 +1,230 @@
+#include "app/inspect/inspect_settings.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/cli/command_text.h"
+#include "app/timing/tune_layout_report.h"
+#include "app/timing/tune_progress.h"
+#include "app/timing/tune_report.h"
+#include "core/base/statistics.h"
+#include "core/base/text_format.h"
+#include "render/figures/bench_figure.h"
+#include "render/figures/volume_titles.h"
+#include "render/overlay/figure_layout.h"
+#include "scb/error.h"
+#include "scenes/scene/pose_rows.h"
+
+namespace scb::app {
+namespace {
+
+/// Limit of the frames of a trace in a command.
+constexpr std::size_t most_named_frames = 20;
+
+/// The scene in a command; for a trace, the scene as recorded.
+std::string scene_words(const InspectOptions& options, const QuerySource& source) {
+    if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
+    std::string words;
+    for (const std::string& name : source.header().source) words += " " + file_word(name);
+    std::string frames;
+    for (const int frame : source.frames())
+        frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
+    if (source.frames().size() <= most_named_frames) words += frames;
+    if (source.header().source.size() != 2) return words;
+    std::string numbers;
+    for (const double number : scenes::rows_of(source.query().b_to_a(source.frames()[0])))
+        numbers += (numbers.empty() ? "" : ",") + format("%.17g", number);
+    return words + " --pose=" + numbers;
+}
+
+/// The settings for queries of this project.
+std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
+                                                 const QuerySource& source,
+                                                 const std::vector<InspectedFrame>& frames,
+                                                 const Console& console,
+                                                 const InterruptWatch& watch) {
+    const SceneQuery& query = source.query();
+    const TraceHeader& header = source.header();
+    TuneOptions asked;
+    asked.base = {header.volume, header.split, header.options.overlap, header.options.descent,
+                  header.growth};
+    asked.build = query.build;
+    asked.repeats = options.time ? 5 : 0;
+    asked.layouts = options.time && !query.is_self();
+    Work all;
+    for (const InspectedFrame& frame : frames) all += frame.found.counts.all;
+    std::vector<int> counted;
+    for (const std::size_t i : counted_frames(source.frames().size(), all))
+        counted.push_back(source.frames()[i]);
+    std::optional<SceneTuning> tuning =
+        tune_scene(query.scene, query.a, query.b, counted, asked, tune_progress(console, watch));
+    if (!tuning) return std::nullopt;
+    InspectSettings result{std::move(*tuning), {}, {}, {}, {}};
+    const SceneTuning& found = result.tuning;
+    const std::string scene = scene_words(options, source);
+    result.command =
+        "scb collide" + scene + setting_options(found.rows[found.recommended()].setting);
+    if (found.quicker_layout)
+        result.layout_command =
+            "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
+    return result;
+}
+
+/// The settings for the meshes and poses of a recording.
+std::optional<InspectSettings> settings_of_recording(const InspectOptions& options,
+                                                     const QuerySource& source,
+                                                     const std::vector<InspectedFrame>& frames,
+                                                     const Console& console,
+                                                     const InterruptWatch& watch) {
+    const scenes::Recording& recording = source.recorded().recording();
+    const std::string& path = recording.file->path;
+    if (source.header().engine->objects)
+        throw InputError(path + ": its items are objects without triangles.");
+    if (source.body_index(0) == source.body_index(1))
+        throw InputError(path + ": its queries are of a body against itself.");
+    if (!recording.refusal.empty() && !recording.changes_meshes)
+        throw InputError(recording.refusal);
+    std::vector<std::pair<int, Work>> of_frames;
+    Work all;
+    for (const InspectedFrame& frame : frames) {
+        of_frames.emplace_back(frame.frame, frame.found.counts.all);
+        all += of_frames.back().second;
+    }
+    if (all.volume_tests == 0) throw InputError(path + ": no tests of volumes were recorded.");
+    std::sort(of_frames.begin(), of_frames.end());
+    std::vector<std::size_t> places = counted_frames(of_frames.size(), all);
+    // Hierarchies of this project have one mesh, so only one frame can be used.
+    if (recording.changes_meshes)
+        places = {static_cast<std::size_t>(
+            std::max_element(of_frames.begin(), of_frames.end(),
+                             [](const auto& x, const auto& y) { return x.second < y.second; }) -
+            of_frames.begin())};
+    std::vector<int> counted;
+    Work recorded;
+    for (const std::size_t i : places) {
+        counted.push_back(of_frames[i].first);
+        recorded += of_frames[i].second;
+    }
+    TuneOptions asked;
+    asked.base.volume = VolumeKind::scb2;
+    asked.layouts = false;
+    std::optional<SceneTuning> tuning = tune_scene(
+        recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene(),
+        source.body_index(0), source.body_index(1), counted, asked, tune_progress(console, watch));
+    if (!tuning) return std::nullopt;
+    InspectSettings result{
+        std::move(*tuning), {}, {}, render::volume_title(source.header()), recorded};
+    const std::string& bodies = options.query.bodies;
+    result.command = "scb collide " + file_word(path) +
+                     (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : "") +
+                     (bodies.empty() ? "" : " --bodies " + file_word(bodies)) +
+                     setting_options(result.tuning.rows[result.tuning.recommended()].setting);
+    return result;
+}
+
+std::string counts_text(const Work& counts, const Work& of) {
+    return right_aligned(render::count_text(counts.volume_tests), 12) +
+           format("  %6.2f", ratio(static_cast<double>(counts.volume_tests),
+                                   static_cast<double>(of.volume_tests))) +
+           right_aligned(render::count_text(counts.triangle_tests), 12) +
+           (of.triangle_tests == 0
+                ? std::string(8, ' ')
+                : format("  %6.2f", ratio(static_cast<double>(counts.triangle_tests),
+                                          static_cast<double>(of.triangle_tests))));
+}
+
+std::string recorded_text(const InspectSettings& settings) {
+    const SceneTuning& tuning = settings.tuning;
+    std::string text =
+        "\nWhat would have helped: the same queries by this project's hierarchies, " +
+        render::frames_text(tuning.frames) + "\n";
+    std::size_t width = character_count(settings.engine);
+    const std::vector<std::size_t> rows = listed_settings(settings);
+    const auto cost_of = [&tuning](std::size_t row) {
+        return static_cast<double>(estimated_cost(tuning.rows[row].counts));
+    };
+    for (const std::size_t row : rows)
+        width = std::max(width, character_count(setting_text(tuning.rows[row].setting)));
+    text += "  " + left_aligned("by cost", width) +
+            "         N_v  /rec'd         N_p  /rec'd    cost\n  " +
+            left_aligned(settings.engine, width) +
+            counts_text(*settings.recorded, *settings.recorded) + "\n";
+    for (const std::size_t row : rows)
+        text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
+                counts_text(tuning.rows[row].counts, *settings.recorded) +
+                format("  %6.2f\n", cost_of(row) / cost_of(rows.front()));
+    return text + "cost, of the least: " + cost_words + "\n  " + settings.command + "\n";
+}
+
+}  // namespace
+
+std::optional<InspectSettings> inspect_settings(const InspectOptions& options,
+                                                const QuerySource& source,
+                                                const std::vector<InspectedFrame>& frames,
+                                                const Console& console,
+                                                const InterruptWatch& watch) {
+    return source.is_recording() ? settings_of_recording(options, source, frames, console, watch)
+                                 : settings_of_scene(options, source, frames, console, watch);
+}
+
+std::vector<std::size_t> listed_settings(const InspectSettings& settings) {
+    const SceneTuning& tuning = settings.tuning;
+    if (!settings.recorded) return tuning.listed(most_settings);
+    std::vector<std::size_t> rows;
+    std::set<VolumeKind> seen;
+    for (const std::size_t row : tuning.best)
+        if (seen.insert(tuning.rows[row].setting.volume).second) rows.push_back(row);
+    return rows;
+}
+
+std::string settings_words(const SceneTuning& tuning, std::size_t frames, const std::string& over) {
+    const std::size_t counted = tuning.frames.size();
+    if (frames == 1) return "frame " + std::to_string(tuning.frames[0]);
+    return over + " " +
+           (counted == frames ? std::to_string(frames)
+                              : std::to_string(counted) + " of the " + std::to_string(frames)) +
+           " frames";
+}
+
+std::string settings_text(const InspectSettings& settings, std::size_t frames) {
+    if (settings.recorded) return recorded_text(settings);
+    const SceneTuning& tuning = settings.tuning;
+    return "\nwhat would have helped, by cost, the least first: " +
+           settings_words(tuning, frames, "means per frame over") + "\ncost: " + cost_words +
+           ", over that of the base, which is the present setting\n" +
+           tune_rows_text(tuning, most_settings, "the present setting") +
+           (tuning.timed() ? "" : "Packed layouts change time and memory: --time tries them.\n") +
+           "\nTo use it: " + settings.command + "\n" +
+           (settings.layout_command.empty() ? ""
+                                            : "Quicker, packed: " + settings.layout_command + "\n");
+}
+
+nlohmann::ordered_json settings_json(const InspectSettings& settings) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    if (!settings.recorded) {
+        const nlohmann::ordered_json tuning = tune_json(settings.tuning);
+        for (const char* key :
+             {"frames", "timed_frames", "settings", "best_first", "best", "layouts"})
+            if (tuning.contains(key)) json[key] = tuning[key];
+        json["command"] = settings.command;
+        if (!settings.layout_command.empty()) json["layout_command"] = settings.layout_command;
+        return json;
+    }
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const std::size_t row : listed_settings(settings)) {
+        const TuneRow& of = settings.tuning.rows[row];
+        rows.push_back({{"volume", volume_kind_name(of.setting.volume)},
+                        {"setting", setting_text(of.setting)},
+                        {"n_v", of.counts.volume_tests},
+                        {"n_p", of.counts.triangle_tests}});
+    }
+    return {
+        {"frames", settings.tuning.frames},
+        {"recorded",
+         {{"n_v", settings.recorded->volume_tests}, {"n_p", settings.recorded->triangle_tests}}},
+        {"settings", std::move(rows)},
+        {"command", settings.command}};
+}
+
+}  // namespace scb::app
