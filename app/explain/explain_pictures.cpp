@@ -12,7 +12,7 @@ namespace scb::app {
 namespace {
 
 /// The triangles below a node.
-Mesh mesh_below(const scenes::BodyAtFrame& body, std::uint32_t node) {
+Mesh mesh_below(const BodyAtFrame& body, std::uint32_t node) {
     const TreeShape& shape = body.tree->shape();
     Mesh mesh;
     const auto add = [&](std::span<const std::uint32_t> items) {
@@ -62,7 +62,7 @@ std::string explain_name(const std::string& stem, const TraceHeader& header,
     return picture_name(stem, volume_file_part(header) + "_explain", named, which);
 }
 
-void place_nodes(ExplainPicture& picture, const std::array<scenes::BodyAtFrame, 2>& bodies,
+void place_nodes(ExplainPicture& picture, const std::array<BodyAtFrame, 2>& bodies,
                  IndexPair nodes) {
     picture.triangles.emplace();
     for (std::size_t side = 0; side < 2; ++side) {

@@ -32,7 +32,7 @@ std::string explain_name(const std::string& stem, const TraceHeader& header,
 
 /// Places the picture of two nodes of these bodies, by index, with the triangles below them; with
 /// none if the items of a body are objects.
-void place_nodes(ExplainPicture& picture, const std::array<scenes::BodyAtFrame, 2>& bodies,
+void place_nodes(ExplainPicture& picture, const std::array<BodyAtFrame, 2>& bodies,
                  IndexPair nodes);
 
 /// Draws the pair and queues the picture to be written. `entry`: its entry in the index.

@@ -7,7 +7,6 @@
 namespace scb::app {
 namespace {
 
-using scenes::BodyAtFrame;
 using scenes::RecordedTrace;
 
 std::uint32_t checked_node(const BodyAtFrame& body, const EngineNodes& tree, std::uint32_t number,

@@ -176,7 +176,7 @@ void inspect_frames(Inspected& inspected, const InspectOptions& options, Parts& 
 }
 
 WasteCauses causes_of(const QuerySource& source, int frame, const VainTests& vain) {
-    const scenes::BodyAtFrame a = source.body(0, frame), b = source.body(1, frame);
+    const BodyAtFrame a = source.body(0, frame), b = source.body(1, frame);
     return waste_causes(depth(a.tree->shape()), *a.mesh, depth(b.tree->shape()), *b.mesh, vain);
 }
 

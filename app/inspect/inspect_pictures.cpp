@@ -90,8 +90,7 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const QueryS
             scenes::printable(header.engine->name) + ":  " +
             (test.stage == Stage::overlapping ? "passed"
                                               : "rejected at " + stage_words(header, test.stage));
-    const std::array<scenes::BodyAtFrame, 2> bodies = {source.body(0, frame),
-                                                       source.body(1, frame)};
+    const std::array<BodyAtFrame, 2> bodies = {source.body(0, frame), source.body(1, frame)};
     place_nodes(picture, bodies,
                 {bodies[0].tree->node_of(test.nodes.a), bodies[1].tree->node_of(test.nodes.b)});
     draw_explanation(pictures, options, pair, picture,

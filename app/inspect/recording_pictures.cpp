@@ -15,8 +15,6 @@
 namespace scb::app {
 namespace {
 
-using scenes::BodyAtFrame;
-
 /// A problem, with the engine's numbers; no_index: none.
 struct Problem {
     std::string title, name, what, first;

@@ -38,7 +38,7 @@ IdRanges id_ranges(const QuerySources& sources) {
             }
         return count;
     };
-    using Body = scenes::BodyAtFrame;
+    using Body = BodyAtFrame;
     for (std::size_t side = 0; side < 2; ++side)
         ids.nodes[side] = take(most(side, [](const Body& body) { return body.tree->size(); }));
     for (std::size_t side = 0; side < 2; ++side)
@@ -68,7 +68,7 @@ std::vector<IdRange> pair_id_ranges(const IdRanges& ids, const QueryFrames& fram
 std::string id_text(const IdRanges& ids, const QuerySource& source, const QueryFrames& frames,
                     std::uint32_t id) {
     for (std::size_t side = 0; side < 2; ++side) {
-        const scenes::BodyAtFrame body = source.body(side, frames.front()->frame);
+        const BodyAtFrame body = source.body(side, frames.front()->frame);
         const std::string of_body = " of " + scenes::printable(body.name);
         if (const auto node = index_in(ids.nodes[side], id)) {
             const TreeShape& shape = body.tree->shape();

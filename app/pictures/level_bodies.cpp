@@ -6,7 +6,7 @@
 
 namespace scb::app {
 
-std::vector<render::LevelBody> level_bodies(const std::vector<scenes::BodyAtFrame>& bodies,
+std::vector<render::LevelBody> level_bodies(const std::vector<BodyAtFrame>& bodies,
                                             const std::vector<render::MeshHandle>& handles) {
     std::vector<render::LevelBody> result;
     std::uint32_t next_id = 1;
@@ -26,15 +26,15 @@ std::vector<render::LevelBody> level_bodies(const std::vector<scenes::BodyAtFram
     return result;
 }
 
-render::LevelStyle level_style(const LevelOptions& options,
-                               const std::vector<scenes::BodyAtFrame>& bodies, int deepest) {
+render::LevelStyle level_style(const LevelOptions& options, const std::vector<BodyAtFrame>& bodies,
+                               int deepest) {
     render::LevelStyle style;
     style.opacity = options.resolved_opacity();
     style.mesh = options.mesh || options.edges || style.opacity < 1;
     style.mesh_edges = options.edges;
     style.theme = options.picture.theme();
     double root_diameter = 0;
-    for (const scenes::BodyAtFrame& body : bodies)
+    for (const BodyAtFrame& body : bodies)
         root_diameter = std::max(root_diameter, render::root_diameter(*body.tree));
     style.colors = {options.resolved_color_by(bodies.size()), deepest, root_diameter};
     return style;

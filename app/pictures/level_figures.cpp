@@ -25,11 +25,11 @@ std::string subtitle_of(const LevelOptions& options, const LevelSubject& subject
     return text;
 }
 
-std::vector<render::MeshHandle> uploaded(const std::vector<scenes::BodyAtFrame>& bodies,
+std::vector<render::MeshHandle> uploaded(const std::vector<BodyAtFrame>& bodies,
                                          render::Renderer& renderer) {
     std::vector<render::MeshHandle> handles;
     std::map<const Mesh*, render::MeshHandle> known;  // lookups only
-    for (const scenes::BodyAtFrame& body : bodies) {
+    for (const BodyAtFrame& body : bodies) {
         const auto [handle, is_new] = known.try_emplace(body.mesh.get());
         if (is_new) handle->second = renderer.upload(*body.mesh);
         handles.push_back(handle->second);

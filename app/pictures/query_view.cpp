@@ -140,7 +140,7 @@ render::QueryBodies QueryView::bodies(int frame, std::size_t query_index) const 
     const QuerySource& source = sources_[query_index];
     render::QueryBodies bodies;
     for (std::size_t side = 0; side < 2; ++side) {
-        scenes::BodyAtFrame at = source.body(side, frame);
+        BodyAtFrame at = source.body(side, frame);
         render::QueryBody& b = bodies[side];
         b.name = std::move(at.name);
         b.mesh = at.mesh.get();

@@ -56,7 +56,7 @@ int run(const ExportOptions& options, const Console& console) {
 
     std::vector<scenes::ExportPart> parts;
     std::size_t nodes = 0, left_out = 0;
-    const std::vector<scenes::BodyAtFrame>& bodies = subject.trees[0].bodies;
+    const std::vector<BodyAtFrame>& bodies = subject.trees[0].bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Tree& tree = *bodies[b].tree;
         const render::Rgba8 color = render::category_color(b);

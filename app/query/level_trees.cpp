@@ -24,7 +24,7 @@ LevelSubject recorded_subject(const SceneOptions& scene, const std::string& leve
     LevelSubject subject;
     subject.recorded = true;
     std::vector<const TreeShape*> shapes;
-    for (const scenes::BodyAtFrame& body : recorded.bodies) {
+    for (const BodyAtFrame& body : recorded.bodies) {
         shapes.push_back(&body.tree->shape());
         subject.deepest = std::max(subject.deepest, depth(body.tree->shape()));
     }

@@ -11,7 +11,7 @@ namespace scb::app {
 /// Trees of one kind, one per body.
 struct LevelTrees {
     std::string title, name;  ///< for readers, and for file names
-    std::vector<scenes::BodyAtFrame> bodies;
+    std::vector<BodyAtFrame> bodies;
 };
 
 /// Bodies at a frame with trees of one or several kinds, built here or recorded, and the levels to

@@ -107,7 +107,7 @@ std::size_t QuerySource::body_index(std::size_t side) const {
     return recorded_ ? recorded_->sides()[side] : side == 0 ? query_.a : query_.b;
 }
 
-scenes::BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
+BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
     if (recorded_) return recorded_->body(side, frame);
     const std::size_t index = body_index(side);
     const scenes::Body& body = query_.scene.bodies[index];
@@ -223,7 +223,7 @@ Attribution QuerySource::attribution(const TraceFrame& frame) {
 
 std::vector<std::size_t> QuerySource::level_overlaps(const TraceFrame& frame, std::size_t most) {
     if (recorded_) return recorded_->level_overlaps(most);
-    const scenes::BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
+    const BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
     return scb::level_overlaps(query_.hierarchy(query_.a), a.tree->shape(),
                                query_.hierarchy(query_.b), b.tree->shape(), frame.b_to_a,
                                header_.options.overlap, most);

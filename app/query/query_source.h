@@ -31,7 +31,7 @@ class QuerySource {
     /// The body A (0) or B (1), as an index of Scene::bodies.
     std::size_t body_index(std::size_t side) const;
     /// The body at one of the frames.
-    scenes::BodyAtFrame body(std::size_t side, int frame) const;
+    BodyAtFrame body(std::size_t side, int frame) const;
     /// The frames to show, ascending.
     const std::vector<int>& frames() const {
         return recorded_ ? recorded_->frames() : query_.frames;

@@ -144,7 +144,7 @@ std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
     const scenes::RecordedBodies recorded = scenes::bodies_at(recording, options.scene.frames);
     std::vector<HierarchyStats> result;
     std::map<std::uint32_t, std::size_t> places;  // of trees, by number
-    for (const scenes::BodyAtFrame& body : recorded.bodies) {
+    for (const BodyAtFrame& body : recorded.bodies) {
         const auto [place, added] = places.try_emplace(body.number, result.size());
         if (!added) {
             result[place->second].bodies.push_back(body.name);

@@ -207,7 +207,7 @@ class Columns {
                     "the two have no frame in common; name one that is in both with --frames.");
             subject_.frames = std::move(common);
         }
-        for (const scenes::BodyAtFrame& body : column.bodies)
+        for (const BodyAtFrame& body : column.bodies)
             subject_.deepest = std::max(subject_.deepest, depth(body.tree->shape()));
         subject_.columns.push_back(std::move(column));
     }

@@ -13,10 +13,10 @@ namespace scb::app {
 struct ViewColumn {
     std::string title;
     const scenes::Scene* scene = nullptr;
-    std::vector<std::size_t> places;          ///< of the bodies, in Scene::bodies
-    std::vector<scenes::BodyAtFrame> bodies;  ///< at the first frame shown
-    QuerySource* query = nullptr;             ///< of the first two bodies; null: none
-    std::vector<std::string> names;           ///< of the scene on a command line
+    std::vector<std::size_t> places;   ///< of the bodies, in Scene::bodies
+    std::vector<BodyAtFrame> bodies;   ///< at the first frame shown
+    QuerySource* query = nullptr;      ///< of the first two bodies; null: none
+    std::vector<std::string> names;    ///< of the scene on a command line
     std::string kind;                  ///< as in --volume; empty for another engine's recording
     std::vector<std::string> verdict;  ///< on the recorded frame, see verdict_lines; or empty
     std::string explain;  ///< the command that explains a test, without frame and pair; or empty

@@ -127,7 +127,7 @@ class Parts {
         : subject_(subject), start_(start), store_(store) {}
 
     Json body(const ViewColumn& column, std::size_t b, std::uint32_t first_id) {
-        const scenes::BodyAtFrame& body = column.bodies[b];
+        const BodyAtFrame& body = column.bodies[b];
         Json told = {{"name", scenes::printable(body.name)},
                      {"color", color_json(render::category_color(b))},
                      {"dimmed",

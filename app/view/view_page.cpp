@@ -37,7 +37,7 @@ int first_level(const ViewSubject& subject, const std::string& asked) {
     int level = 0;
     for (int next = 1; next <= subject.deepest; ++next) {
         std::size_t count = 0;
-        for (const scenes::BodyAtFrame& body : subject.columns[0].bodies)
+        for (const BodyAtFrame& body : subject.columns[0].bodies)
             count += level_cover(body.tree->shape(), next).size();
         if (count > most * subject.columns[0].bodies.size()) break;
         level = next;
@@ -123,7 +123,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
         if (options.queries == "auto" || !text.starts_with(frames)) throw;
         throw InputError("--queries" + text.substr(std::string_view("--frames").size()));
     }
-    const std::vector<scenes::BodyAtFrame>& first = subject.columns[0].bodies;
+    const std::vector<BodyAtFrame>& first = subject.columns[0].bodies;
     const scenes::Scene& first_scene = *subject.columns[0].scene;
     ViewStart start;
     start.level = first_level(subject, asked.levels);

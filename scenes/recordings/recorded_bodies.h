@@ -7,19 +7,10 @@
 #include <tuple>
 #include <vector>
 
-#include "core/model/tree.h"
+#include "core/model/body_at_frame.h"
 #include "scenes/recordings/recording.h"
 
 namespace scb::scenes {
-
-/// A body at a frame, with its hierarchy at that frame, by any builder.
-struct BodyAtFrame {
-    std::string name;
-    std::shared_ptr<const Mesh> mesh;  ///< without triangles if the items are objects
-    std::shared_ptr<const Tree> tree;
-    Pose pose;
-    std::uint32_t number = 0;  ///< the tree's number in a recording
-};
 
 /// Copies the current bodies of a recording. Trees that did not change are copied once.
 class BodyCopies {

@@ -35,7 +35,7 @@ void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
         for (const std::uint64_t count : counts) ended += count;
         fuzz::require(ended <= frame.found.n_v, "a path ends once");
         for (std::size_t side = 0; side < 2; ++side) {
-            const scenes::BodyAtFrame body = recorded.body(side, number);
+            const BodyAtFrame body = recorded.body(side, number);
             if (number == recorded.frames().front()) use(*body.tree);
             const TreeShape& shape = body.tree->shape();
             innermost(ended_paths(frame, outcomes, side), shape);
