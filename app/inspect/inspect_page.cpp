@@ -180,6 +180,7 @@ void set_judgement(data& values, const InspectedRecording& recording,
         verdict << row;
     }
     values.set("verdict", verdict);
+    values["is_wrong"] = data(judged.wrong() ? data::type::bool_true : data::type::bool_false);
     values["problems"] = problem_rows(recording);
     values["has_problems"] =
         data(recording.pictures.empty() ? data::type::bool_false : data::type::bool_true);
