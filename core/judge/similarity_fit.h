@@ -20,8 +20,8 @@ struct Similarity {
 
 /// The map of the mesh after which the flat faces of the nodes' volumes touch what is below them:
 /// a start from the middles of the leaves (Davenport's q-method, as in Wahba, "A Least Squares
-/// Estimate of Satellite Attitude", 1965), then Gauss-Newton steps, in each of which the vertex
-/// that is farthest along a face stays the same. Nothing where there are too few faces.
+/// Estimate of Satellite Attitude", 1965), then Gauss-Newton steps. Within a step, the vertex that
+/// is farthest along a face stays the same. Empty if there are too few faces.
 std::optional<Similarity> fit_similarity(const EngineNodes& tree, const TreeShape& shape,
                                          const Mesh& mesh);
 

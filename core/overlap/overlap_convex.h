@@ -32,15 +32,15 @@ struct CoreDifference {
 /// along the directions in which the search of Gilbert, Johnson and Keerthi closes in on the
 /// closest points of the cores. A pair is rejected only along a direction that separates it by more
 /// than the margin, so rounding in the search never makes the test reject touching volumes. Exact
-/// up to rounding and the margin. `told(stage, d, w)` receives each direction, and the farthest
-/// point along it.
-template <ConvexVolume V, class Told>
-Stage overlap_convex(const V& a, const V& b, const Placement& placed, const Told& told) {
+/// up to rounding and the margin. `observe(stage, d, w)` receives each direction d, and the
+/// farthest point w along d.
+template <ConvexVolume V, class Observe>
+Stage overlap_convex(const V& a, const V& b, const Placement& placed, const Observe& observe) {
     const CoreDifference<V> farthest(a, b, placed);
     const double rounded = rounding(a) + rounding(b) + placed.margin;
     Stage stage = Stage::center_line, result = Stage::overlapping;
     const auto is_done = [&](const Vec3& d, const Vec3& w) {
-        told(stage, d, w);
+        observe(stage, d, w);
         const double along = -dot(d, w);
         if (along > 0 && along * along > rounded * rounded * squared_norm(d)) {
             result = stage;

@@ -66,7 +66,7 @@ void compare(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
              const PairsOfOne& only_here, const Theme& theme) {
     const QueryBodies& bodies = queries[0].bodies;
     assert(bodies[0].first_triangle_id > bodies[1].first_node_id &&
-           "the ids of triangles are behind those of nodes");
+           "ids of triangles follow ids of nodes");
     outline(views, nodes_comparable(queries) ? 1 : bodies[0].first_triangle_id, theme);
     add_numbers(views, queries, only_here);
 }

@@ -7,7 +7,7 @@ export class Blocks {
     this.unpacked = new Map();
   }
 
-  // A promise of the typed array; one for all who ask.
+  // A promise of the typed array; every caller gets the same promise.
   /**
    * @template T
    * @param {Block<T>} number

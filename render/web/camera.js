@@ -1,6 +1,6 @@
 import { add, subtract, scaled, dot, cross, length, unit, times, transposedTimes, turned, clamp } from './linear.js';
 
-// A ball about balls, and its center that of a box about them.
+// A ball about balls. Its center is the center of a box about the balls.
 /**
  * @param {Ball[]} balls
  * @returns {Ball}

@@ -3,7 +3,7 @@ import { shapeNames } from './tree.js';
 import { outlined } from './painter.js';
 import { worth } from './query.js';
 
-// What there is to draw of what is shown: volumes, triangles and lines of each column.
+// The objects to draw: volumes, triangles and lines of each column.
 export class Content {
   // Of levels, by column and body, as long as nothing changes.
   /** @type {Map<string, VolumeGroup[]>} */
@@ -24,7 +24,7 @@ export class Content {
     this.app = app;
   }
 
-  // Unpacks what is needed. A promise of what there is of each column.
+  // Unpacks the needed blocks. Returns a promise of the objects of each column.
   /** @returns {Promise<Scenes>} */
   async prepare() {
     const { app } = this, { state } = app, number = app.manifest.frames[state.at], { pair } = state;
@@ -61,7 +61,7 @@ export class Content {
     const load = (/** @type {number} */ side, /** @type {number} */ level) => bodies[side].tree.load(Math.max(level, this.selectedLevel(k)));
     await Promise.all(bodies.map((_, side) => load(side, 0)));
     if (!query || !frame) return { frame: null };
-    // Whoever asks for numbers of leaves gets them at once.
+    // Later code reads the triangles of leaves without waiting.
     await Promise.all(bodies.map(({ tree }) => tree.openItems()));
     const side = state.isolated ? state.selected?.body ?? 2 : 2, own = side < 2 ? app.selectedSlot(k) : -1, within = own >= 0 ? query.below(frame, side, own) : null;
     if (state.mode === 'pairs') return { frame, ...this.meetingOf(k, frame, own) };
@@ -270,7 +270,7 @@ export class Content {
     }).filter(({ shape, count }) => shape > 0 && count > 0);
   }
 
-  // The slots of a body's level, or of what is isolated.
+  // The slots of a body's level, or of the isolated node.
   /** @type {(k: number, b: number) => number[]} */
   coverOf(k, b) {
     const { app } = this, { selected, isolated } = app.state, { tree } = app.columns[k].bodies[b];
@@ -359,7 +359,7 @@ export class Content {
     return this.runs(k, selected.body, [{ slot, color: app.theme.text, opacity: 64, bits: 0 }]);
   }
 
-  // The volumes of one side of a query, those of B hatched; of tests in the bodies' colors.
+  // The volumes of one side of a query. Volumes of B are hatched. Volumes of tests have the bodies' colors.
   /** @type {(k: number, b: number) => PaintedNode[]} */
   nodesShown(k, b) {
     const { app } = this, { state } = app, { query, bodies } = app.columns[k], hatched = b === 1 ? 0x80000000 : 0, labels = query ? app.labelsOf(query) : [], nodes = [];

@@ -95,7 +95,7 @@ export class Icicle {
     return most;
   }
 
-  // The color of a test: of how it ended, or of what it was worth.
+  // The color of a test: of its ending, or of its verdict.
   /** @type {(frame: QueryFrame, test: number, narrow: boolean) => Color} */
   colorOf(frame, test, narrow) {
     const { app } = this, { query } = frame, { by, theme } = app.state, worth = frame.worths[test], outcome = frame.outcomes[test];
@@ -113,7 +113,7 @@ export class Icicle {
     this.draw();
   }
 
-  // Whether a test is none of those that are looked for: of a node, of a cell of the matrix, or of what is isolated.
+  // Whether a test is not among the selected tests: tests of a node, of a cell of the matrix, or of the isolated node.
   /** @type {(frame: QueryFrame, test: number) => boolean} */
   isDim(frame, test) {
     const { cell, column } = this.app.state, { lit } = this, { trees } = frame.query, a = frame.a[test], b = frame.b[test], { within } = this.app.scenes[column];

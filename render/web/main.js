@@ -15,7 +15,7 @@ import { snapshotOf } from './snapshot.js';
 import { Address } from './address.js';
 import { Controls } from './controls.js';
 
-// The page: what is shown, and who hears of it.
+// The page: its state, and the parts that follow the state.
 export class App {
   // From start().
   /** @type {Painter} */
@@ -101,7 +101,7 @@ export class App {
     document.documentElement.dataset.ready = 'true';
   }
 
-  // Ids of triangles are behind those of all nodes: of the whole mesh of a body, then of those of them that are drawn by themselves.
+  // The ids of triangles follow the ids of all nodes: first all triangles of a body's mesh, then the triangles that are drawn by themselves.
   /** @param {ColumnBody[]} bodies */
   idsOf(bodies) {
     const counts = bodies.map((body) => (body.mesh === null ? 0 : this.manifest.meshes[body.mesh].triangles));
@@ -127,7 +127,7 @@ export class App {
   get isHeat() {
     return this.state.mode === 'tests' || this.state.mode === 'wasted';
   }
-  // Of rejections how paths ended, of verdicts what tests were worth.
+  // For rejections the endings of paths, for verdicts the verdicts of tests.
   /** @param {QueryFrame} frame */
   classesOf(frame) {
     return this.state.mode === 'verdicts' ? frame.judged : frame.ended;
@@ -165,7 +165,7 @@ export class App {
     });
   }
 
-  // The slot of the node that is selected, in another column that of the same node; -1: there is none.
+  // The slot of the selected node, in another column the slot of the same node; -1: there is none.
   /** @param {number} column */
   selectedSlot(column) {
     const { selected } = this.state;
@@ -449,7 +449,7 @@ export class App {
     return this.set({ selected: null, pair: [...pair, column] });
   }
 
-  // Shows a test of the traversal, among those of the frame that it is in.
+  // Shows a test of the traversal, among the tests of its frame.
   /** @param {number} column @param {number} test */
   async showTest(column, test, frame = this.manifest.frames[this.state.at]) {
     const found = await this.columns[column].query?.get(frame);

@@ -1,6 +1,6 @@
 import { contextOf, counted, css } from './elements.js';
 
-// Where in the two hierarchies a query made its tests: a cell for the depth of the node of A, to the right, and that of the node of B, down.
+// Where in the two hierarchies a query made its tests: a cell for each depth of A's node, to the right, and depth of B's node, down.
 // Where the mouse is, the scene shows the nodes of these tests and the icicle the tests.
 export class Matrix {
   /** @type {QueryFrame | null} */

@@ -3,7 +3,7 @@ import { element, counted, short, faint, row, table, button, swatch } from './el
 import { shapeNames } from './tree.js';
 import { passedOn } from './icicle.js';
 
-// What the panel says of what was chosen: a node, a triangle or a pair of triangles.
+// The part of the panel about the selection: a node, a triangle or a pair of triangles.
 export class NodePanel {
   all = false;  // more of the tests of a node
 

@@ -5,7 +5,7 @@ import { shapeNames } from './tree.js';
 // Bits of ids, see resolve.
 export const outlined = { alone: 1 << 30, together: 1 << 29 };
 
-// Draws panes: meshes and volumes by one camera, with the id of what each pixel shows.
+// Draws panes: meshes and volumes by one camera, with the id of the object in each pixel.
 export class Painter {
   samples = 1;
   /** @type {WebGLFramebuffer | null} */
@@ -83,7 +83,7 @@ export class Painter {
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
   }
 
-  // `outline`: the color of what is outlined.
+  // `outline`: the color of outlines.
   /** @type {(panes: Pane[], outline: Color) => void} */
   draw(panes, outline) {
     const { gl } = this;

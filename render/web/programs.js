@@ -8,8 +8,8 @@ precision highp sampler2D;
 #define SHAPE_BOX 3
 #define SHAPE_POLYTOPE 4
 `;
-// All of the canvas, each pixel the mean of those of the target. What has bit 30 in its id is outlined by itself, what has bit 29 together
-// with what it touches.
+// All of the canvas; each pixel is the mean of the target's pixels. An object with bit 30 in its id is outlined by itself, an object with
+// bit 29 together with the objects that it touches.
 /** @type {Record<string, string>} */
 const resolve = {
   'resolve.vert': `void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`,

@@ -1,6 +1,6 @@
 import { radiusOf } from './tree.js';
 
-// What a test can be worth but right, in the order of the page's `worths`.
+// Verdicts on a test, `right` and then in the order of the page's `worths`.
 export const worth = { right: 0, loose: 1, weak: 2, wrong: 3 };
 
 // The tests of a query in one frame. Arrays have an entry for each test; nodes are slots of their trees; -1: one that no root leads to, in recordings
@@ -89,7 +89,7 @@ export class QueryFrame {
     return this.#known.has(x * 2 ** 32 + y);
   }
 
-  // What tests were worth.
+  // The tests by verdict.
   get judged() {
     return (this.#judged ??= this.query.classes(this, this.worths, this.query.stored.worths.length));
   }
@@ -156,7 +156,7 @@ export class Query {
     this.unpacked = new Map();
   }
 
-  // A promise of what there is of a frame; null where the page does not have its query.
+  // A promise of a frame's data; null where the page does not have its query.
   /**
    * @param {number} number
    * @returns {Promise<QueryFrame | null>}
@@ -263,7 +263,7 @@ export class Query {
     return frame.places.get(slot_a * 2 ** 32 + slot_b) ?? -1;
   }
 
-  // A promise of what the steps of each test are, by its number; empty where the page has none.
+  // A promise of the steps of each test, by the number of the test; empty where the page has none.
   /**
    * @param {QueryFrame} frame
    * @returns {Promise<Record<number, Explanation>>}
@@ -338,7 +338,8 @@ export class Query {
     return { all, focus };
   }
 
-  // Of these, those that are drawn: their levels must be unpacked. `areaOf`: that of the triangles that are drawn in place of a node, or 0. `keeps`: groups of which none is left out.
+  // The nodes among them that are drawn; the levels of all must be unpacked. `areaOf`: the area of the triangles that are drawn in place of a node, or 0.
+  // `keeps`: whether all nodes of a group are drawn.
   /** @type {(found: { all: ShownNode[][], focus: number }, areaOf: (node: ShownNode) => number, keeps: (group: number) => boolean) => ShownNode[]} */
   drawn({ all, focus }, areaOf, keeps) {
     const nodes = all.flat(), size = (/** @type {ShownNode} */ node) => {

@@ -41,11 +41,11 @@ bool are_predicted(const QueryBodies& bodies, const Steps& steps, const Outcomes
 constexpr std::uint8_t erred = 1 << 6, meets_here = 1 << 7;
 static_assert(2 + most_groups <= erred);
 
-/// Per test the bits of what it is worth.
+/// Per test the bits of its verdict.
 std::vector<std::uint8_t> worth_bits(const Steps& steps, const Outcomes& outcomes,
                                      const Attribution& attribution) {
     std::vector<std::uint8_t> bits(outcomes.size());
-    // Of what passed and is not judged nobody knows that it did in vain.
+    // A pair that passed and is not judged may have passed rightly.
     std::vector<char> meets(bits.size());
     for (std::size_t i = 0; i < bits.size(); ++i) meets[i] = !is_rejection(outcomes[i]);
     for (const PassedPair& pair : attribution.passed) {

@@ -12,8 +12,8 @@ namespace scb::render {
 /// The tests of a query, and what it found.
 struct QueryBlocks {
     /// Number of a block: of each test of volumes, in their order, u8. The lower six bits: 0 where
-    /// the children of A's node were tested next, or those of both, 1 where those of B's node were,
-    /// else 2 and the index of its ending's group. Bit 6: it passed volumes that are disjoint, or
+    /// the children of A's node or of both nodes were tested next, 1 where the children of B's node
+    /// were, else 2 and the index of its ending's group. Bit 6: it passed volumes that are disjoint, or
     /// rejected some that overlap or hold triangles that intersect. Bit 7: triangles below it
     /// intersect, and no test that followed says so.
     std::size_t outcomes = 0;
@@ -24,7 +24,7 @@ struct QueryBlocks {
     std::size_t pairs = 0;  ///< of triangles, u32
 };
 
-/// `groups` are those of the header, see ending_groups. Of `bodies` the trees are needed.
+/// `groups` are the header's groups, see ending_groups. Of `bodies` the trees are needed.
 QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
                          const Outcomes& outcomes, const Attribution& attribution,
                          const std::vector<EndingGroup>& groups, BlockStore& store);

@@ -2,7 +2,7 @@ import { element, counted, short, percent, faint, word, row, table, button, swat
 import { worth } from './query.js';
 import { passedOn } from './icicle.js';
 
-// What the panel says of the queries: numbers, how tests ended, what they were worth, and one test step by step.
+// The part of the panel about the queries: numbers, endings and verdicts of tests, and one test step by step.
 export class QueryPanel {
   /** @param {App} app */
   constructor(app) {
@@ -99,7 +99,7 @@ export class QueryPanel {
     return [...parts, faint(`Pairs of ${what} that only this one found${only.length > most ? `, the first ${most} of ${counted(only.length)}` : ''}`), row(...only.slice(0, most).map(link))];
   }
 
-  // How paths ended, or what tests were worth, to be chosen from.
+  // Checkboxes for the endings of paths, or for the verdicts of tests.
   /** @type {(k: number, query: Query, classes: Classes) => HTMLElement[]} */
   classParts(k, query, classes) {
     const { app } = this, { bodies } = app.columns[k], { state } = app, { nodes = [], all = 0 } = app.scenes[k], labels = app.labelsOf(query), verdicts = state.mode === 'verdicts';
@@ -117,7 +117,7 @@ export class QueryPanel {
     return verdicts ? [...parts, ...this.worstParts(k, query)] : parts;
   }
 
-  // The nodes with the most rejections, or false passes; those of equal numbers by their own.
+  // The nodes with the most rejections, or false passes. Nodes with equal counts are sorted by their numbers.
   /** @type {(k: number, query: Query, classes: Classes) => HTMLElement[]} */
   mostParts(k, query, classes) {
     const { app } = this, { bodies } = app.columns[k], verdicts = app.state.mode === 'verdicts', most = 5;

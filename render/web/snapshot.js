@@ -2,7 +2,7 @@ import { modes } from './words.js';
 import { element, contextOf, counted, css } from './elements.js';
 import { passedOn } from './icicle.js';
 
-// A picture of what is seen that explains itself: title, numbers, the scene with its scale, the traversal, and what colors mean.
+// A picture of the current view that explains itself: title, numbers, the scene with its scale, the traversal, and a legend.
 /** @param {App} app */
 export function snapshotOf(app) {
   const { canvas, columns, theme } = app, ratio = window.devicePixelRatio || 1, margin = 12, line = 20;

@@ -56,7 +56,7 @@ function across(n) {
   return [u, cross(n, u)];
 }
 
-// Circles of latitude, those of the rims among them.
+// Circles of latitude, among them the rims.
 /** @type {(c: Vector, r: number, n: Vector, e: number, f: number, corners: number) => Solid} */
 function slabCutBall(c, r, n, e, f, corners) {
   const top = Math.min(e, r), bottom = Math.max(f, -r), least = roundingShare * r, [u, v] = across(n);
@@ -208,7 +208,7 @@ function roundedHull(points, size, rounding, corners) {
   // A rectangle's diagonals are equal and meet in their middles.
   const isRectangle = others.length === 2 && isNear(add(others[0], others[1]), add(a, b), 4 * least) && Math.abs(length(subtract(others[0], others[1])) - length(subtract(a, b))) <= 4 * least;
   if (isRectangle || core.indices.length === 0) {
-    // Rings about a rectangle, of which a segment has one side, and a point none.
+    // Rings about a rectangle. A segment is a rectangle with one side, a point has none.
     const sides = isRectangle ? others.map(half) : [half(b), [0, 0, 0]], halves = sides.map(length), middle = add(a, half(b));
     const u = halves[0] > 0 ? unit(sides[0]) : [1, 0, 0], v = halves[1] > 0 ? unit(sides[1]) : across(u)[0], n = cross(u, v);
     const rings = Array.from({ length: corners / 2 + 1 }, (_, i) => {
@@ -228,7 +228,7 @@ function roundedHull(points, size, rounding, corners) {
   }), size);
 }
 
-// A volume in its tree's frame, from the tree's center on. `numbers` are those of its shape, see WebShape; `extras` its planes or points, four numbers each.
+// A volume in its tree's frame, relative to the tree's center. `numbers` describe its shape, see WebShape; `extras` are its planes or points, four numbers each.
 // `corners`: of a whole circle, a multiple of four.
 /**
  * @param {number} shape

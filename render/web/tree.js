@@ -44,7 +44,7 @@ export class Tree {
     this.loading = Promise.resolve();
   }
 
-  // Who hangs from whom. Needed before all else.
+  // Unpacks the order, children, parents, numbers and names of the nodes. All other methods need them.
   async open() {
     this.order = await this.blocks.get(this.stored.order);
     this.children = await this.blocks.get(this.stored.children);

@@ -6,7 +6,7 @@
 namespace scb::render {
 namespace {
 
-/// Fewer nodes than that are packed with those of the next level.
+/// A level with fewer nodes is packed together with the next level.
 constexpr std::size_t least_nodes = 512;
 
 /// What a few levels have, before they are packed.

@@ -25,7 +25,7 @@ struct LevelBlocks {
     std::size_t levels = 0;
     // Numbers of blocks. Of each node:
     std::size_t shapes = 0;   ///< its WebShape, u8
-    std::size_t numbers = 0;  ///< those of its shape, one node after the other, f32
+    std::size_t numbers = 0;  ///< the numbers of its shape, one node after the other, f32
     std::size_t extras = 0;   ///< how many planes or points it has, u32
     std::size_t texels = 0;   ///< these, four f32 each: unit normal and offset; point and 0
     std::size_t colors = 0;   ///< red, green, blue, u8
@@ -48,7 +48,7 @@ struct TreeBlocks {
     std::vector<LevelBlocks> parts;
 };
 
-/// `color` says that of a node.
+/// `color` returns the color of a node.
 TreeBlocks tree_blocks(const Tree& tree, const std::function<Rgba8(std::uint32_t)>& color,
                        BlockStore& store);
 

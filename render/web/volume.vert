@@ -82,7 +82,7 @@ void main() {
     v_c = vec4(to_eye * c.xyz, scale * c.w);
     v_tag.zw = floatBitsToUint(scale * d.xy);
     rectangle = around_ball(center, r);
-    // The box of what the slabs leave: along both normals, and along the long axis as far as the ball reaches there.
+    // The box about the part between the slabs: along both normals, and along the long axis as far as the ball reaches there.
     vec2 e = vec2(v_b.w, v_c.w), f = scale * d.xy, off_center = max(max(f, -e), vec2(0.0));
     float along = sqrt(max(0.0, r * r - dot(off_center, off_center)));
     vec3 middle = center + 0.5 * (e.x + f.x) * v_b.xyz + 0.5 * (e.y + f.y) * v_c.xyz;
