@@ -14,7 +14,7 @@ inline std::string png_without_texts(const std::string& png);
 
 namespace detail {
 
-/// Calls `use(type, content, whole)` for each chunk; the length of what is no PNG is 0.
+/// Calls `use(type, content, whole)` for each chunk of a valid PNG.
 template <class Use>
 void for_each_chunk(const std::string& png, Use use) {
     constexpr std::size_t signature = 8, around = 12;

@@ -119,7 +119,7 @@ std::string changed(const std::string& word) {
     return before;
 }
 
-/// While it exists, the environment is that of a run.
+/// Sets the environment of a run, and restores the former one at its end.
 class ChangedEnvironment {
   public:
     explicit ChangedEnvironment(const std::vector<std::string>& words) {

@@ -19,9 +19,9 @@ struct ProgramRun {
     std::string err;
 };
 
-/// Where a run takes place, and the environment variables that differ from those of the tests.
+/// Working folder of a run, and the environment variables that differ from the tests' own.
 struct Surroundings {
-    std::string folder{};                    ///< working folder; empty: that of the tests
+    std::string folder{};                    ///< working folder; empty: the tests' own
     std::vector<std::string> environment{};  ///< "NAME=value" sets a variable, "NAME" removes it
 };
 

@@ -8,8 +8,8 @@
 #include "scenes/shapes/procedural.h"
 
 // How build and query grow with the number of triangles, from 20 thousand to 5 million: two spheres
-// of triangles, every one of which is divided into four from size to size. A query's work goes with
-// what it finds, about the square root of the triangles, for surfaces that cross in a curve.
+// of triangles. From size to size each triangle is divided into four. If surfaces cross in a curve,
+// a query's work is proportional to the pairs found, about the square root of the triangles.
 namespace scb {
 namespace {
 

@@ -56,8 +56,8 @@ const Recorded<V>& recorded() {
     return result;
 }
 
-/// Nanoseconds per test over the recorded pairs; the mix of outcomes, and so of branches, is that
-/// of a query. All tests of slab cut balls see the same pairs.
+/// Nanoseconds per test over the recorded pairs. So the mix of outcomes and branches is the mix in
+/// a query. All tests of slab cut balls see the same pairs.
 template <Volume V, class Test>
 void volume_tests(benchmark::State& state, const Test& test) {
     const Recorded<V>& r = recorded<V>();

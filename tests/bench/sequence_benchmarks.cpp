@@ -29,9 +29,9 @@
 // (Renderer::draw, which waits for the OpenGL library's own threads) and `wait` (blocked in
 // EncodeQueue, also at the end) are what the drawing thread did; they add up to 1. `cpu_encode`
 // and `cpu_draw` are the processor time of all threads of the queue and of the OpenGL library, and
-// `cpu` that of the process: 2 is two cores at work all the time. `peak20_MiB` and `peak_MiB` are
-// the peaks of resident memory since the sequence began, after 20 pictures and after all. To have
-// one that knows nothing of sequences before it, run one benchmark alone (--benchmark_filter).
+// `cpu` is the same of the process: 2 is two cores at work all the time. `peak20_MiB` and
+// `peak_MiB` are the peaks of resident memory since the sequence began, after 20 pictures and after
+// all. To have a peak without the sequences before, run one benchmark alone (--benchmark_filter).
 namespace scb {
 namespace {
 
@@ -152,8 +152,8 @@ double seconds_of(clockid_t clock) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Processor time in seconds, by the threads' names: those of the OpenGL library have names of its
-/// own, and those of an EncodeQueue that of the process.
+/// Processor time in seconds, by the threads' names. Threads of the OpenGL library have names of
+/// its own. Threads of an EncodeQueue have the name of the process.
 struct ProcessorTime {
     double all = 0, encode = 0, draw = 0;
 

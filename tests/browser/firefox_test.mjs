@@ -23,7 +23,7 @@ before(async () => {
   firefox = await puppeteer.launch({
     browser: 'firefox',
     executablePath: process.env.FIREFOX,
-    // Without a display there is only EGL, which Firefox takes when it is told to. Without a GPU, Mesa draws.
+    // Without a display there is only EGL, which Firefox takes if MOZ_WEBGL_FORCE_EGL is set. Without a GPU, Mesa draws.
     env: { ...process.env, MOZ_WEBGL_FORCE_EGL: '1', LIBGL_ALWAYS_SOFTWARE: '1' },
     extraPrefsFirefox: {
       'webgl.force-enabled': true,

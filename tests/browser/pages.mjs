@@ -22,7 +22,7 @@ export function page_of(...options) {
   return made.get(key);
 }
 
-// A list that grows by what goes wrong on a page: any request but for the file itself and data, any error, any message of the console,
+// A list of the problems of a page: any request except the file itself and data, any error, any message of the console,
 // any dialog.
 export function watched(page, main) {
   const wrong = [];
@@ -31,7 +31,7 @@ export function watched(page, main) {
   });
   page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
   page.on('console', (message) => {
-    // What software rendering says of itself is no fault of the page.
+    // Warnings about software rendering are no fault of the page.
     if (!/GPU stall due to ReadPixels|software WebGL/i.test(message.text())) wrong.push(`console: ${message.text()}`);
   });
   page.on('dialog', (dialog) => {

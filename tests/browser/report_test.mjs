@@ -19,8 +19,8 @@ before(async () => {
 });
 after(() => browser?.close());
 
-// Runs `body` with a page of the report; any request but for the file itself and data, any error
-// of the script and any dialog is a failure.
+// Runs `body` with a page of the report. It fails on any request except the file itself and data,
+// on any error of the script and on any dialog.
 async function onPage({ file = 'report.html', hash = '', ...options }, body) {
   const context = await browser.newContext({
     viewport: { width: 1360, height: 900 },

@@ -109,7 +109,7 @@ test('levels, opacity, meshes, theme and frames change what is shown, and the ad
   });
 });
 
-// The numbers of the query, and the nodes at which its paths ended, are those of the pictures.
+// The numbers of the query, and the nodes at which its paths ended, are the same as in the pictures.
 for (const options of [['--volume', 'scb'], ['--volume', 'obb', '--split', 'cost'], ['--volume', 'scb2', '--focus', '1']]) {
   test(`rejections are those of the picture: ${options.join(' ')}`, async () => {
     const out = join(folder, `rejections-${options.join('')}`), whole = options.includes('--focus'), own = options.filter((word, i) => word !== '--focus' && options[i - 1] !== '--focus');
@@ -190,7 +190,7 @@ test('the traversal leads from test to test, and shows their nodes', async () =>
 // The page has the attribution of scb inspect, and the steps of scb explain.
 for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'], ['spheres-l1', '--test', 'printed', '--frames', '50'], ['cone', '--volume', 'obb', '--frames', '100']]) {
   test(`verdicts and steps are those of inspect and explain: ${scene} ${options.join(' ')}`, async () => {
-    // They tell of wrong rejections by their exit status, too.
+    // After wrong rejections the exit status of the two commands is not 0.
     const run = (words) => JSON.parse(spawnSync(process.env.SCB, ['--quiet', ...words], { encoding: 'utf8', maxBuffer: 1 << 28 }).stdout);
     const { sum } = run(['inspect', scene, ...options, '--json']);
     await onPage(page_of(scene, ...options), { hash: '#show=verdicts' }, async (page) => {
@@ -202,7 +202,7 @@ for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'
       assert.equal(told.frames[0].wasted, sum.wasted.n_v);
       assert.ok(counts[0] > 0);
       const [first] = told.worst[0];
-      // What the list says of the test is what the panel and the icicle say of it.
+      // The list, the panel and the icicle agree on the test.
       await page.locator('.worst').first().getByRole('button', { name: first.nodes.join(), exact: true }).click();
       await settled(page);
       const number = (n) => n.toLocaleString('en-US');
@@ -554,7 +554,7 @@ test('another engine\'s recording is a page like any other', async () => {
   assert.deepEqual(overlaps[0], overlaps[1]);
 });
 
-// Of an engine that numbers its nodes otherwise: those of A count down, and pairs of B's are swapped. Each seventh has a name.
+// A recording of an engine with other node numbers: numbers of A count down, numbers of B are swapped in pairs. Each seventh node has a name.
 const number_of = [(node) => 100000 - 3 * node, (node) => 3000000007 + 2 * (node ^ 1)];
 function renumbered(file) {
   const lines = file.replace('.scbrec', '.jsonl'), made = file.replace('.scbrec', '-numbers.jsonl');
@@ -583,7 +583,7 @@ test('another engine\'s nodes have its numbers', async () => {
     await settled(page);
     const now = await state(page), evaluated = (...what) => page.evaluate(...what);
     assert.deepEqual([now.mode, now.test], ['traversal', test]);
-    // All tests are those of scb trace.
+    // The page has the tests of scb trace.
     assert.deepEqual(await evaluated(() => {
       const { app } = document.getElementById('canvas'), { frame } = app.scenes[0];
       return Array.from(frame.outcomes, (_, i) => app.columns[0].query.pairText(frame, i));

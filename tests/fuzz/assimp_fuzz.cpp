@@ -25,9 +25,9 @@ Mesh read(const std::string& file, int filling) {
 
 }  // namespace
 
-// COLLADA, glTF, and 3MF, of which an input is the model alone: read twice, each time by a process
-// of the program, which has the sanitizers too. A reader of assimp may crash there; a mesh that it
-// gives is the same both times.
+// COLLADA, glTF and 3MF; for 3MF, an input is the model alone. Each input is read twice, each time
+// by a process of the program, which has the sanitizers too. A reader of assimp may crash there. If
+// it returns a mesh, the mesh must be the same both times.
 SCB_FUZZ(input) {
     static const TemporaryFolder folder;
     std::string bytes(reinterpret_cast<const char*>(input.data()), input.size());

@@ -13,7 +13,7 @@ auto one_of(const All& all, fuzz::Numbers& numbers) {
     return all[numbers.below(static_cast<std::uint32_t>(all.size()))];
 }
 
-/// One of the sound ways to ask.
+/// A variant of a query that must not miss a pair.
 struct Way {
     std::uint32_t volume;
     bool is_packed;

@@ -34,7 +34,7 @@ Scb2 with_second_slab(const Scb& s, fuzz::Numbers& numbers) {
              Slab{n, s.r * share(), -s.r * share()}}};
 }
 
-// No sound test rejects a pair of which a certificate proves that it overlaps.
+// No conservative test rejects a pair that a certificate proves to overlap.
 SCB_FUZZ(input) {
     fuzz::Numbers numbers(input);
     const Scb a = any_scb(numbers), b = any_scb(numbers);
@@ -53,7 +53,7 @@ SCB_FUZZ(input) {
         const OverlapOptions options{test, numbers.below(11) / 10.0};
         const bool passed = overlap(a, b, identity, options) == Stage::overlapping;
         fuzz::require(passed || certificate.contact != Contact::overlapping,
-                      "a sound test passes what overlaps");
+                      "a conservative test passes volumes that overlap");
         fuzz::require(passed == (overlap(b, a, identity, options) == Stage::overlapping) ||
                           test != OverlapTest::symmetric,
                       "the symmetric test is symmetric");

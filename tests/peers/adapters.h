@@ -5,7 +5,7 @@
 
 namespace scb {
 
-// One function for each adapter; those of libraries exist where CMake found their packages, see
+// One function for each adapter. The functions of a library exist if CMake found its package, see
 // peers.cpp.
 
 PeerKind reference_peer();

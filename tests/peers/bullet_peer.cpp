@@ -10,7 +10,7 @@ class BulletPeer : public Peer {
   public:
     BulletPeer(const PeerMesh& a, const PeerMesh& b) : a_(a), b_(b) {}
 
-    /// What GImpact's collision algorithm does, but for the manifold: pairs of boxes, then its
+    /// The steps of GImpact's collision algorithm, without the manifold: pairs of boxes, then its
     /// test of two triangles, whose result is contacts.
     void query(const PeerPose& a, const PeerPose& b) override {
         const btTransform at_a = transform(a), at_b = transform(b);

@@ -17,7 +17,7 @@ using CgalTraits = CGAL::AABB_traits<CgalKernel, CgalPrimitive>;
 using CgalTree = CGAL::AABB_tree<CgalTraits>;
 using CgalNode = CGAL::AABB_node<CgalTraits>;
 
-/// Those of the mesh, where the pose leads; they replace what is there.
+/// Replaces `triangles` by the triangles of the mesh at the pose.
 inline void place(const PeerMesh& mesh, const PeerPose& pose, CgalTriangles& triangles) {
     std::vector<CgalKernel::Point_3> points;
     points.reserve(mesh.vertices.size());

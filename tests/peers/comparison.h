@@ -25,7 +25,7 @@ struct SceneComparison {
 /// How far B is moved to tell pairs that barely meet, as a share of the size of A's box.
 inline constexpr double closeness_share = 1e-6;
 
-/// Builds all trees, compares the pairs of every peer with those of the reference in at most
+/// Builds all trees, compares the pairs of every peer with the reference's pairs in at most
 /// `compared_frames` of the frames, then times the peers. The scene has two bodies, and the
 /// reference is among the peers.
 SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>& frames,

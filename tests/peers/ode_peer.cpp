@@ -112,10 +112,9 @@ PeerKind ode_peer() {
     kind.name = "ode";
     kind.title = "ODE " dODE_VERSION ", OPCODE";
     kind.method =
-        "`dCollide` of two triangle meshes, in part in floats. It makes contact points, "
-        "of which near ones become one, and at most 65,535: pairs are missing. A query that ends "
-        "in "
-        "an internal error of ODE finds none.";
+        "`dCollide` of two triangle meshes, in part in floats. It makes at most 65,535 contact "
+        "points, and joins points that are close: pairs are missing. A query that ends in an "
+        "internal error of ODE finds none.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
         start_ode();
         return std::make_unique<OdePeer>(a, b);

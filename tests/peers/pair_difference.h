@@ -8,7 +8,7 @@
 
 namespace scb {
 
-/// Pairs that only one of two answers has, and what can be told of them.
+/// Pairs that only one of two answers has, and how close their triangles are.
 struct UnsharedPairs {
     std::size_t count = 0;
     std::size_t degenerate = 0;  ///< one of the triangles has no area
@@ -17,7 +17,7 @@ struct UnsharedPairs {
     std::size_t close = 0;
 };
 
-/// How the pairs of a peer differ from those of the reference, in all frames that were compared.
+/// How a peer's pairs differ from the reference's pairs, in all frames that were compared.
 struct PairDifference {
     std::size_t frames = 0;
     std::size_t pairs = 0;  ///< of the reference

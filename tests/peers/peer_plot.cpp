@@ -15,7 +15,7 @@ namespace scb {
 namespace {
 
 /// The first of these colors are the own hierarchies', in shades of the color that slab cut balls
-/// have in every figure; FCL's boxes have that of boxes.
+/// have in every figure. FCL's boxes have the color of boxes.
 std::string color_of(std::span<const PeerKind> kinds, std::size_t p) {
     constexpr std::size_t library_colors[] = {0, 5, 2, 4, 6};
     std::size_t own = 0, own_count = 0, library = 0;

@@ -170,7 +170,7 @@ std::string summaries(std::span<const PeerKind> kinds, Groups groups) {
     return text.empty() ? text : text + "\n";
 }
 
-/// How many frames were asked for, and of which peers fewer were taken.
+/// How many frames were asked for, and which peers were timed in fewer frames.
 std::string frame_list(std::span<const PeerKind> kinds, const ComparisonGroup& group) {
     std::string text;
     for (const SceneComparison& scene : group.scenes) {

@@ -20,7 +20,7 @@ struct PeerTiming {
     /// frame, every fourth, and so on.
     double budget = 3;
     bool wall = false;  ///< the time that passes, where threads share a query
-    /// Told what is done; may be empty.
+    /// Called with a description of each step; may be empty.
     std::function<void(const std::string& what)> progress;
 };
 

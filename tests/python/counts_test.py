@@ -1,4 +1,4 @@
-"""Counts and pairs are the program's and the golden suite's, whatever the volume and the threads."""
+"""Counts and pairs equal the program's and the golden suite's, for every volume and number of threads."""
 
 import json
 import unittest

@@ -1,4 +1,4 @@
-"""Whatever is given, there is a sentence, and never a crash."""
+"""Every wrong input leads to an exception with a message, and never to a crash."""
 
 import copy
 import pickle

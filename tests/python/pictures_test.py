@@ -1,4 +1,4 @@
-"""Pictures and pages are those of the program, byte by byte."""
+"""Pictures and pages equal the program's, byte by byte."""
 
 import pathlib
 import struct

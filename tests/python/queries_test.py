@@ -1,4 +1,4 @@
-"""Traces, recordings and explanations: every test of a query, and what it was worth."""
+"""Traces, recordings and explanations: every test of a query, and the verdict on it."""
 
 import json
 import os
@@ -84,7 +84,7 @@ class Queries(unittest.TestCase):
                          {s: n for s, n in ended.items() if s in found.stages})
         self.assertEqual(ended["triangles meet"], len(found.pairs))
         np.testing.assert_array_equal(frame.depth_a, a.depths[frame.node_a])
-        # The pair that led to a test is that of the parents, or of a parent.
+        # The pair that led to a test has the parents of its nodes, or one parent and the same other node.
         parent = frame.parent.astype(np.int64)
         self.assertEqual(parent[0], 0xffffffff)
         self.assertTrue((parent[1:] < np.arange(1, len(parent))).all())

@@ -31,7 +31,7 @@ struct Body {
         if (meet) scb_record_pair(&recorder, item(primitive), asked);
     }
 
-    /// A node of `count` triangles; those of two or three have triangles in place of children.
+    /// A node of `count` triangles. A node of two or three has triangles in place of children.
     Index record(const CgalNode& node, std::size_t count) {
         const auto number = static_cast<Index>(numbers.size());
         numbers.emplace(&node, number);

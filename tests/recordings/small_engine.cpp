@@ -85,7 +85,8 @@ struct Sheet {
         }
         return number;
     }
-    /// The box of all below a node; of nodes below it, too, but for one.
+    /// Returns the box of the triangles below a node. Updates the boxes of the node and of the
+    /// nodes below it, except node `but`.
     std::array<Vector, 2> refit(Index number, Index but) {
         std::array<Vector, 2> ends = {Vector{1e9, 1e9, 1e9}, Vector{-1e9, -1e9, -1e9}};
         const auto add = [&](const Vector& lower, const Vector& upper) {

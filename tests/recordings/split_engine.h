@@ -8,7 +8,8 @@ namespace scb {
 enum class SplitBug {
     none,
     part_forgotten,  ///< of a triangle that is cut, the child with the larger coordinates gets none
-    box_of_corners,  ///< a child's box is of the corners that it has, without those of the cut
+    box_of_corners,  ///< a child's box has the mesh's corners on its side, not the corners of the
+                     ///< cut
 };
 
 /// An engine with spatial splits: a node is cut at the middle of its longest side, triangles that

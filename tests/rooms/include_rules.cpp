@@ -15,9 +15,8 @@ using Floors = std::vector<std::vector<std::string>>;
 const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}};
 
 const std::map<std::string, Floors> rooms = {
-    // core/include: scb_record.h alone, which includes nothing of core. The headers in
-    // core/include/scb
-    // belong to the rooms of public_headers.
+    // core/include: scb_record.h alone, which includes no header of core. The headers in
+    // core/include/scb belong to the rooms of public_headers.
     {"core",
      {{"include"},
       {"base"},

@@ -42,7 +42,7 @@ TEST(IncludeRules, KnowEveryPublicHeader) {
     EXPECT_GE(homeless_headers({"nowhere"}).size(), 40u);
 }
 
-/// The folders of the top level, but for hidden folders and folders that .gitignore names.
+/// The folders of the top level, except hidden folders and folders that .gitignore names.
 std::vector<std::string> top_folders() {
     std::set<std::string> ignored;
     std::ifstream in(fs::path(SCB_SOURCE_DIR) / ".gitignore");

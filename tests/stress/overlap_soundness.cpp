@@ -1,9 +1,9 @@
 // overlap_soundness [--slabs 1|2] [--pairs N] [--seed S] [--threads T]: asks every overlap test of
-// slab cut balls about N random pairs of each of the families in random_scb_pairs.h, and that of
-// two slabs about those of scb2_pairs.h (or only of --slabs), and holds the answers against
-// certified ones; with two slabs of what passes only every hundredth. The figures depend on N and S
-// only, but for the times. Exit status 1 where a test that must not has rejected an overlapping
-// pair, or a certificate did not stand up.
+// slab cut balls about N random pairs of each family in random_scb_pairs.h, and the overlap test of
+// two slabs about N pairs of each family in scb2_pairs.h (--slabs: only one of the two). Compares
+// the answers with certified ones; with two slabs, only every hundredth pair that passes. Except
+// the times, the figures depend on N and S only. Exit status 1 if a conservative test has rejected
+// an overlapping pair, or if a certificate was not valid.
 
 #include <algorithm>
 #include <atomic>

@@ -28,7 +28,7 @@ TEST(Watch, RunsAgainWhenAFileHasChangedUntilItIsInterrupted) {
                 std::filesystem::rename(folder / "new.obj", mesh);
                 step = 1;
             } else if (step == 1 && found() == 5) {
-                // A fault is told, and does not end it.
+                // The program reports a fault and goes on.
                 write_text(mesh, "nonsense");
                 std::this_thread::sleep_for(std::chrono::seconds(2));
                 write_text(mesh, one);

@@ -149,7 +149,7 @@ TEST(Config, ARecordedQueryStaysAsItWas) {
 
 TEST(Config, DefaultsAreNotWhatSomebodyAskedFor) {
     const Configured configured;
-    // Without a folder for pictures, somebody who asks for a size is told so.
+    // A size without a folder for pictures is an error only on the command line.
     configured.here.write("scb.json", R"({"inspect": {"size": "640x480"}})");
     EXPECT_EQ(configured.run("inspect cone --frames 80").status, 0);
     EXPECT_EQ(configured.run("inspect cone --frames 80 --size 640x480").status, 2);

@@ -16,7 +16,7 @@ const char* const missed_by_line_8 = R"({
   "a": {"center": [0,0,0], "radius": 2, "normal": [0,0,1], "e": 2, "f": -2},
   "b": {"center": [0,0,1], "radius": 0.5, "normal": [0,0,1], "e": 0.5, "f": 0.1}})";
 
-/// Two flat volumes, the second of which can be moved and changed.
+/// Two flat volumes. The second one can be moved and changed.
 json pair_of(double height) {
     json pair = json::parse(R"({
       "a": {"center": [0,0,0], "radius": 1, "normal": [0,0,1], "e": 0.25, "f": -0.25},

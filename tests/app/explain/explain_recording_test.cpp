@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Balls, of which the test is wrong in both directions. B moves along x: to 2, to -0.5, to 2.
+/// Balls with a test that errs in both directions. B moves along x: to 2, to -0.5, to 2.
 const char* const balls = R"({"setting": "engine", "value": "tiny"}
 {"setting": "results", "value": "pairs"}
 {"stage": 1, "name": "balls"}

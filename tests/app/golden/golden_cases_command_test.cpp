@@ -258,7 +258,7 @@ TEST_F(GoldenCommandCases, SayHowTheirRunnerEnded) {
         << failed.out;
     EXPECT_NE(failed.out.find("counts: could not run. It ended with status 1.\n"),
               std::string::npos);
-    // Of which it is no trouble.
+    // Status 1 of `inspect` is a finding, not an error. The missing index.json is the error.
     EXPECT_NE(failed.out.find(
                   "summary: could not run. It ended with status 1 and has made no index.json.\n"),
               std::string::npos)

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 /// What stands in the place of a file of a suite.
 class GoldenCommandFiles : public GoldenCommand {
   protected:
-    /// A pipe that nobody reads or writes: whoever opens it waits.
+    /// A pipe without reader or writer: a process that opens it waits.
     static void put_pipe(const fs::path& place) {
         fs::remove_all(place);
         ASSERT_EQ(::mkfifo(place.c_str(), 0600), 0) << place;
@@ -66,7 +66,7 @@ TEST_F(GoldenCommandFiles, APipeIsNoPlaceForResults) {
         EXPECT_NE(run.err.find(std::string(file) + ": there is something of that name that is no"),
                   std::string::npos)
             << run.err;
-        // The result is told all the same.
+        // The result is printed all the same.
         EXPECT_EQ(run.out, "1 case: 1 same\n");
     }
 }
@@ -136,7 +136,7 @@ TEST_F(GoldenCommandFiles, ResultsReplaceResultsAlone) {
     EXPECT_EQ(golden("check collide --json " + mine).status, 2);
     EXPECT_EQ(golden("check collide --junit " + mine).status, 2);
     EXPECT_EQ(file_text(mine), "{\"my\": \"scene\"}");
-    // By what they hold, whatever they are called; twice.
+    // Recognized by their content, not by their names; run twice.
     for (int i = 0; i < 2; ++i) {
         const ProgramRun run =
             golden("check collide --junit " + (folder / "out.json") + " --json " +

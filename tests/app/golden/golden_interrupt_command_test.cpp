@@ -23,7 +23,7 @@ class GoldenCommandInterrupt : public GoldenCommand {
         write_text(runner, "#!/bin/sh\n" + script);
         fs::permissions(runner, fs::perms::owner_all);
     }
-    /// Once a case hangs.
+    /// Interrupts the command once a case does not end.
     ProgramRun stopped_by(int signal, const std::string& command) {
         return run_scb_interrupted(
             "golden " + command + " --suite " + suite + " --runner " + runner,
@@ -76,7 +76,7 @@ TEST_F(GoldenCommandInterrupt, LeavesBaselinesAsTheyWere) {
     EXPECT_EQ(run.status, 143) << run.err;
     EXPECT_EQ(baselines(), before);
     expect_nothing_is_left("update");
-    // And where only the trace hangs.
+    // The same if only the trace does not end.
     write_runner("case \"$*\" in *\" trace \"*) echo $$ >>" + sleepers +
                  "; exec sleep 3600;; esac\nexec \"$@\"\n");
     write_text(baseline("rejections.counts.json"), "{}");
@@ -95,7 +95,7 @@ TEST_F(GoldenCommandInterrupt, LeavesNoTemporaryFolderHoweverItEnds) {
     // Its output is closed before it prints.
     run_scb_process("golden check --suite " + suite + " | true", environment);
     EXPECT_TRUE(soon_empty());
-    // Nobody but who removes the folder can end these once that is killed.
+    // Once the command is killed, only removing its folder ends the cases.
     const ProgramRun run = stopped_by(SIGKILL, "check --jobs 2");
     EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
     EXPECT_TRUE(soon_empty());

@@ -262,7 +262,7 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
     EXPECT_NE(page.find("rejections.view.html"), std::string::npos);
     EXPECT_NE(file_text(home / "out/rejections.view.html").find("\"scb_view\":1"),
               std::string::npos);
-    // The command works from where the check ran, and so does that of a report of reports.
+    // The command works from the folder of the check. So does the command in a report of reports.
     EXPECT_EQ(found["diff"],
               "scb diff out/rejections.baseline.scbtrace out/rejections.new.scbtrace");
     EXPECT_EQ(run(found["diff"].get<std::string>().substr(4)).status, 1);

@@ -13,7 +13,7 @@ const std::string source_folder = SCB_SOURCE_DIR;
 
 class BrokenEngine : public testing::TestWithParam<int> {};
 
-/// What `scb inspect` says of the small engine with this error.
+/// Runs `scb inspect` on a recording of the small engine with this error.
 ProgramRun inspected(int bug) {
     const TemporaryFolder folder;
     const std::string name = std::string(bug_names[bug]) + ".scbrec";

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The report in a folder; that of `scb view` is another page.
+/// The report in a folder. The page of `scb view` has another name.
 std::string html_in(const std::string& folder, const std::string& ending = ".html") {
     std::string text;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -42,7 +42,7 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
     const std::string arguments = "spheres-l1 --frames 60,100 --top 2 --test corrected";
     const ProgramRun run = run_scb("inspect " + arguments + " --size 640x360 -o " + folder / "out");
     ASSERT_EQ(run.status, 0) << run.err;
-    // The numbers are those of the run without pictures.
+    // The run without pictures prints the same numbers.
     EXPECT_EQ(run.out.find(run_scb("inspect " + arguments).out), 0u);
 
     const json index = json::parse(file_text(folder / "out/index.json"));

@@ -10,7 +10,7 @@
 namespace scb::app {
 namespace {
 
-/// A recording of a situation that somebody reported, and what `scb inspect` says of it.
+/// A recording of a situation that somebody reported, and the expected output of `scb inspect`.
 struct Case {
     const char* file;
     int status;

@@ -145,7 +145,7 @@ TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
     };
     EXPECT_EQ(outlined(""), outlined("--leaves "));
     EXPECT_GT(outlined("--heat volumes "), 0);
-    // A node is that of the view: "node 12 of A, depth 9, 4 triangles".
+    // The picked node is a node of the view: "node 12 of A, depth 9, 4 triangles".
     const std::string picked = render("rejections " + both + " --focus 1 --pick 220,90").out;
     const std::size_t at = picked.find(": node ");
     ASSERT_NE(at, std::string::npos) << picked;

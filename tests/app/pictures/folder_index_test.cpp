@@ -68,7 +68,7 @@ TEST_F(FolderIndex, CollectsTheRunsOfAFolder) {
     // What is printed is of the run.
     const ProgramRun printed = run_scb(levels + " --json --size 320x240 -o " + out);
     EXPECT_EQ(json::parse(printed.out), first);
-    // A camera is that of the latest run.
+    // --camera with this index takes the camera of its latest run.
     EXPECT_EQ(run_scb(levels + " --camera " + file + " -o " + (folder / "other")).status, 0);
 }
 

@@ -60,7 +60,7 @@ TEST(PictureCopies, AreShownInTheTerminal) {
                           {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
     EXPECT_NE(iterm.out.find("\033]1337;File=inline=1;preserveAspectRatio=1:" + base64 + "\a"),
               std::string::npos);
-    // In parts of at most 4096 characters, the last of which ends it.
+    // In parts of at most 4096 characters. The last part has the mark of the end.
     std::string joined;
     for (std::size_t at = kitty.out.find("\033_G"); at != std::string::npos;) {
         const std::size_t begin = kitty.out.find(';', at) + 1, end = kitty.out.find("\033\\", at);

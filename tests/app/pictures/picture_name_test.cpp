@@ -171,7 +171,7 @@ TEST_F(PictureNames, AreInTheFilesWithTheCommand) {
                   "scb render pairs 'pyra mid.off' 'pyra mid.off' --size 320x240 --leaves");
         EXPECT_EQ(texts.size(), 3u);
     }
-    // The same wherever files are, and in whatever order options are given.
+    // Names depend neither on the folder of the files nor on the order of the options.
     EXPECT_EQ(draw(elsewhere, " --jobs 1 --leaves"), files);
     // Every command says what it is.
     EXPECT_EQ(run_scb("tune cone --frames 80 --no-time -o " + elsewhere).status, 0);

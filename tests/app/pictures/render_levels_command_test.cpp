@@ -37,7 +37,7 @@ TEST(RenderLevels, RenderedLevelsAreCountedInTheIndex) {
         } else if (file["level"] == "leaves") {
             EXPECT_EQ(file["bodies"][0]["volumes"], stats[0]["triangles"]);
         }
-        // Every id in the picture is that of a node of a body.
+        // Every id in the picture belongs to a node of a body.
         const render::IdImage ids =
             render::unpack_ids(render::read_png(folder / "out/" + file["ids"].get<std::string>()));
         const std::set<std::uint32_t> met(ids.ids.begin(), ids.ids.end());
@@ -97,7 +97,7 @@ TEST(RenderLevels, TheCameraOfAnIndexGivesTheSamePictureAgain) {
             file_text(folder / run + "/" + of["files"][0]["ids"].get<std::string>()));
     };
     EXPECT_EQ(ids_in("a", index), ids_in("b", again));
-    // Whatever a camera's file is called, another camera makes another name.
+    // Another camera makes another name, even from a file of the same name.
     const std::string name = again["files"][0]["file"];
     EXPECT_TRUE(name.starts_with("cone_scb_level-06_camera-camera-")) << name;
     write_text(folder / "camera.json", R"({"azimuth": 40})");

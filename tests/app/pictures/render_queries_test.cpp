@@ -155,7 +155,7 @@ TEST_F(RenderQueries, IdsAreThoseOfTheIndex) {
     json without_leaves = index_of("pairs spheres-l1 --frames 100 --ids --no-leaves");
     without_leaves.erase("earlier");
     EXPECT_EQ(without_leaves, pairs);
-    // The lines in which triangles meet have the ids of those of A, and hide those of B here.
+    // The lines in which triangles meet have the ids of A's triangles, and hide B's triangles here.
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids")),
               (std::set<std::string>{"nothing", "node A", "node B", "triangle A"}));
     EXPECT_EQ(seen(index_of("rejections spheres-l1 --frames 100 --ids --body B")),

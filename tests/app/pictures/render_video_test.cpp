@@ -115,7 +115,7 @@ TEST_F(RenderVideo, IsTheSameBytesTwice) {
     EXPECT_EQ(file_text(file), bytes);
 }
 
-// Who started the program may ignore that children end.
+// The parent of the program may ignore SIGCHLD, and children inherit that.
 TEST_F(RenderVideo, NeedsNoSignalOfItsChildren) {
     const ProgramRun run = run_scb_process(
         "render pairs spheres-l1 --frames 0:3 --size 320x240 --video " + file + " -o " + out,
@@ -155,7 +155,7 @@ struct RenderVideoWithout : testing::Test {
 
 TEST_F(RenderVideoWithout, ReasonIsRefusedBeforeAnyWork) {
     const std::string file = folder / "v.mp4", fake = folder / "ffmpeg";
-    // Whatever this machine has.
+    // A fake, so that the test does not depend on the machine's ffmpeg.
     write_text(fake, "#!/bin/sh\nexit 1\n");
     ::chmod(fake.c_str(), 0755);
     const std::string with = folder.path.string();

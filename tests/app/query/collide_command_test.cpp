@@ -91,7 +91,7 @@ TEST(CollideCommand, SaysHowFarBodiesAreApartThatDoNotMeet) {
               std::string::npos);
 }
 
-/// A scene of spheres: each of them a radius and where it is, and those of a body are one mesh.
+/// A scene of spheres, each with a radius and a center. The spheres of a body are one mesh.
 std::string sphere_scene(const TemporaryFolder& folder, const std::string& bodies) {
     const std::string scene = folder / "spheres.json";
     write_text(scene, R"({"scb_scene": 1, "name": "spheres", "models": [
@@ -281,7 +281,7 @@ TEST(CollideCommand, FindsThePairsOfABodyAgainstItself) {
         ASSERT_EQ(std::sscanf(rows[i].c_str(), "%u,%u,%u", &frame, &a, &b), 3);
         EXPECT_LT(a, b);
     }
-    // Whatever the volumes are.
+    // The pairs do not depend on the type of the volumes.
     EXPECT_EQ(json::parse(run_scb("collide soup --frame 0 --bodies A,A --volume rss --json")
                               .out)["frames"][0]["pairs"],
               rows.size() - 1);

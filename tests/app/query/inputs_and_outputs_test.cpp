@@ -30,8 +30,8 @@ const char* const pairs_text =
 const char* const suite_text = R"({"scb_golden": 1, "cases": [
   {"name": "one", "run": "collide", "scene": "scene.json", "frames": "0"}]})";
 
-/// A command, the files that it reads, and how it is told where to write: into a folder, or a file
-/// of that name.
+/// A command, the files that it reads, and its option for the output: a folder, or a file of that
+/// name.
 struct Row {
     std::string command;
     std::vector<std::string> inputs;

@@ -33,7 +33,7 @@ struct RecordingCommands : testing::Test {
         EXPECT_EQ(run.status, 1) << arguments << "\n" << run.err;
         return run.status == 1 ? json::parse(run.out) : json();
     }
-    /// The picture that the command draws, and what its index says of it.
+    /// The picture that the command draws, and its entry in the index.
     std::pair<std::string, json> drawn(const std::string& arguments) {
         const std::string out = folder / "out";
         const ProgramRun run =
@@ -177,7 +177,7 @@ TEST_F(RecordingCommands, OfOneThatBreaksOffWhatStandsBeforeIsJudged) {
             bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))));
         const ProgramRun cut = run_scb("inspect " + folder / "cut.scbrec");
         EXPECT_EQ(cut.out.find("Wrong"), std::string::npos) << cut.out;
-        // Of what breaks off before its first tree there is nothing to judge.
+        // A file that breaks off before its first tree has nothing to judge.
         EXPECT_EQ(cut.status, part < 0.8 ? 2 : 4);
     }
     folder.write("empty.scbrec", bytes.substr(0, 12));

@@ -153,7 +153,7 @@ TEST_F(TraceCommand, OfAnotherSplitIsReplayedAndItsNodesAreNotCompared) {
     EXPECT_NE(diff.out.find("tests cannot be compared"), std::string::npos) << diff.out;
     EXPECT_EQ(diff.out.find("part first"), std::string::npos) << diff.out;
 
-    // What is said of the trace needs its hierarchies, built as they were.
+    // The verdict on the trace needs its hierarchies, built in the same way.
     const ProgramRun of_trace = run_scb("inspect " + (folder / "cost") + " --json"),
                      of_scene = run_scb("inspect spheres-l1 --frames 250 --split cost --json");
     EXPECT_EQ(of_trace.status, of_scene.status) << of_trace.err;
@@ -256,7 +256,7 @@ TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
         std::string::npos);
 }
 
-// Whoever made a trace may have named a file of somebody else.
+// A trace of unknown origin may name any file of its reader.
 TEST_F(TraceCommand, TellsNothingOfWhatUnrelatedFilesHold) {
     const std::string scene = folder / "scene.json", mesh = folder / "mesh.ply";
     write_text(scene, R"({"scb_scene": 1, "name": "s", "frames": 1,
@@ -329,7 +329,7 @@ TEST_F(TraceCommand, PrintsNoControlCharacters) {
         "ft");
     ASSERT_NE(at, std::string::npos);
     bytes.replace(at, 5, "l\033[31");
-    // The checksum is that of zlib over all but itself.
+    // The checksum is zlib's CRC-32 over all bytes before it.
     const auto crc = static_cast<std::uint32_t>(
         crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size() - 4));
     for (std::size_t i = 0; i < 4; ++i)

@@ -36,7 +36,7 @@ TEST(ManPage, TheSameProgramWritesTheSameBytes) {
         EXPECT_EQ(file_text(entry.path()), file_text(b.path / entry.path().filename()));
 }
 
-/// What a program says of all pages.
+/// The complaints of a program about all pages.
 std::string complaints(const std::string& program) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_scb("man -o " + folder.path.string()).status, 0);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
-/// Files by their paths in the folder, but for those of shards.
+/// Files by their paths in the folder, except files of shards.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -307,7 +307,7 @@ TEST_F(BadShards, PicturesThatWereChangedAreRefused) {
             write_text(parts + "/shards/" + entry.path().filename().string(),
                        file_text(entry.path()));
     expect_refused("merge " + parts + " -o " + merged, "the file is not as shard 1/2 made it");
-    // Even by one who knows how to vouch for them.
+    // Also if the recorded hashes were changed with the files.
     for (const char* name : {"1-of-2.json", "2-of-2.json"})
         change(name, [&](json& shard) {
             for (auto& [file, hash] : shard["files"].items())

@@ -48,7 +48,7 @@ TEST(BenchCommand, NamesThePoseInItsFiles) {
                                        " --frames 0 --repeat 1 --pose " + pose + " -o " + out);
         ASSERT_EQ(run.status, 0) << run.err;
         EXPECT_NE(run.out.find(std::string("Pose of B: ") + pose), std::string::npos) << run.out;
-        // One query says nothing of what its parts cost.
+        // A single query does not determine the costs of its parts.
         EXPECT_NE(run.out.find("cannot tell its costs apart"), std::string::npos) << run.out;
         EXPECT_EQ(run.out.find("C_v ns"), std::string::npos) << run.out;
     }

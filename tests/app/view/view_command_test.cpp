@@ -66,7 +66,7 @@ TEST(ViewCommand, ComparesTestsTracesRecordingsAndScenes) {
     EXPECT_EQ(view(recording + " --compare recorded,scb2")[1].first, "SCB2");
     const Columns scenes = view("cone spheres-l1 --level 3");
     EXPECT_EQ(scenes, (Columns{{"cone, SCB", 1}, {"spheres-l1, SCB", 1}}));
-    EXPECT_EQ(manifest_of(file_text(file))["frames"].size(), 200u) << "those of both";
+    EXPECT_EQ(manifest_of(file_text(file))["frames"].size(), 200u) << "frames of both scenes";
     EXPECT_EQ(manifest_of(file_text(file))["same_nodes"], false);
     EXPECT_EQ(view("cone --queries none"), (Columns{{"SCB", 0}}));
     for (const char* wrong : {" --queries none", " --compare scb,obb", " --volume obb"})

@@ -54,7 +54,7 @@ TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
     EXPECT_EQ(second.reason, PassReason::loose_fit);
     EXPECT_EQ(second.gap, 0);
     EXPECT_TRUE(second.within_false_pair && second.within_weak_test);
-    EXPECT_TRUE(leaves.within_weak_test) << "at whatever distance";
+    EXPECT_TRUE(leaves.within_weak_test) << "at any distance";
     EXPECT_EQ(leaves.below, (Work{0, 1, 0}));
     ASSERT_EQ(found.wrongly_rejected.size(), 1u);
     EXPECT_EQ(found.wrongly_rejected[0], (WrongRejection{2, 0, Contact::overlapping}));

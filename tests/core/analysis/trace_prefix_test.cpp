@@ -25,7 +25,7 @@ TEST(TracePrefix, AreTheQueryUpToThere) {
             EXPECT_TRUE(std::includes(whole.found.pairs.begin(), whole.found.pairs.end(),
                                       part.found.pairs.begin(), part.found.pairs.end()));
             pairs = part.found.pairs.size();
-            // Its tree is that of the whole but for what was not divided yet.
+            // Its tree is a part of the whole tree: some pairs are not divided yet.
             const Outcomes outcomes = outcomes_of(header, part);
             for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(part.steps.volumes[i], whole.steps.volumes[i]);

@@ -135,7 +135,7 @@ TEST(TraceDiff, TwoOverlapTestsPartWhereTheirStagesFirstDo) {
     EXPECT_NE(d.first->a->test.stage, d.first->b->test.stage);
     ASSERT_TRUE(d.first->a->parent);
     EXPECT_EQ(d.first->a->parent, d.first->b->parent);
-    // Counts of the sums are those of the frames.
+    // The counts of the sum are the sums over the frames.
     std::uint64_t n_v = 0;
     for (const TraceFrame& f : b.frames) n_v += f.found.n_v;
     EXPECT_EQ(d.sum_b.n_v, n_v);

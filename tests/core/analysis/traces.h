@@ -51,7 +51,7 @@ inline TraceHeader asking_self(VolumeKind volume) {
     return header;
 }
 
-/// Queries of which parts are taken: to the triangles, and to a level.
+/// Queries that tests take parts of: one down to the triangles, one down to a level.
 inline std::vector<TraceHeader> queries_to_divide() {
     TraceHeader to_level = asking(VolumeKind::obb, OverlapTest::symmetric);
     to_level.options.stop_level = 4;

@@ -22,7 +22,7 @@ Mesh strips(std::uint32_t count, double length, double size = 1) {
     return mesh;
 }
 
-/// A square grid, all of whose triangles hang together.
+/// A square grid of triangles that are all connected.
 Mesh grid(std::uint32_t side) {
     Mesh mesh;
     for (std::uint32_t y = 0; y <= side; ++y)
@@ -79,7 +79,8 @@ TEST(WasteCauses, AShareOfTheTrianglesIsEnough) {
 }
 
 TEST(WasteCauses, ATreeThatTakesOffATenthAtATimeIsDeep) {
-    // Clusters, each with a tenth of what is left, each at a third of the place of the one before.
+    // Clusters: each has about a tenth of the remaining triangles. Its position is a third of the
+    // previous cluster's position.
     Mesh mesh;
     std::uint32_t left = 2000;
     for (double x = 1; left > 0; x /= 3) {
@@ -114,7 +115,7 @@ TEST(VainTests, CountPairsThatAreNearlyParallelInTheirPose) {
     const VainTests near = vain_tests(mesh, mesh, frame);
     EXPECT_EQ(near.tests, 2u);
     EXPECT_EQ(near.parallel, 2u);
-    // Whatever their size: powers of lengths must not overflow or vanish.
+    // The same at any size: powers of lengths must not overflow or vanish.
     for (const double scale : {1e-60, 1e60}) {
         Mesh scaled = mesh;
         for (Vec3& v : scaled.vertices) v *= scale;

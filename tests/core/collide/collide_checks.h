@@ -127,8 +127,8 @@ inline void expect_counts_of_steps(const Collision& found, const Steps& steps,
     EXPECT_EQ(found.pairs, pairs);
 }
 
-/// Holds an answer against its steps, which must be a whole traversal where the answer is
-/// complete, and against that of the same query without an observer.
+/// Compares an answer with its steps, and with the answer of the same query without an observer.
+/// If the answer is complete, the steps must be a whole traversal.
 inline void expect_consistent(const Collision& found, const Steps& steps, const BuiltMesh& a,
                               const BuiltMesh& b, const Pose& pose, const QueryVariant& variant) {
     expect_counts_of_steps(found, steps, variant);

@@ -83,9 +83,9 @@ std::vector<std::uint32_t> cover_node_of(const Topology& topology, int level) {
     return node_of;
 }
 
-// A volume may stick out of its parent's, so a pair that overlaps may have ancestors that do not:
-// the pairs found are some of those of the two covers that overlap, and all whose triangles
-// intersect are among them.
+// A volume may stick out of its parent's, so a pair that overlaps may have ancestors that do not.
+// So the query finds some of the overlapping pairs of the two covers, among them every pair with
+// triangles that intersect.
 TEST(CollideStopLevel, FindsPairsOfTheCoversThatOverlapAndAllThatHoldIntersections) {
     const BuiltMesh a(random_soup(63, unless_sanitized(80, 55), unless_sanitized(0.4, 0.55))),
         b(random_soup(64, unless_sanitized(60, 50), unless_sanitized(0.4, 0.55)));

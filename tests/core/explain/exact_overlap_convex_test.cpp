@@ -55,7 +55,7 @@ TEST(ExactConvex, JudgesBoxesAsTheVerdictOfBoxesDoes) {
             EXPECT_GE(found.margin, expected.margin * (1 - 1e-9)) << i;
         } else {
             ++overlapping;
-            // The depth is the least along the axes, of which one is that of the least.
+            // The depth is the least along the axes. One of the axes attains it.
             double least = HUGE_VAL;
             const auto along = [&](Vec3 d) {
                 if (!(d.norm() > 1e-9)) return;

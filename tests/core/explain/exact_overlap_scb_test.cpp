@@ -267,7 +267,7 @@ TEST(ScbContactProof, IsRefusedWhereItDoesNotHold) {
     EXPECT_FALSE(verify(a, apart, {Contact::disjoint, Vec3::Zero(), Vec3::Zero(), 0.5}));
 }
 
-// Whose squares vanish: no distance can be told from them.
+// Squares of these lengths underflow to 0, so they determine no distance.
 TEST(ScbContactProof, IsRefusedOfLengthsThatAreTooSmall) {
     constexpr double tiny = 1e-170;
     const Scb a = ball(Vec3::Zero(), tiny), apart = ball(Vec3(0, 0, 5 * tiny), tiny);

@@ -87,7 +87,7 @@ Agreement compare(const Scb& a, const Scb& b) {
     } else {
         result.open = 1;
     }
-    // Whatever was shown, a plane and a point of both exclude each other.
+    // A separating plane and a common point exclude each other, in every case.
     result.contrary |=
         certificate.contact == Contact::disjoint && certificate.margin > shown.upper + 1e-13;
     if (result.unproven + result.contrary > 0) result.first = to_text(a, b);
@@ -96,9 +96,10 @@ Agreement compare(const Scb& a, const Scb& b) {
 
 Agreement compare(const ScbPair& pair) { return compare(pair.a, placed(pair.b, pair.b_to_a)); }
 
-// A slab cut ball of few numbers, which those of another one meet: planes through each other's
-// centers and tangent to each other's balls, rims that touch planes, slabs that are a disc or a
-// point. The normal is one of the axes, the sides of right triangles of 3, 4 and 5 abound.
+// A slab cut ball with numbers from a short list, so that two of them often touch exactly: planes
+// through each other's centers and tangent to each other's balls, rims that touch planes, slabs
+// that are a disc or a point. The normal is one of the axes. Many sides form right triangles of 3,
+// 4 and 5.
 Scb lattice_scb(Random& random) {
     constexpr std::array radii = {0.5, 1.0, 2.0};
     constexpr std::array heights = {-1.0, -0.8, -0.6, 0.0, 0.6, 0.8, 1.0};

@@ -219,7 +219,7 @@ TEST(SharpenedProof, IsNoDeeperThanAWayOut) {
     EXPECT_GT(boxes, many_pairs / 1000);
 }
 
-// Whole balls, of which gap and depth are known.
+// Whole balls, with known gap and depth.
 template <class V>
 void expect_borne_out_up_to(double margin, const V& a, const V& apart, const V& close) {
     const Vec3 up = Vec3::UnitZ();

@@ -79,7 +79,7 @@ TEST_P(StepsOfTest, EndAtTheStageThatTheTestReturns) {
     EXPECT_EQ(skipped > 0, GetParam() != OverlapTest::symmetric);
 }
 
-// A picture draws the reaches: they must be those of the comparison.
+// A picture draws the reaches: they must be the reaches that the test compares.
 TEST_P(StepsOfTest, HaveTheSlackThatTheirReachesLeave) {
     Random random(18);
     int cylinders = 0;
@@ -251,7 +251,7 @@ TEST(Steps, OfNearlyParallelNeedlesThatTheProductSeparatesHaveItsDirection) {
         Vec3::Zero(), 1, {Slab{Vec3::UnitZ(), 0.01, -0.01}, Slab{Vec3::UnitY(), 0.01, -0.01}}};
     const Vec3 across = Vec3(0, 1, 1) / std::sqrt(2);
     Pose pose{Mat3::Identity(), 0.5 * across};
-    // A rotation about it, but for the angle's square.
+    // A rotation about it, up to the square of the angle.
     const Vec3 turned = 1e-10 * cross(across, Vec3::UnitX());
     pose.rotation.col(0) += turned;
     pose.rotation.row(0) -= turned.transpose();

@@ -74,7 +74,7 @@ TEST(ConvexHull, IsTheSameInAnyOrderOfPointsOfAGrid) {
     }
 }
 
-// Points that are in a plane but for rounding: only exact predicates agree on the vertices.
+// Points that are in a plane up to rounding: only exact predicates agree on the vertices.
 TEST(ConvexHull, HasTheSameVerticesInAnyOrderOfPointsNearAPlane) {
     Random random(4);
     for (int i = 0; i < 200; ++i) {

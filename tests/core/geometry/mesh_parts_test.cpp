@@ -30,7 +30,7 @@ TEST(MeshParts, AreClosedWhereEveryEdgeHasAnEvenNumberOfTriangles) {
         EXPECT_FALSE(are_closed(open));
     }
     Triangles more = tetrahedron;
-    more.push_back({5, 5, 6});  // has no area whatever its edges
+    more.push_back({5, 5, 6});  // has no area
     EXPECT_TRUE(are_closed(more));
     more.push_back({0, 1, 4});
     EXPECT_FALSE(are_closed(more));

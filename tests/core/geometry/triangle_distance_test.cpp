@@ -34,8 +34,8 @@ TEST(TriangleDistance, IsThatOfKnownPairs) {
     EXPECT_EQ(triangle_depth(floor, moved(floor, Vec3(1, 1, 0))), 0) << "in one plane";
 }
 
-// Whoever moves a triangle by less than the gap does not make them meet; by a little more along the
-// right way, it does. The same of depths, the other way round.
+// A triangle that moves by less than the gap does not meet the other. If it moves by a little more
+// than the gap along the right direction, it does. The same for depths, the other way round.
 TEST(TriangleDistance, IsTheLengthOfTheShortestWay) {
     Random random(3);
     int meeting = 0;

@@ -62,8 +62,8 @@ inline double stepped(double x, int steps) {
     return x;
 }
 
-/// A pair of about unit size whose corners are in one plane but for the rounding of their
-/// coordinates and up to two further ulps; every other pair shares a point that is rounded too.
+/// A pair of about unit size. The corners are in one plane, up to the rounding of their coordinates
+/// and two further ulps. About half of the pairs share a point, which is rounded too.
 inline TrianglePair nearly_coplanar_pair(Random& random) {
     const auto coordinate = [&] { return random.uniform(-1, 1); };
     const Vec3 u{coordinate(), coordinate(), coordinate()},

@@ -103,7 +103,7 @@ inline std::vector<IntegerPoint<BigInteger>> as_integer_points(const std::vector
     return result;
 }
 
-/// The same for doubles, whatever finite doubles they are.
+/// The same for any finite doubles.
 inline bool reference_overlap(const TriangleCorners& a, const TriangleCorners& b) {
     const auto p = as_integer_points({a[0], a[1], a[2], b[0], b[1], b[2]});
     return reference_overlap<BigInteger>({p[0], p[1], p[2]}, {p[3], p[4], p[5]});

@@ -76,7 +76,7 @@ TEST(BodiesInside, JudgesNothingByABodyThatIsOpen) {
     const auto [of_outer, of_inner] = inside(outer, solid({1, 0, 0}, 1));
     EXPECT_EQ(of_inner.inside, 0u);
     EXPECT_TRUE(of_inner.not_judged);
-    EXPECT_FALSE(of_outer.not_judged);  // outside of the box, whatever is in it
+    EXPECT_FALSE(of_outer.not_judged);  // outside of the box
     // What lies inside may be open.
     expect_parts(inside(outer, solid({0, 0, 0}, 50))[0], 1, 1);
 }

@@ -30,7 +30,8 @@ void append(Mesh& mesh, const Mesh& other) {
         mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-/// Where the point is of the mesh, in every order of axes, each of which has other rays.
+/// The side of the mesh that the point is on, checked in every order of the axes. Each order has
+/// other rays.
 PointSide side_of(const Mesh& mesh, const Vec3& point) {
     EXPECT_TRUE(are_closed(joined_triangles(mesh)));
     std::optional<PointSide> found;
@@ -71,7 +72,7 @@ TEST(MeshParity, TellsTheLastBitFromTheSurface) {
     EXPECT_EQ(side_of(box, {std::nextafter(1, 2), 0.5, 0.5}), PointSide::out);
     EXPECT_EQ(side_of(box, {5e-324, 5e-324, 5e-324}), PointSide::in);
     EXPECT_EQ(side_of(box, {-5e-324, 5e-324, 5e-324}), PointSide::out);
-    // A slope of which no double but the ends is exactly on it.
+    // A slope. At x = 1 its height is 4/3, which is not a double.
     Mesh wedge = box_of({0, 0, 0}, {3, 1, 1});
     wedge.vertices[5][2] = wedge.vertices[7][2] = 2;
     EXPECT_EQ(side_of(wedge, {1, 0.25, 4.0 / 3}), PointSide::in);  // rounded down

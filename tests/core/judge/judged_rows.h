@@ -39,7 +39,7 @@ struct Rows {
     }
     Rows(const Rows&) = delete;
 
-    /// As a sound engine does it.
+    /// As a correct engine does it.
     void visit(std::uint32_t a, std::uint32_t b) {
         const EngineNode &node_a = trees[0][a], &node_b = trees[1][b];
         const bool apart =
@@ -72,7 +72,7 @@ struct Rows {
         query.events.erase(query.events.begin() + (&event(kind, a, b) - query.events.data()));
     }
     QueryJudgement judged() const { return judge_query(query, contacts); }
-    /// The one problem that there is.
+    /// The only problem found.
     PairProblem problem() const {
         const QueryJudgement found = judged();
         EXPECT_EQ(found.pairs.size(), 1u);

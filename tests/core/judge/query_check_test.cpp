@@ -99,7 +99,7 @@ TEST(QueryCheck, AChildThatIsForgottenIsSeenWhereNothingIsMissedToo) {
     EXPECT_TRUE(found.alike);
 }
 
-// An engine may test all volumes first, and the triangles of what is left later.
+// An engine may test all volumes first, and the triangles of the remaining leaves later.
 TEST(QueryCheck, ATestOfTrianglesIsThatOfTheirLeavesWheneverItIsMade) {
     Rows rows;
     std::stable_partition(rows.query.events.begin(), rows.query.events.end(),

@@ -119,7 +119,8 @@ TEST(TreeCheck, NamesVolumesThatDoNotContainWhatIsBelowThem) {
     // That none has any is no problem.
     for (ToldNode& node : nodes) node.volume = NodeVolume{};
     EXPECT_EQ(problems_of(nodes), Words{});
-    // The corners of the box of what is below are outside of this ball; the triangles are not.
+    // The corners of the box about the triangles below are outside of this ball. The triangles are
+    // not.
     nodes = nodes_of_row();
     nodes[3].volume = Ball{Vec3(0.25, 0.25, 0), std::sqrt(0.125) + 1e-12};
     nodes[0].volume = Ball{Vec3(1.75, 0, 0), 1.85};

@@ -15,8 +15,8 @@ TEST(TreeWatch, NamesANodeThatGotOtherChildrenAndKeptItsVolume) {
     TreeWatch watch;
     TreeShape shape = tree_shape(tree, 4);
     watch.look(0, {tree, shape, &mesh, 1e-9, 1, 1});
-    // A rotation: leaf 6 changes places with leaf 3; the box of node 2 is mended, that of node 1 is
-    // not.
+    // A rotation: leaf 6 changes places with leaf 3. The box of node 2 is updated, the box of node
+    // 1 is not.
     const std::array<std::uint32_t, 2> of_1{6, 4}, of_2{5, 3};
     tree.relink(1, 0, 1, of_1, {});
     tree.relink(2, 0, 1, of_2, {});
@@ -83,8 +83,8 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
     }
 }
 
-/// A row that is looked at frame by frame. Node 1, of triangles 0 and 1, can be told a box that
-/// ends before them.
+/// A row that is checked frame by frame. Node 1, of triangles 0 and 1, can get a box that ends
+/// before them.
 struct WatchedRow {
     EngineNodes tree = tree_of(nodes_of_row());
     Mesh mesh = row_of_triangles();
@@ -179,7 +179,7 @@ TEST(TreeWatch, AProblemOfTheShapeIsToldWhereItIsNew) {
     const TreeShape shape = tree_shape(tree, 4);
     TreeWatch watch;
     for (int frame = 0; frame < 4; ++frame) watch.look(frame, {tree, shape, &mesh, 1e-9, frame, 0});
-    ASSERT_EQ(watch.problems().size(), 1u) << "told again, it is the same";
+    ASSERT_EQ(watch.problems().size(), 1u) << "recorded again, it is the same";
     EXPECT_EQ(watch.problems()[0].words, "triangle 1 is in no leaf");
     EXPECT_EQ(watch.problems()[0].since, 0);
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Told from the leaves up, with numbers that are no indices.
+/// Recorded from the leaves up, with numbers that are no indices.
 std::vector<ToldNode> row_from_below() {
     std::vector<ToldNode> nodes = nodes_of_row();
     std::reverse(nodes.begin(), nodes.end());

@@ -147,7 +147,7 @@ TEST(NodeVolume, SlabsThatBoundNothingAreRefused) {
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 0, 1, 0, 1}), "");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 1, 0, 1, 0, 1}),
               "its directions lie in a plane");
-    // Three in a plane but for rounding.
+    // Three directions in a plane, up to rounding.
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 1, 1, 1e-12}, {0, 1, 0, 1, 0, 1}),
               "its directions lie in a plane");
     EXPECT_EQ(fault({1, 0, 0, 0, 1, 0, 0, 0, 0}, {0, 1, 0, 1, 0, 1}), "its direction 2 is none");

@@ -98,8 +98,8 @@ void expect_costs(const std::map<Stage, Range>& ranges, OverlapTest test) {
 //                                         comparisons that select the case are not made again.
 //   all             99  13     82/84 12
 //
-// Whether a gap is positive and whether it is long enough is asked at once: two branches, of which
-// the first would be hard to predict, cost more than the three operations that they save.
+// One branch checks that a gap is positive and long enough. Two branches would save three
+// operations but cost more, because the first one is hard to predict.
 TEST(OperationCounts, OfFigure8AreBelowTable1ByWhatItsFormSaves) {
     const CountingScalar threshold = 0.7;
     const auto ranges = measure(

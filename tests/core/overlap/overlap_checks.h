@@ -12,7 +12,8 @@ namespace scb {
 
 inline const Vec3 unit_x = Vec3::UnitX(), unit_z = Vec3::UnitZ();
 
-/// The tests that never reject what overlaps; and those of them that measure slabs by cylinders.
+/// The tests that never reject volumes that overlap. Below: the tests among them that measure slabs
+/// by cylinders.
 inline constexpr std::array sound_tests = {OverlapTest::line8, OverlapTest::corrected,
                                            OverlapTest::symmetric, OverlapTest::extents};
 inline constexpr std::array slab_cylinder_tests = {OverlapTest::line8, OverlapTest::corrected,

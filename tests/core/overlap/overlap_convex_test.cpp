@@ -126,7 +126,7 @@ TYPED_TEST(Convex, IsKeptWhereItTouches) {
         pose.translation += 1e-7 * d;
         if (overlap_convex(a, b, placed_pair(a, b, pose)) != Stage::overlapping) ++rejected;
     }
-    // Exact but for rounding: next to no pair is left.
+    // Exact up to rounding: nearly all pairs are rejected.
     EXPECT_GE(rejected, many - many / 1000);
 }
 

@@ -82,8 +82,8 @@ bool segment_meets_box(Vec3 from, Vec3 to, const Obb& box, double slack) {
     return first <= last;
 }
 
-/// Two boxes overlap where and only where an edge of one meets the other: a corner of what they
-/// have in common is on an edge of one of them.
+/// Two boxes overlap if and only if an edge of one meets the other: each corner of their
+/// intersection is on an edge of one of them.
 bool edges_meet(const Obb& a, const Obb& b, double slack) {
     const auto edges_of_meet = [slack](const Obb& p, const Obb& q) {
         for (int k = 0; k < 3; ++k)

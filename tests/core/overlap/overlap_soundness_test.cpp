@@ -72,8 +72,9 @@ TEST(OverlapSoundness, EachFormRejectsAllThatTheOneBeforeRejects) {
     expect_all(OverlapTest::symmetric, OverlapTest::extents);
 }
 
-// Ceilings a little above what the forms let pass among pairs that are not close to contact, so
-// that a form that has lost a part of itself is noticed although it stays sound.
+// Upper bounds of the disjoint pairs that each form passes, among pairs that are not close to
+// contact. They are a little above the measured numbers. So the test notices if a form loses one of
+// its comparisons, although the form still never rejects volumes that overlap.
 TEST(OverlapSoundness, FormsLetFewDisjointPairsPass) {
 #ifdef SCB_SANITIZED
     GTEST_SKIP() << "shares take many pairs";

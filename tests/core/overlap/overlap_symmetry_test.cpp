@@ -7,7 +7,7 @@
 namespace scb {
 namespace {
 
-// Calls `use` with random pairs of which the test's verdict is not a matter of rounding.
+// Calls `use` with random pairs whose verdict does not depend on rounding.
 template <class Use>
 void for_decided_pairs(OverlapTest test, Use use) {
     Random random(14);

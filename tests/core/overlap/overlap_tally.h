@@ -13,7 +13,7 @@ namespace scb {
 
 inline constexpr std::size_t overlap_test_count = 5;
 
-/// What the overlap tests said of many pairs of one family, against the exact one.
+/// Results of the overlap tests on many pairs of one family, compared with the exact test.
 struct OverlapTally {
     /// Pairs by exact verdict and by which tests rejected them: bit k for the test numbered k.
     std::array<std::array<std::uint64_t, 1u << overlap_test_count>, 3> pairs{};

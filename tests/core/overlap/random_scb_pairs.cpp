@@ -90,7 +90,7 @@ Bodies random_bodies(Random& random, const ScbPairFamily& family) {
     return bodies;
 }
 
-// Puts the center of B at the offset from that of A, and B into a frame of its own.
+// Puts the center of B at the offset from A's center, and B into a frame of its own.
 ScbPair framed(Random& random, const Bodies& bodies, const Vec3& offset, double gap,
                double spread = 1) {
     ScbPair pair;

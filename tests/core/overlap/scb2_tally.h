@@ -11,7 +11,8 @@
 
 namespace scb {
 
-/// What the overlap test of two slabs said of many pairs of one family, against certified verdicts.
+/// Results of the overlap test of two slabs on many pairs of one family, compared with certified
+/// verdicts.
 struct Scb2Tally {
     /// Pairs by exact verdict; of those, the ones that the test rejected.
     std::array<std::uint64_t, 3> pairs{}, rejected{};

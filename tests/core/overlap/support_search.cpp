@@ -155,7 +155,7 @@ class Search {
 
   private:
     const Scb &a_, &b_;
-    const Vec3 apart_;  // from the center of A to that of B
+    const Vec3 apart_;  // from the center of A to the center of B
     Simplex simplex_;
 
     // The difference that is farthest against the direction.

@@ -17,7 +17,7 @@ struct KernelPair {
     float error;  ///< of each number, at most
 };
 
-/// What the kernel says of a pair.
+/// The kernel's results for a pair.
 struct KernelAnswer {
     /// Heights of Q's corners above P and of P's above Q; then, row by row, on which side of each
     /// other P's edge i and Q's edge j pass.

@@ -147,7 +147,7 @@ TEST(CollidePacked, FindsWhatBruteForceFindsWhereMeshesTouch) {
     }
 }
 
-// At the ends of what floats hold with room for their products, see check_packable.
+// At both ends of the range of floats whose products are still floats, see check_packable.
 TEST(CollidePacked, FindsWhatBruteForceFindsInTheSmallestAndTheLargestMeshes) {
     Random random(75);
     for (const double size : {1.1e-8, 0.9e8}) {

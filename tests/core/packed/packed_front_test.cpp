@@ -230,7 +230,7 @@ TEST(PackedFront, IsOfOtherHierarchiesOnceCleared) {
 
 const FrontBodies unit_balls = {{Vec3::Zero(), 1}, {Vec3::Zero(), 1}, 0.1};
 
-// The proof rests on this alone, whatever the heuristics.
+// The proof rests on this alone. It does not depend on the heuristics.
 TEST(FrontSchedule, OffersAFrontOnlyWithinItsSkin) {
     Random random(97);
     int used = 0, not_used = 0;

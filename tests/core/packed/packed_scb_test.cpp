@@ -106,7 +106,7 @@ TEST(NodeCodec, ThinSlabsStayThin) {
     EXPECT_LT(two_floats.decode(0).h[0], 4e-7f);
     QuantizedCodec<2, Scb2> two_quantized;
     two_quantized.encode(std::span(&needle, 1), Vec3::Zero());
-    EXPECT_LT(two_quantized.decode(0).h[1], 8e-5f) << "twice that of a quaternion";
+    EXPECT_LT(two_quantized.decode(0).h[1], 8e-5f) << "twice the error of a quaternion";
 }
 
 TEST(NodeCodec, BytesForEachVolume) {

@@ -180,8 +180,8 @@ constexpr std::array<float, 3> bounds = {HWY_NAMESPACE::q_height_bound,
 std::size_t bound_of(std::size_t k) { return k < 3 ? 0 : k < 6 ? 1 : 2; }
 
 // No determinant is farther off than its bound says. In units of D^2 error, some are nearly as far
-// off as they can be (12, 48 and 48, but for what is of second order): a third to a half of the
-// bound, so that a bound a few times too small is found out.
+// off as they can be (12, 48 and 48, up to terms of second order): a third to a half of the bound.
+// So the test fails if a bound is a few times too small.
 TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
     Random random(1);
     std::vector<KernelPair> pairs;
@@ -288,7 +288,7 @@ std::vector<PackedRef> leaves_of(const PackedHierarchy<Codec>& packed) {
     return leaves;
 }
 
-/// Triangles of all sizes up to that of the cloud that they are.
+/// Triangles of all sizes up to the size of their cloud.
 Mesh random_triangles(Random& random, const Vec3& center, double cloud) {
     Mesh mesh;
     const double size = std::ldexp(1.0, -static_cast<int>(random.below(12)));
@@ -301,8 +301,8 @@ Mesh random_triangles(Random& random, const Vec3& center, double cloud) {
     return mesh;
 }
 
-// Corners that leaves give to the kernel are as near to those of the meshes as they say; some
-// are a thirtieth of that off.
+// Corners that leaves give to the kernel are as near to the meshes' corners as the leaves state.
+// Some are off by a thirtieth of the stated error.
 TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
     Random random(3);
     double worst = 0;

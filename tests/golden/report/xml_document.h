@@ -11,7 +11,7 @@ namespace scb::golden {
 struct XmlElement {
     std::string name;
     std::map<std::string, std::string> attributes;
-    std::string text;  ///< all of its own, without that of its children
+    std::string text;  ///< its own text, without its children's text
     std::vector<XmlElement> children;
 
     /// The children of that name.

@@ -40,7 +40,7 @@ TEST_F(FileReplacement, PutsAndRemoves) {
               (std::map<std::string, std::string>{{"a", "new"}, {"b", "old"}, {"c", "new"}}));
 }
 
-// A folder cannot be replaced by a file, which stands for whatever may go wrong half way.
+// A folder cannot be replaced by a file. This stands for any error half way.
 TEST_F(FileReplacement, ThatFailsHalfWayChangesNothing) {
     folder.write("a", "old");
     fs::create_directory(folder.path / "d");

@@ -30,7 +30,7 @@ class SuiteFile : public testing::Test {
     Suite load(const json& document) const {
         return load_suite(folder.write("cases.json", document.dump()));
     }
-    /// What is said of the suite with that value in that place; empty where it is read.
+    /// The error of the suite with that value in that place; empty if the suite is valid.
     std::string refusal(const char* pointer, const json& value) const {
         json document = json::parse(text);
         document[json::json_pointer(pointer)] = value;
@@ -164,7 +164,7 @@ TEST_F(SuiteFile, PicturesOfScenesHaveNoPanelSinceTheSecondVersion) {
     document["cases"][0]["panel"] = false;
     document["cases"][0]["size"] = "64x64";
     EXPECT_EQ(drawn(0), "64x64 alone");
-    // Of what has no view of a scene, a size without a panel is too small.
+    // For a run without a view of a scene, a size without a panel is too small.
     document["presets"]["picture"]["panel"] = false;
     document["cases"][1]["size"] = "240x180";
     EXPECT_THROW(load(document), InputError);

@@ -76,7 +76,7 @@ TEST_F(ClipTest, ABallThatIsCutIsASlabCutBall) {
             const Rendering cut = drawn(Ball{Vec3(0, 0, 0), 1}, alpha);
             EXPECT_EQ(*cut.ids, *expected.ids);
             EXPECT_GT(covered(*cut.ids), 1000);
-            // The rim is as dark; the cap has one color, which is not that of a cap.
+            // The rim is as dark. The cross-section has one color, unlike the cap of a slab.
             double most = 0;
             for (std::size_t i = 0; i < cut.image.rgba.size(); ++i)
                 most = std::max(most, std::abs(double(cut.image.rgba[i]) - expected.image.rgba[i]));
@@ -127,7 +127,7 @@ TEST_F(ClipTest, NothingIsLeftBeyondThePlaneAndAllOfItBefore) {
             }
 }
 
-// One color within a rim, whatever lines the volume's own surface would have there.
+// One color within a rim, also where the volume's own surface would have lines.
 TEST_F(ClipTest, ACrossSectionIsFlatWithinARim) {
     for (const auto& [name, volume] : shapes()) {
         if (name == "rounded") continue;  // which is open
@@ -135,7 +135,7 @@ TEST_F(ClipTest, ACrossSectionIsFlatWithinARim) {
         camera() = camera_from(true, true);
         camera().clip = FacePlane{Vec3::UnitZ(), 0.15};
         const Rendering cut = drawn(volume);
-        // What lies in the plane is that of a thin slice of the volume.
+        // A thin slice of the volume shows which pixels the cross-section has.
         camera().clip = FacePlane{-Vec3::UnitZ(), -0.15 + 1e-4};
         camera().position[2] = 0.1502;
         camera().near_distance = 1e-4;

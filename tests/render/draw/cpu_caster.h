@@ -137,8 +137,8 @@ inline Hit cast(const Pane& pane, double x, double y) {
 /// for the ids, the rest for its single precision.
 constexpr double order_tolerance = 3.3e-5;
 
-/// The id at a point, or nothing where it hangs by less than a hundredth of a pixel, or by less
-/// than the renderer's tolerance.
+/// The id at a point. Empty if the id changes within a hundredth of a pixel, or if a second surface
+/// is closer behind than the renderer's tolerance.
 inline std::optional<std::uint32_t> certain_id(const Pane& pane, double x, double y) {
     const Hit hit = cast(pane, x, y);
     if (hit.second < (1 + order_tolerance) * hit.distance) return std::nullopt;

@@ -136,7 +136,7 @@ TEST_P(RayCast, AgreesOnWhatAClippingPlaneLeavesAnEyeInside) {
     }
 }
 
-// Those of a column of pixels, all of them on the side that is not drawn.
+// The rays of a column of pixels. They all lie on the side of the plane that is not drawn.
 TEST_P(RayCast, AgreesWhereRaysAreNearlyParallelToTheClippingPlane) {
     const std::vector<AnyVolume> volumes = assorted_volumes();
     Picture picture = picture_of(volumes, 160, 120, GetParam());

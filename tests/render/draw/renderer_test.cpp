@@ -197,7 +197,7 @@ TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
 
 TEST(Renderer, LinesInWhichSurfacesMeetAreThinWhereTheyAreHidden) {
     Drawing drawing;
-    // Behind the ball but for its ends, which are seen through a translucent one.
+    // A line behind the ball. Its ends are seen through a translucent ball.
     Picture picture =
         picture_of({Ball{Vec3(0, 0, 0), 1}, Ball{Vec3(0, -0.2, 0), 1.9}}, 201, 101, 1);
     Pane& pane = picture.panes[0];

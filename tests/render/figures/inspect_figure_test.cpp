@@ -85,8 +85,8 @@ TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {
     EXPECT_NE(drawn(drawing, best, 1280, 720), unmarked);
 }
 
-/// How many pixels left of the panel have the colors of the reasons: of what is not wasted, of
-/// fits, of tests.
+/// How many pixels left of the panel have the colors of the reasons: not wasted, wasted by fits,
+/// wasted by tests.
 std::array<int, 3> bar_pixels(Drawing& drawing, const InspectFigure& figure) {
     const Image image = drawn(drawing, figure, 1280, 720);
     const PixelRect view = figure_layout(1280, 720).view;

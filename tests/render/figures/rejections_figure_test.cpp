@@ -91,7 +91,7 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
         return rejections_pane(query.bodies, query.frame, query.outcomes, ended, style).segments;
     };
     ASSERT_FALSE(query.frame.found.pairs.empty());
-    // Also those of triangles that are left out.
+    // Also the lines of triangles that are left out.
     style.focus = 0.01;
     EXPECT_EQ(lines().size(), query.frame.found.pairs.size());
     for (const Segment& line : lines()) {

@@ -291,7 +291,7 @@ TEST(TraversalFigure, DrawsOnlyWhatIsAskedFor) {
         figure.icicle = false;
         const auto matrix =
             colors_of(drawn(drawing, figure, scb_header(), small_frame(), 640, 480));
-        // But for edges of letters.
+        // Edges of letters may have the color.
         EXPECT_LT(count_in(matrix, divided_color(light_theme)), 50);
         // Of 5 tests 2 are rejected; the roots are not.
         const Rgba8 roots = viridis(0);

@@ -103,7 +103,8 @@ TEST_F(ChildProcessTest, ItsWordsAreKeptApart) {
     EXPECT_EQ(process.last_line(), "odd");
 }
 
-// By then its group's id may be that of others. Here they are its own child, which can tell.
+// By then the id of its group may belong to other processes. Here it belongs to a child of the
+// process, which writes a line if it is not killed.
 TEST_F(ChildProcessTest, IsLeftToItselfWhereItTakesLonger) {
     EXPECT_EQ(ChildProcess({"sh", "-c", "exit 3"}, output, seconds(60)).wait_or_leave(seconds(60)),
               (ProcessEnd{false, 3}));

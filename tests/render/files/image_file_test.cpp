@@ -95,7 +95,7 @@ TEST_F(ImageFile, SaysWhatItIsToldBesideThePixels) {
     EXPECT_EQ(sum, 0xb0bae3a6u);
 }
 
-/// What is said of a file that is refused, after its name.
+/// The error about a refused file, after the name of the file.
 std::string words_of(const fs::path& file) {
     try {
         read_png(file);
@@ -122,7 +122,7 @@ TEST_F(ImageFile, WhatIsNoPngIsRefused) {
 }
 
 TEST_F(ImageFile, MayBeDamagedInAWayThatTheDecoderHasNoWordsFor) {
-    // A kind of block that there is not.
+    // A kind of block that does not exist.
     constexpr std::uint8_t wrong_block[] = {
         0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49,
         0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02,
@@ -130,11 +130,11 @@ TEST_F(ImageFile, MayBeDamagedInAWayThatTheDecoderHasNoWordsFor) {
         0x41, 0x54, 0x78, 0x01, 0x07, 0x00, 0x00, 0x00, 0x00, 0xef, 0xad, 0x4a, 0xdd,
         0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
     write_file_whole(folder / "block.png", wrong_block);
-    // The words of what failed before are kept, in each thread.
+    // In each thread the decoder keeps the message of an earlier error.
     std::jthread([&] { EXPECT_THROW(read_png(folder / "block.png"), InputError); });
 }
 
-// The decoder reads on behind the end of what is compressed.
+// The decoder reads on behind the end of the compressed data.
 TEST_F(ImageFile, MayHaveCompressedDataWithoutAnEnd) {
     constexpr std::uint8_t endless[] = {
         0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
@@ -158,7 +158,7 @@ TEST_F(ImageFile, OfOneColorIsSmall) {
     EXPECT_EQ(read_png(folder / "white.png"), image);
 }
 
-// The decoder names chunks that it does not know, whatever their names.
+// The decoder's message has the name of an unknown chunk, in any characters.
 TEST_F(ImageFile, IsRefusedOnOneLineOfPlainCharacters) {
     std::vector<std::uint8_t> bytes = encode_png(gradient(true));
     constexpr std::size_t data_chunk = 33;

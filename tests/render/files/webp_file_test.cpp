@@ -41,7 +41,7 @@ TEST(WebpFile, HasAllFramesAsTheyWereAtTheirTimes) {
     ASSERT_TRUE(WebPAnimDecoderGetInfo(decoder, &info));
     EXPECT_EQ(info.frame_count, 7U);
     EXPECT_EQ(info.loop_count, 0U) << "endless";
-    // The time is that of its end.
+    // The time of a frame is its end.
     const int ends[] = {33, 67, 100, 133, 167, 200, 233};
     for (int i = 0; i < 7; ++i) {
         std::uint8_t* pixels = nullptr;

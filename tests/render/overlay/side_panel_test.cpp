@@ -64,7 +64,7 @@ TEST(SidePanel, CutsNoDifference) {
                            {PanelRow{"pairs", {"8,234,567", difference}, {}, true},
                             PanelRow{"outlined", {"1", ""}}});
     };
-    // Wider than half of what the label leaves, and wider than all of it.
+    // Wider than half of the room beside the label, and wider than all of the room.
     for (const std::string number : {"280,12", "2,345,678,90"})
         for (const std::string sign : {"+", "−"})
             EXPECT_NE(drawn(sign + number + "4"), drawn(sign + number + "7")) << sign << number;

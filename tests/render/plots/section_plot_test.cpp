@@ -316,7 +316,7 @@ TEST(ExplainLayout, HasALineForASubtitleThatDoesNotFit) {
     Overlay overlay;
     const PixelRect usual = explain_layout(640, 360, figure, overlay).heading;
     EXPECT_EQ(usual.height, figure_layout(640, 360).heading.height);
-    figure.title += " and a name that is as long as those of CAD models are";
+    figure.title += " and a name that is as long as names of CAD models are";
     figure.subtitle += ", frame 0, 86 volume tests wasted";
     const ExplainLayout layout = explain_layout(640, 360, figure, overlay);
     EXPECT_GT(layout.heading.height, usual.height);

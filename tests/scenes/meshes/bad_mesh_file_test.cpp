@@ -135,7 +135,7 @@ TEST(BadMeshFile, WithAnIndexThatAssimpTakesForAnotherIsRefused) {
     const char* const names_3 = "mesh 0, face 0 names vertex 3, but there are 3 vertices";
     expect_in(names_3, refused_file("a.3ds", tds_with(3)));
     expect_in(names_3, refused_file("b.3ds", tds_with(3, 2)));
-    // Whatever it is called: assimp goes by what is in it.
+    // Under any name: assimp recognizes the format by the content.
     for (const char* name : {"a.prj", "a.mesh"})
         expect_in(names_3, refused_file(name, tds_with(3)));
     for (const char* name : {"a.xml", "a.mesh"})
@@ -298,7 +298,8 @@ TEST(BadMeshFile, WithABackslashInItsPathIsRefused) {
               refused_file("a\\b.dae", dae_with("2")));
 }
 
-// They would be read by every reader of assimp, whatever is refused elsewhere.
+// assimp would read the named meshes with any of its readers, also with readers that are refused
+// elsewhere.
 TEST(BadMeshFile, OfASceneThatNamesMeshesIsNotRead) {
     const TemporaryFolder folder;
     folder.write("good.off", "OFF\n3 1 0\n" + std::string(three) + "3 0 1 2\n");

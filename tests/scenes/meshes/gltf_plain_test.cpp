@@ -66,7 +66,7 @@ TEST(GltfPlain, ReadsQuantizedPositions) {
     EXPECT_EQ(mesh_of_gltf(triangle_gltf(raws<std::int16_t>({-3, 0, 0, 1, 0, 0, 0, -300, 0}), 5122))
                   .vertices,
               (std::vector<Vec3>{{-3, 0, 0}, {1, 0, 0}, {0, -300, 0}}));
-    // As gltfpack writes them: four numbers of which three are used.
+    // As gltfpack writes them: four numbers, the first three are used.
     const auto strided = [](json& document) { document["bufferViews"][0]["byteStride"] = 8; };
     EXPECT_EQ(
         mesh_of_gltf(triangle_gltf(raws<std::uint16_t>({0, 1, 2, 9, 100, 0, 0, 9, 0, 90, 7, 9}),

@@ -30,7 +30,7 @@ constexpr const char* triangle_stl =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
     "endfacet\nendsolid a\n";
 
-/// What is said of a good file where the script reads it.
+/// The error about a good file if this script is the reader.
 std::string refused_by(const std::string& script) {
     const FakeReader fake(script);
     const std::string file = fake.folder.write("good.stl", triangle_stl);

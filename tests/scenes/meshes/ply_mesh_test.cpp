@@ -44,7 +44,7 @@ std::string one_of(Random& random, const std::array<const char*, n>& words) {
     return words[random.next() % n];
 }
 
-/// A file of what the format allows, chosen by chance, and the mesh in it.
+/// A random valid file of the format, and the mesh in it.
 struct AnyPly {
     std::string bytes;
     Mesh mesh;

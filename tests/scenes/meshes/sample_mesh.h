@@ -14,7 +14,7 @@ inline const Mesh sample_mesh = {
     {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}},
     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}, {1, 1, 2}}};
 
-/// Triangles in file order, corner by corner, whatever vertices the reader repeated.
+/// Compares triangles in file order, corner by corner. The reader may repeat vertices.
 inline void expect_same_triangles(const Mesh& mesh, const Vec3& offset = Vec3::Zero(),
                                   double scale = 1) {
     ASSERT_EQ(mesh.triangles.size(), sample_mesh.triangles.size());

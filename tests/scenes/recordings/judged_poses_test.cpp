@@ -47,7 +47,7 @@ TEST(JudgedPoses, APoseThatFitsOneQueryOfSeveralIsNotNamed) {
     };
     const std::vector<RecordedPose*> poses = poses_of_b(records);
     ASSERT_EQ(poses.size(), 3u);
-    poses[0]->rows = poses[1]->rows;  // that of the second fits, one frame late
+    poses[0]->rows = poses[1]->rows;  // the pose of the second frame fits, one frame late
     turn(*poses[1]);
     poses[2]->rows[11] += 0.2;
     const RecordingJudgement judged = judge(records);
@@ -78,7 +78,7 @@ TEST(JudgedPoses, NamesAWorldRotationThatIsTransposed) {
     EXPECT_EQ(judged.poses[0].pose, "the poses with the rotation of B transposed");
 }
 
-// Its tests of volumes are made with the poses of the frame before, those of triangles are not.
+// The engine tests volumes with the poses of the frame before, and triangles with the right poses.
 TEST(JudgedPoses, NamesThePoseOfTheTestsOfVolumesAlone) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
     const std::vector<RecordedPose*> poses = poses_of_b(records);

@@ -11,7 +11,7 @@
 namespace scb::scenes {
 namespace {
 
-/// A triangle that reaches from 0 to 1, of which a leaf has this box.
+/// A triangle that reaches from 0 to 1, in a leaf with this box.
 std::vector<Record> triangle_in_box(std::vector<double> box, std::vector<double> root = {}) {
     std::vector<Record> records = {
         RecordedMesh{0, "m", 4, {0, 0, 0, 1, 0, 0, 0, 1, 0.1f}, {0, 1, 2}},

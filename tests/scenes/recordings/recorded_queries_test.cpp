@@ -129,7 +129,7 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     EXPECT_EQ(pose_told(nearly).pose_fault, "is not finite");
 }
 
-// A vertex that is not finite must not hide one that there is not.
+// A vertex that is not finite must not hide an index of a missing vertex.
 TEST(RecordedQueries, RefusesAnIndexBeyondTheVerticesOfATriangleThatIsNotFinite) {
     ReadSteps read(
         std::vector<Record>{RecordedMesh{0, "", 8, {NAN, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 99}}});

@@ -282,7 +282,7 @@ TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
     EXPECT_EQ(stage_name(Stage::divided_both), "divided both");
 }
 
-/// What another engine's trace says of pairs that are nodes.
+// Pairs of nodes in the trace of another engine.
 TEST(RecordedTrace, ComparesPairsOfNodesByTheirNumbers) {
     const TemporaryFolder folder;
     folder.write("objects.scbrec", broadphase());

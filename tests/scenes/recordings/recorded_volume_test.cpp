@@ -28,7 +28,7 @@ Reach reach_of(const NodeVolume& volume) {
 }
 
 void expect_reach(RecordedKind kind, const Numbers& numbers, const Vec3& least, const Vec3& most) {
-    std::string fault = "that of another volume";
+    std::string fault = "another volume's fault";
     const NodeVolume volume = node_volume({kind, numbers}, along_axes, fault);
     EXPECT_EQ(fault, "");
     ASSERT_TRUE(has_volume(volume));

@@ -20,7 +20,7 @@ std::string refusal_of_bytes(const std::string& bytes) {
     return {};
 }
 
-/// What is read of a damaged file is a part of what was there, from the start; or it is refused.
+/// The reader of a damaged file returns the records up to some point, or refuses the file.
 void expect_part(const std::string& bytes, const std::string& whole) {
     try {
         RecordingReader reader(bytes, "x.scbrec"), other(whole, "x.scbrec");

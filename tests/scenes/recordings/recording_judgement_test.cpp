@@ -13,8 +13,8 @@
 namespace scb::scenes {
 namespace {
 
-/// Both meshes are told anew at each frame, by two frames of which one query is judged.
-TEST(RecordingJudgement, OfMeshesThatAreToldAnewTheNewOnesHold) {
+// Both meshes are recorded again before each query.
+TEST(RecordingJudgement, UsesTheLatestRecordOfAMesh) {
     std::vector<Record> records, single;
     std::array<RecordedMesh, 2> meshes;
     for (const Record& record : records_in(recording_of(trace_of(VolumeKind::obb)))) {
@@ -151,7 +151,7 @@ TEST(RecordingJudgement, AStaleBoxIsNamedWithItsFrameAndNode) {
     constexpr std::uint32_t forgotten = 7;
     for (const Record& record : records)
         if (const auto* node = std::get_if<RecordedNode>(&record); node && node->tree == 1) {
-            // Told again it may be, and is stale all the same.
+            // The volume is recorded again without a change, so it is stale all the same.
             RecordedRefit refit{1, node->node, node->volume};
             if (node->node != forgotten) refit.volume.values[2] += 0.3;
             told.push_back(refit);
@@ -284,7 +284,7 @@ TEST(RecordingJudgement, ATreeIsAsDeepAsItsDeepestNode) {
 }
 
 TEST(RecordingJudgement, ATreeThatTheFileBreaksOffInIsNotBroken) {
-    // Its second child was not told yet.
+    // The second child is not recorded yet.
     const RecordedVolume volume = ball_volume(1);
     std::vector<Record> records = {RecordedTree{0, record_none, "", {}},
                                    RecordedNode{0, 0, record_none, 0, "", {1, 2}, {}, volume},
@@ -348,8 +348,8 @@ TEST(RecordingJudgement, DivisionsThatLackAChildBelongToTheVerdict) {
     EXPECT_EQ(part_of(judged_divisions(4, 0), what)->count, 4u);
 }
 
-/// Four triangles that lie in a row along x, of A, each of which is crossed by one that stands, of
-/// B; a leaf for each below one root.
+/// Four triangles of A that lie in a row along x. An upright triangle of B crosses each. Each
+/// triangle has a leaf, and each side one root.
 std::vector<Record> crossing_rows() {
     std::vector<Record> records;
     for (std::uint32_t side = 0; side < 2; ++side) {

@@ -25,7 +25,7 @@ inline void append(std::vector<Record>& records, const std::vector<Record>& more
     records.insert(records.end(), more.begin(), more.end());
 }
 
-/// Two balls of radius 1, of which that of B moves.
+/// Two balls of radius 1. The ball of B moves.
 inline std::vector<Record> two_balls() {
     std::vector<Record> records = body_of_one_node(0, ball_volume(1));
     append(records, body_of_one_node(1, ball_volume(1)));

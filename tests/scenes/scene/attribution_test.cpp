@@ -64,7 +64,7 @@ void check_counts(const AttributedQuery& q) {
     for (const ItemStep& test : q.frame.steps.items)
         ++(is_false[test.step] ? wasted : useful).triangle_tests;
     EXPECT_EQ(r.counts.wasted, wasted);
-    // An exact test saves what a pair that passed a weak one led to, at whatever distance.
+    // An exact test saves all tests below a pair that passed a weak test, at any distance.
     std::vector<char> is_weak(tests.size());
     for (const PassedPair& pair : r.passed)
         is_weak[pair.test] = pair.reason == PassReason::weak_test;
@@ -232,7 +232,7 @@ TEST(Attribution, ARejectionOfVolumesThatTouchIsWrongWhereItLosesTriangles) {
     check_counts(query);
 }
 
-// At a distance from the origin where rounding says nothing of gaps, and near it.
+// Near the origin, and at distances from it at which rounding hides small gaps.
 TEST(Attribution, VerdictsAreThoseOfTheExplanation) {
     std::map<Contact, int> verdicts;
     Random random(21);

@@ -21,7 +21,7 @@ const char* const small_scene = R"({
 
 Scene parse(const std::string& text) { return parse_scene(text, {"my.json", {}, {}}); }
 
-/// What is said of the small scene after a change at a JSON pointer; no value takes the field away.
+/// The error about the small scene after a change at a JSON pointer; no value removes the field.
 std::string refused(const std::string& pointer, const json& value) {
     json document = json::parse(small_scene);
     document[json::json_pointer(pointer)] = value;
