@@ -44,7 +44,7 @@ std::string validate(const Topology& topology, const Mesh& mesh) {
             return sentence("the children of node ", i, " do not make up its range.");
         if ((!l.is_leaf() && l.left != node.left + 2) ||
             (!r.is_leaf() && r.left != node.left + 2 * l.count))
-            return sentence("what is below node ", i, " does not follow it.");
+            return sentence("the nodes below node ", i, " are not in the order of a Topology.");
     }
     return {};
 }

@@ -348,12 +348,10 @@ std::string words_of(const TreeProblem& problem, const EngineNodes& tree) {
         case TreeFault::listed_twice:
             return node + " is a child of two nodes, the second is " + other;
         case TreeFault::wrong_parent:
-            return node + " says that its parent is " + other +
-                   ", which does not list it, and "
-                   "another node does";
+            return node + " names " + other + " as its parent, but is a child of another node";
         case TreeFault::dropped:
-            return node + " says that its parent is " + other +
-                   ", which does not list it: no query comes there";
+            return node + " names " + other +
+                   " as its parent, but is not among that node's children: no query reaches it";
         case TreeFault::unreachable:
             return node + " is in a cycle, or below one";
         case TreeFault::triangle_nowhere:

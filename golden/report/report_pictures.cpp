@@ -110,8 +110,8 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
         figure["pane"] = pane.title;
         figure["has_image"] = flag(pane.png.has_value());
         figure["path"] = pane.path;
-        figure["alt"] =
-            std::string(ids ? "who owns each pixel of " : "") + result.name + ", " + pane.title;
+        figure["alt"] = std::string(ids ? "the node or triangle at each pixel of " : "") +
+                        result.name + ", " + pane.title;
         // Every version is drawn at one scale, also if the sizes differ.
         if (pane.png) {
             figure["url"] = "data:image/png;base64," + render::base64(pane.png->bytes);

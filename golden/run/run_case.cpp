@@ -74,10 +74,10 @@ const Json& only_picture(const GoldenCase& golden, const Json& index) {
     if (golden.run == GoldenRun::inspect) return drawn.at(0);
     if (drawn.size() != 1)
         throw InputError("It draws " + std::to_string(drawn.size()) +
-                         " pictures, and a case is of one; name one frame, one volume and" +
-                         (golden.run == GoldenRun::levels ? " one level with `--levels`"
-                                                          : " leave out what makes more") +
-                         ", and make a case of each.");
+                         " pictures, but a case has one; write one case for each picture. Give " +
+                         (golden.run == GoldenRun::levels
+                              ? "one frame, one volume, and one level with `--levels`."
+                              : "one frame and one volume, and no option that adds pictures."));
     return drawn.at(0);
 }
 

@@ -89,9 +89,8 @@ Json case_counts(GoldenRun run, const Json& document) {
     Json counts = Json::object();
     const auto take = [&](const char* from, const char* to) {
         if (!document.is_object() || !document.contains(from))
-            throw InputError(std::string("There is no `") + from +
-                             "` in what it made, whose counts are compared; was it made by this "
-                             "scb?");
+            throw InputError(std::string("The output of the run has no `") + from +
+                             "`, whose counts are compared; check that this scb made it.");
         counts[to] = counts_in(document[from], from).value_or(Json::object());
     };
     if (run == GoldenRun::inspect) {

@@ -88,7 +88,7 @@ std::vector<std::string> read_arguments(const scenes::JsonPlace& place) {
 }
 
 std::vector<std::string> read_command(const scenes::JsonPlace& place) {
-    const char* expected = "the words of a command, one of which has {} for the recording";
+    const char* expected = "a list of a command's words, with {} in place of the recording's file";
     std::vector<std::string> words;
     const std::size_t count = scenes::array_size(place, expected);
     for (std::size_t i = 0; i < count; ++i)
@@ -211,8 +211,8 @@ class Reader {
                            "that makes one; give either.");
         if (golden.run == GoldenRun::inspect && recording)
             scenes::refuse(place,
-                           "`inspect` judges recordings, and makes no counts of them to compare; "
-                           "`external` compares those of the engine.");
+                           "`inspect` has no counts of a recording to compare; compare the "
+                           "engine's counts with `external`.");
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)

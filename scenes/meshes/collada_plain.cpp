@@ -126,7 +126,7 @@ class ColladaReducer {
         }
         if (url.find_first_of("\"<") != url.npos)
             throw InputError(name_ + ": a controller deforms \"" + excerpt(url) +
-                             "\", which is no geometry; export it again.");
+                             "\", which is not the id of a geometry; export the file again.");
         plain_.bytes.append("<instance_geometry url=\"").append(url).append("\"/>");
     }
 
@@ -176,7 +176,8 @@ class ColladaReducer {
         const std::string place = name_ + ": array \"" + excerpt(accessor.array) + "\"";
         if (array == arrays_.end() || !array->second.has_numbers)
             throw InputError(place +
-                             " of an accessor is no float_array of the file; export it again.");
+                             ", which an accessor reads, is not a float_array of the file; export "
+                             "the file again.");
         if (accessor.count == 0) return;
         const std::uint64_t needed = accessor.offset + (accessor.count - 1) * accessor.stride +
                                      std::max<std::uint64_t>(accessor.parameters, 1);

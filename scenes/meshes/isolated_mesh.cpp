@@ -208,9 +208,8 @@ class Reader {
                          "mesh, or repair its counts.");
     if (signal == SIGALRM || signal == SIGXCPU)
         throw InputError(path +
-                         ": its reader did not come to an end in the time that it has (8 seconds "
-                         "and 2 for each MB, or what ulimit -t leaves); repair the file or export "
-                         "it again.");
+                         ": its reader did not end within its time limit (8 seconds and 2 for each "
+                         "MB, or the limit of ulimit -t); repair the file or export it again.");
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
         throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
                               "); try again.");
@@ -238,10 +237,10 @@ Mesh isolated_mesh(const std::string& path) {
         const std::optional<int> status = reader.wait();
         const bool killed = status && WIFSIGNALED(*status);
         fail_to_start(path, reader.program(),
-                      killed ? ::strsignal(WTERMSIG(*status)) : "it ended without a word");
+                      killed ? ::strsignal(WTERMSIG(*status)) : "it ended without an answer");
     }
     if (greeting != mesh_greeting)
-        fail_to_start(path, reader.program(), "what was started is another program");
+        fail_to_start(path, reader.program(), "the program is not this version of scb");
     std::optional<ReceivedAnswer> answer =
         receive_answer([&](std::span<std::byte> bytes) { return reader.read(bytes); });
     const std::optional<int> status = reader.wait();

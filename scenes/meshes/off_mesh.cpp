@@ -148,10 +148,10 @@ class OffReader {
         // A color has three or four numbers, or is an index.
         const std::size_t more = words_.skip_line();
         if (!magic_.more && (more == 2 || more > 4))
-            throw InputError(name_ + ": vertex " + std::to_string(i) + " is followed by " +
+            throw InputError(name_ + ": the line of vertex " + std::to_string(i) + " has " +
                              std::to_string(more) +
-                             " words on its line, which are no color; write each vertex on a line "
-                             "of its own.");
+                             " words after the coordinates, but a color has 1, 3 or 4; write each "
+                             "vertex on a line of its own.");
         mesh_.vertices.emplace_back(at[0], at[1], at[2]);
     }
 

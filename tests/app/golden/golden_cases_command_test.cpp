@@ -47,7 +47,7 @@ TEST_F(GoldenCommandCases, AreOfOnePicture) {
                  {{"name", "all-levels"}, {"run", "levels"}, {"scene", "cone"}}});
     const ProgramRun run = golden("check");
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.out.find("two-levels: could not run. It draws 2 pictures, and a case is of one"),
+    EXPECT_NE(run.out.find("two-levels: could not run. It draws 2 pictures, but a case has one"),
               std::string::npos)
         << run.out;
     EXPECT_NE(run.out.find("`--levels`"), std::string::npos);

@@ -43,14 +43,14 @@ TEST(TreeCheck, NamesWhatIsWrongWithTheShape) {
 
     nodes = nodes_of_row();
     nodes[5].parent = 1;
-    EXPECT_EQ(problems_of(nodes), Words{"node 5 says that its parent is node 1, which does not "
-                                        "list it, and another node does"});
+    EXPECT_EQ(problems_of(nodes), Words{"node 5 names node 1 as its parent, but is a child of "
+                                        "another node"});
 
     nodes = nodes_of_row();
     nodes[2].children = {5};
     EXPECT_EQ(problems_of(nodes),
-              (Words{"node 6 says that its parent is node 2, which does not list it: no query "
-                     "comes there",
+              (Words{"node 6 names node 2 as its parent, but is not among that node's children: no "
+                     "query reaches it",
                      "triangle 3 is in no leaf"}));
 }
 

@@ -52,7 +52,7 @@ TEST(ColladaPlain, RefusesAnAccessorThatReachesBeyondItsArray) {
     for (const char* count : {"-1", "9x", "0x9", "", "4294967296"})
         expect_in("array \"a\": the count is \"" + std::string(count) + "\"",
                   refused_dae(triangle_dae("id=\"a\" count=\"" + std::string(count) + "\"")));
-    expect_in("array \"b\" of an accessor is no float_array",
+    expect_in("array \"b\", which an accessor reads, is not a float_array",
               refused_dae(triangle_dae(array, R"(source="#b" count="3" stride="3")")));
     expect_in("two arrays have the id \"a\"",
               refused_dae(triangle_dae(array + "/><float_array id=\"a\" count=\"1\"")));

@@ -111,7 +111,8 @@ TEST(IsolatedMesh, ThatCrashesOrIsCutShortTakesNothingWithIt) {
                   refused_by(script));
     expect_in("its reader was killed", refused_by(greet + "kill -KILL $$"));
     for (const char* signal : {"ALRM", "XCPU"})
-        expect_in("did not come to an end", refused_by(greet + "kill -" + signal + " $$"));
+        expect_in("did not end within its time limit",
+                  refused_by(greet + "kill -" + signal + " $$"));
 }
 
 TEST(IsolatedMesh, BlamesNoFileWhereTheReaderDoesNotStart) {

@@ -53,7 +53,7 @@ TEST(OffMesh, PassesOverWhatFollowsOnALine) {
                   .vertices,
               (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     // Two or more vertices on a line.
-    expect_in("vertex 0 is followed by 6 words on its line, which are no color",
+    expect_in("the line of vertex 0 has 6 words after the coordinates, but a color has 1, 3 or 4",
               refused_off("OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"));
 }
 
