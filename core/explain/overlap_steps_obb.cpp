@@ -30,7 +30,7 @@ OverlapStep axis_step(Stage stage, const Axis& axis, double margin) {
     step.slack = (step.separates ? std::max(slack, 0.0) : std::min(slack, 0.0)) + 0.0;
     if (!vanishes) step.direction = (axis.distance < 0 ? -1 : 1) * axis.direction / scale;
     // The test compares both sides, which are next to nothing.
-    if (vanishes) step.skipped = "the edges are parallel, which is not an axis";
+    if (vanishes) step.skipped = "the edges are parallel, so they give no axis";
     set_terms(step, {{StepTerm::Of::distance, "|c1′·" + axis.name + "|", step.left},
                      {StepTerm::Of::a, "−ρ0", -axis.reach_a / scale},
                      {StepTerm::Of::b, "−ρ1", -axis.reach_b / scale}});

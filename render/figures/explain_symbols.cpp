@@ -22,21 +22,22 @@ std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions
             break;
         default:
             return {
-                "ρ: how far a volume reaches in a direction; u: from A's center to B's; w: where "
-                "the search for the closest points came to."};
+                "ρ: how far a volume reaches in a direction; u: from A's center to B's; w: a "
+                "direction that the search for the closest points tried."};
     }
     switch (options.test) {
         case OverlapTest::symmetric:
             return {
                 "m, h: middle of a slab and half its thickness, so e = m + h, f = m − h; r·sα: "
-                "what the cylinder about a "
-                "ball adds; sα is rounded up."};
+                "effective radius of the cylinder about the slab cut ball; sα is rounded up."};
         case OverlapTest::extents:
             return {
                 "ρ: how far a slab cut ball reaches in that direction; u: the direction from A's "
                 "center to B's."};
         default:
-            return {"r·sα: what the cylinder about a ball adds; sα is rounded up."};
+            return {
+                "r·sα: effective radius of the cylinder about the slab cut ball; sα is rounded "
+                "up."};
     }
 }
 

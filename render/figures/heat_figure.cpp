@@ -92,9 +92,9 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& f
     items.emplace_back(PanelNote{
         heat.of == HeatOf::triangles ? "tests of the triangle against one of the other body"
         : heat.of == HeatOf::volumes
-            ? "tests of two volumes, one of which holds the triangle"
-            : "tests of two volumes, one of which holds the triangle, below a pair of which no "
-              "triangles meet"});
+            ? "tests of volumes that hold the triangle"
+            : "tests of volumes that hold the triangle, if no triangles meet below the pair that "
+              "led to the test"});
     return items;
 }
 
