@@ -338,7 +338,7 @@ export class Query {
     return { all, focus };
   }
 
-  // The nodes among them that are drawn; the levels of all must be unpacked. `areaOf`: the area of the triangles that are drawn in place of a node, or 0.
+  // The nodes of `all` that are drawn; the levels of all nodes must be unpacked. `areaOf`: the area of the triangles that are drawn in place of a node, or 0.
   // `keeps`: whether all nodes of a group are drawn.
   /** @type {(found: { all: ShownNode[][], focus: number }, areaOf: (node: ShownNode) => number, keeps: (group: number) => boolean) => ShownNode[]} */
   drawn({ all, focus }, areaOf, keeps) {
