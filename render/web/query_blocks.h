@@ -13,9 +13,9 @@ namespace scb::render {
 struct QueryBlocks {
     /// Number of a block: of each test of volumes, in their order, u8. The lower six bits: 0 where
     /// the children of A's node or of both nodes were tested next, 1 where the children of B's node
-    /// were, else 2 and the index of its ending's group. Bit 6: it passed volumes that are disjoint, or
-    /// rejected some that overlap or hold triangles that intersect. Bit 7: triangles below it
-    /// intersect, and no test that followed says so.
+    /// were, else 2 and the index of its ending's group. Bit 6: it passed volumes that are
+    /// disjoint, or rejected some that overlap or hold triangles that intersect. Bit 7: triangles
+    /// below it intersect, and no test that followed says so.
     std::size_t outcomes = 0;
     /// Per step A's node, B's node and the parent, n x 3, u32; 2^32 - 1: no parent. Nothing where
     /// the page predicts all of them from the outcomes: first the roots, then all children of the
