@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 
 namespace scb::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/explain/explain_volumes.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"

@@ -49,7 +49,7 @@ Json json_of(const ConvexShape& shape) {
               json_of(Vec3(shape.axes.col(2)))}},
             {"reach", reach}};
 }
-Json json_of(const render::AnyVolume& volume) {
+Json json_of(const AnyVolume& volume) {
     return std::visit([](const auto& v) { return json_of(v); }, volume);
 }
 
@@ -99,7 +99,7 @@ void add_volumes_json(Json& json, const ExplainedPair& pair) {
     json["a"] = json_of(pair.a);
     json["b"] = json_of(pair.b);
     json["pose"] = pose_json(pair.placed.b_to_a);
-    const render::AnyVolume b = b_seen_from_a(pair);
+    const AnyVolume b = b_seen_from_a(pair);
     json["b_in_a"] = json_of(b);
     if (pair.kind == VolumeKind::scb) {
         json["thickness"] = {thickness(std::get<Scb>(pair.a)), thickness(std::get<Scb>(b))};

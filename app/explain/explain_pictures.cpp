@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/base/text_format.h"
-#include "render/figures/explain_layout.h"
+#include "render/figures/explain_figure.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/triangle_overlap.h"
 
@@ -107,8 +107,8 @@ void draw_explanation(PictureRun& pictures, const PictureOptions& options,
     }
     const int width = options.width(), height = options.height();
     if (picture.camera) {
-        const std::vector<render::AnyVolume> volumes = {render::placed(figure.a, figure.to_world),
-                                                        render::placed(figure.b, figure.to_world)};
+        const std::vector<AnyVolume> volumes = {placed(figure.a, figure.to_world),
+                                                placed(figure.b, figure.to_world)};
         const render::PixelRect view =
             render::explain_layout(width, height, figure, pictures.overlay()).view_box();
         figure.camera =

@@ -11,7 +11,7 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/model/tree.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/text/utf8.h"
 

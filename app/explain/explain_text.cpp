@@ -6,8 +6,8 @@
 #include "app/cli/console.h"
 #include "app/query/scene_title.h"
 #include "core/base/text_format.h"
-#include "render/figures/explain_symbols.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/explain_figure.h"
+#include "render/figures/figure_words.h"
 #include "scenes/text/utf8.h"
 
 namespace scb::app {
@@ -80,7 +80,7 @@ std::string place_text(const ConvexShape& shape) { return "center " + point(shap
 
 std::string volumes_text(const ExplainedPair& pair) {
     std::string text;
-    const render::AnyVolume* volumes[] = {&pair.a, &pair.b};
+    const AnyVolume* volumes[] = {&pair.a, &pair.b};
     for (std::size_t side = 0; side < 2; ++side) {
         text += side == 0 ? "  A: " : "  B: ";
         if (pair.nodes) {
@@ -93,7 +93,7 @@ std::string volumes_text(const ExplainedPair& pair) {
         }
         text += std::visit([](const auto& v) { return volume_text(v); }, *volumes[side]) + "\n";
     }
-    const render::AnyVolume b = b_seen_from_a(pair);
+    const AnyVolume b = b_seen_from_a(pair);
     const bool same_frame = pair.placed.b_to_a.rotation == Mat3::Identity() &&
                             pair.placed.b_to_a.translation == Vec3::Zero();
     if (!same_frame)

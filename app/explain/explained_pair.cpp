@@ -72,8 +72,8 @@ ExplainedPair explained_volumes(const scenes::AnyRawPair& pair, const OverlapOpt
         pair);
 }
 
-render::AnyVolume b_seen_from_a(const ExplainedPair& pair) {
-    return std::visit([&](const auto& b) { return render::AnyVolume(seen_from_a(b, pair.placed)); },
+AnyVolume b_seen_from_a(const ExplainedPair& pair) {
+    return std::visit([&](const auto& b) { return AnyVolume(seen_from_a(b, pair.placed)); },
                       pair.b);
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/query/query_source.h"
 #include "core/explain/pair_explanation.h"
-#include "render/view/any_volume.h"
+#include "core/volumes/any_volume.h"
 #include "scenes/scene/raw_pairs.h"
 
 namespace scb::app {
@@ -25,7 +25,7 @@ struct ExplainedNode {
 /// Two volumes, the steps of an overlap test, and the exact answer.
 struct ExplainedPair {
     VolumeKind kind{};
-    render::AnyVolume a, b;  ///< of one type, each in its own frame
+    AnyVolume a, b;  ///< of one type, each in its own frame
     Placement placed;
     OverlapOptions options;
     PairExplanation found;
@@ -52,7 +52,7 @@ ExplainedPair explained_nodes(const SceneQuery& query, int frame,
 ExplainedPair explained_volumes(const scenes::AnyRawPair& pair, const OverlapOptions& options);
 
 /// B in A's frame.
-render::AnyVolume b_seen_from_a(const ExplainedPair& pair);
+AnyVolume b_seen_from_a(const ExplainedPair& pair);
 
 /// The angle between the normals of two slab cut balls, in degrees, without the digits in which C
 /// libraries differ.

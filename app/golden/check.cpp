@@ -10,7 +10,6 @@
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
 #include "golden/run/check_cases.h"
-#include "golden/run/completion.h"
 #include "golden/run/work_folder.h"
 #include "golden/suite/baseline.h"
 #include "scb/error.h"

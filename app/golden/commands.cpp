@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "app/pictures/picture_options.h"
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 
 namespace scb::app {
 namespace {

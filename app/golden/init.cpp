@@ -10,7 +10,7 @@
 #include "app/golden/options.h"
 #include "core/base/exit_status.h"
 #include "golden/report/plain_text.h"
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 #include "render/gl/embedded.h"
 #include "scb/error.h"
 

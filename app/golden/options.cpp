@@ -7,7 +7,7 @@
 #include "app/cli/validators.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/scene_options.h"
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/scene_inputs.h"

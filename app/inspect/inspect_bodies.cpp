@@ -19,7 +19,7 @@ constexpr double largest_marked = 0.3;
 std::vector<render::SceneMarker> markers_of(const InspectReport& report, int frame,
                                             const render::QueryBodies& bodies) {
     const auto ball_about = [&](std::size_t side, std::uint32_t node) {
-        const render::AnyVolume volume = render::volume_of(bodies[side], node);
+        const AnyVolume volume = render::volume_of(bodies[side], node);
         return render::SceneMarker{
             center(volume), std::visit([](const auto& v) { return diameter(v); }, volume) / 2};
     };

@@ -11,8 +11,8 @@
 #include "app/inspect/inspect_page.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
+#include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
-#include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 #include "scenes/text/utf8.h"
 

@@ -12,8 +12,8 @@
 #include "app/query/scene_title.h"
 #include "app/query/trace_report.h"
 #include "core/base/text_format.h"
+#include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
-#include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 #include "scenes/text/utf8.h"
 

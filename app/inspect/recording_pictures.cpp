@@ -153,7 +153,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         if (problem.tree != no_index && all.bodies.size() > 1 &&
             problem.tree == all.bodies[1].number && problem.tree != all.bodies[0].number)
             parts.first_side = 1;
-        const std::vector<render::AnyVolume> region = render::problem_region(parts);
+        const std::vector<AnyVolume> region = render::problem_region(parts);
         const auto release = [&] {
             for (const render::QueryBody& body : parts.bodies)
                 pictures.renderer().release(body.handle);

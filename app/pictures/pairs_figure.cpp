@@ -8,7 +8,7 @@ std::string pairs_title(const render::PairsStyle& style) {
 
 void look_at_contact(render::SceneFigure& figure, const QueryView& view, const TraceHeader& header,
                      const TraceFrame& frame, const render::QueryBodies& bodies) {
-    const std::vector<render::AnyVolume> region = render::contact_region(bodies, header, frame);
+    const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame);
     figure.subtitle = view.subtitle(frame.frame);
     figure.pane.camera = view.camera(region);
     figure.center = view.center(region);

@@ -10,7 +10,7 @@
 #include "app/pictures/show_pictures.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
-#include "render/overlay/svg.h"
+#include "render/overlay/overlay_shape.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"
 #include "scenes/text/input_files.h"

@@ -3,7 +3,7 @@
 #include "app/pictures/picture_texts.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
-#include "render/overlay/svg.h"
+#include "render/overlay/overlay_shape.h"
 
 namespace scb::app {
 

@@ -19,9 +19,9 @@ void draw_comparison(const QueryView& view, const render::ComparedQueries& queri
                      const std::string& title, const std::string& what,
                      const QueryViewOptions& options, PictureRun& pictures) {
     const QueryFrames frames = {queries[0].frame, queries[1].frame};
-    std::vector<render::AnyVolume> region;
+    std::vector<AnyVolume> region;
     for (const render::ComparedQuery& query : queries) {
-        const std::vector<render::AnyVolume> contact =
+        const std::vector<AnyVolume> contact =
             render::contact_region(query.bodies, *query.header, *query.frame);
         region.insert(region.end(), contact.begin(), contact.end());
     }

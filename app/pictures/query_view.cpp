@@ -10,8 +10,8 @@
 #include "app/cli/build_text.h"
 #include "app/query/scene_title.h"
 #include "core/base/text_format.h"
+#include "render/figures/figure_words.h"
 #include "render/figures/volume_colors.h"
-#include "render/figures/volume_titles.h"
 #include "scb/level_cover.h"
 
 namespace scb::app {
@@ -99,7 +99,7 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
     const Reach of_volumes = [nodes](const render::QueryBody& body, const Vec3& direction) {
         double most = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t node : nodes->of(*body.tree))
-            most = std::max(most, render::reach(render::volume_of(body, node), direction));
+            most = std::max(most, reach(render::volume_of(body, node), direction));
         // Trees without volumes: use the mesh.
         return std::isfinite(most) ? most : mesh_reach(body, direction);
     };
@@ -170,10 +170,10 @@ double QueryView::least_radius() const {
            50;
 }
 
-render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) const {
+render::Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     if (!follows_contact() || region.empty()) return whole_;
     // Not so close that a single small triangle fills the view.
-    std::vector<render::AnyVolume> wide = region;
+    std::vector<AnyVolume> wide = region;
     const render::Support of_region = render::support_of(region);
     const Vec3 middle = render::center_of(of_region);
     scenes::CameraView wish = camera_view_;
@@ -187,7 +187,7 @@ render::Camera QueryView::camera(const std::vector<render::AnyVolume>& region) c
 }
 
 void QueryView::show_small_contact(render::SceneFigure& figure,
-                                   const std::vector<render::AnyVolume>& region) const {
+                                   const std::vector<AnyVolume>& region) const {
     if (follows_contact() || region.empty()) return;
     constexpr double small = 1.0 / 8;
     if (render::extent_in_view(figure.pane.camera, region) > small) return;
@@ -203,7 +203,7 @@ scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {
     return exact_camera_view(camera_view_, camera, center_);
 }
 
-Vec3 QueryView::center(const std::vector<render::AnyVolume>& region) const {
+Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
     return !follows_contact() || region.empty() ? center_
                                                 : render::center_of(render::support_of(region));
 }

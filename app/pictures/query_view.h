@@ -35,15 +35,15 @@ class QueryView {
     render::QueryBodies bodies(int frame, std::size_t query = 0) const;
     /// The camera for a picture of the options' size: one for all frames; or fitted to `region`, if
     /// it follows the contact and there is one.
-    render::Camera camera(const std::vector<render::AnyVolume>& region) const;
+    render::Camera camera(const std::vector<AnyVolume>& region) const;
     /// The point that the camera looks at, where a scale bar is valid.
-    Vec3 center(const std::vector<render::AnyVolume>& region) const;
+    Vec3 center(const std::vector<AnyVolume>& region) const;
     /// The complete description of the camera, see exact_camera_view.
     scenes::CameraView camera_view(const render::Camera& camera) const;
     /// If the contact is small in the figure's view, magnifies it, and adds a hint for a closer
     /// view to the panel.
     void show_small_contact(render::SceneFigure& figure,
-                            const std::vector<render::AnyVolume>& region) const;
+                            const std::vector<AnyVolume>& region) const;
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
     const QueryViewOptions& options() const { return options_; }

@@ -47,7 +47,7 @@ struct Shot {
         figure.title = view.title(options.title());
         figure.subtitle = options.filtered(view.subtitle(frame.frame));
         figure.pane = render::rejections_pane(bodies, frame, outcomes, ended, style);
-        const std::vector<render::AnyVolume> region =
+        const std::vector<AnyVolume> region =
             render::contact_region(bodies, source.header(), whole);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);

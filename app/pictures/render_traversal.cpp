@@ -6,7 +6,6 @@
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_index.h"
-#include "core/analysis/costly_tests.h"
 #include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
 #include "render/figures/traversal_figure.h"

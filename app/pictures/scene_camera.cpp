@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/portable_math.h"
 #include "core/base/text_format.h"
-#include "core/base/trigonometry.h"
 #include "scb/error.h"
 #include "scenes/text/number_list.h"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/draw/shrink.h"
+#include "render/draw/image_operations.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {

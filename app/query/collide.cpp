@@ -21,7 +21,7 @@
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "core/geometry/placed_box.h"
+#include "core/geometry/mesh_facts.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_trace.h"

@@ -7,7 +7,7 @@
 #include "app/query/poses_json.h"
 #include "core/analysis/ending.h"
 #include "core/base/text_format.h"
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 
 namespace scb::app {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/query/level_list.h"
 #include "app/query/mutation.h"
 #include "app/query/query_options.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {

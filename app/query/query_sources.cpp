@@ -8,7 +8,7 @@
 
 #include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/text/number_list.h"

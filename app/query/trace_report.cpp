@@ -6,7 +6,7 @@
 #include "app/cli/console.h"
 #include "core/analysis/trace_words.h"
 #include "core/base/text_format.h"
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 #include "scenes/text/utf8.h"
 
 namespace scb::app {

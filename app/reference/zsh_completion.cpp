@@ -1,6 +1,6 @@
 #include "app/reference/completion_scripts.h"
 #include "app/reference/words.h"
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 
 namespace scb::app {
 namespace {

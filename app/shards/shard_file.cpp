@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
-#include "golden/suite/shell_word.h"
+#include "golden/suite/case_command.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/text/file_bytes.h"

@@ -6,7 +6,7 @@
 
 #include "core/analysis/measure_correlation.h"
 
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scb/error.h"
 
 namespace scb::app {

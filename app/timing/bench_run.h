@@ -7,7 +7,7 @@
 #include "app/query/scene_query.h"
 #include "app/timing/query_timing.h"
 #include "core/base/statistics.h"
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 #include "scb/any_packed.h"
 
 namespace scb::app {

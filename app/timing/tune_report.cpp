@@ -9,8 +9,8 @@
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
+#include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
-#include "render/figures/volume_titles.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {

@@ -6,7 +6,7 @@
 
 #include "app/timing/query_timing.h"
 #include "app/timing/tune_subject.h"
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 #include "core/base/parallel_for.h"
 #include "core/base/statistics.h"
 #include "scb/error.h"

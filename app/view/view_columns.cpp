@@ -4,7 +4,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/text/number_list.h"

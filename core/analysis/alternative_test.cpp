@@ -1,6 +1,6 @@
 #include "core/analysis/alternative_test.h"
 
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 #include "core/collide/query_placement.h"
 #include "core/overlap/test_functors.h"
 

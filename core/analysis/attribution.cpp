@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/exact_verdict.h"
 #include "core/volumes/shape.h"

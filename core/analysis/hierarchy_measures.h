@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/analysis/node_hulls.h"
-#include "core/geometry/surface_samples.h"
+#include "core/geometry/surface.h"
+#include "core/model/tree.h"
 #include "scb/any_hierarchy.h"
 
 namespace scb {
@@ -78,5 +79,9 @@ MeasuredMesh measured_mesh(const Mesh& mesh, const TreeShape& shape, const ItemC
 /// smaller one. All pairs of children of a node are siblings, except in nodes with more than 16.
 HierarchyMeasures hierarchy_measures(const AnyHierarchy& hierarchy, const MeasuredMesh& mesh,
                                      int threads = 1);
+
+/// The measures of any builder's tree whose items are the triangles of `mesh`. Nodes without a
+/// volume contain everything, and have no size.
+HierarchyMeasures tree_measures(const Tree& tree, const Mesh& mesh, int threads = 1);
 
 }  // namespace scb

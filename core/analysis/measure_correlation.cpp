@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/rank_correlation.h"
 #include "core/base/statistics.h"
 
 namespace scb {

@@ -10,9 +10,9 @@
 #include "core/analysis/sample_descent.h"
 #include "core/analysis/shared_volume.h"
 #include "core/base/parallel_for.h"
+#include "core/base/portable_math.h"
 #include "core/base/random.h"
 #include "core/base/statistics.h"
-#include "core/base/trigonometry.h"
 #include "core/hierarchy/tree_shape.h"
 
 namespace scb {

@@ -1,4 +1,4 @@
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 
 namespace scb {
 namespace {

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "core/base/word_hash.h"
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 
 namespace scb {
 namespace {

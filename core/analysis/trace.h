@@ -10,7 +10,7 @@
 #include "core/analysis/outcome.h"
 #include "core/model/tree.h"
 #include "scb/any_collide.h"
-#include "scb/query.h"
+#include "scb/collide.h"
 
 namespace scb {
 

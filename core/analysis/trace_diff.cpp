@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "core/analysis/ending.h"
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 
 namespace scb {
 namespace {

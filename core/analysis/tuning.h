@@ -7,7 +7,7 @@
 #include "core/analysis/pass_counts.h"
 #include "core/base/enum_names.h"
 #include "scb/any_hierarchy.h"
-#include "scb/descent_rule.h"
+#include "scb/collide.h"
 #include "scb/overlap_options.h"
 
 namespace scb {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 
 namespace scb {

@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "core/base/c_locale.h"
-
 namespace scb {
 
 std::string format(const char* pattern, ...) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <locale.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -41,5 +45,32 @@ std::string name_list(const Range& range, Name name = {}) {
 
 /// A short key of a text: FNV-1a of 32 bits (Fowler, Noll, Vo), as eight digits.
 std::string short_hash(std::string_view text);
+
+/// The parts in sequence, as a stream writes them, independent of the host program's locale.
+template <class... Parts>
+std::string sentence(const Parts&... parts) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    (text << ... << parts);
+    return text.str();
+}
+
+/// During its lifetime, printf, strtod and similar functions in this thread use the C locale:
+/// numbers have a decimal point, in any locale of the host program (POSIX, uselocale).
+class CLocale {
+  public:
+    CLocale() : before_(::uselocale(c())) {}
+    ~CLocale() { ::uselocale(before_); }
+    CLocale(const CLocale&) = delete;
+    CLocale& operator=(const CLocale&) = delete;
+
+  private:
+    static locale_t c() {
+        static const locale_t c = ::newlocale(LC_ALL_MASK, "C", locale_t{});
+        return c;
+    }
+
+    locale_t before_;
+};
 
 }  // namespace scb

@@ -1,8 +1,11 @@
 #include "scb/any_collide.h"
 
+#include <array>
 #include <string>
 
+#include "core/base/enum_names.h"
 #include "core/collide/dual_traversal.h"
+#include "scb/collide.h"
 #include "scb/error.h"
 
 namespace scb {
@@ -73,5 +76,19 @@ std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
                               const OverlapOptions& options) {
     return with_volume_type(kind, [&]<Volume V>() { return transform_count<V>(stages, options); });
 }
+
+namespace {
+
+constexpr std::array rules = {DescentRule::radius, DescentRule::area, DescentRule::volume,
+                              DescentRule::alternating};
+constexpr EnumNames<DescentRule, rules.size()> rule_names = {"radius", "area", "volume",
+                                                             "alternating"};
+
+}  // namespace
+
+std::string_view descent_rule_name(DescentRule rule) { return rule_names[rule]; }
+std::optional<DescentRule> descent_rule_of(std::string_view name) { return rule_names.find(name); }
+
+std::span<const DescentRule> all_descent_rules() { return rules; }
 
 }  // namespace scb

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/collide/query_placement.h"
-#include "core/geometry/share_vertex.h"
+#include "core/geometry/triangle_pair.h"
 #include "core/overlap/test_functors.h"
 #include "core/traverse/traverse.h"
 #include "scb/collide.h"

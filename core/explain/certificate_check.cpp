@@ -1,4 +1,4 @@
-#include "core/explain/certificate_check.h"
+#include "core/explain/contact_certificate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/explain/convex_depth.h"
+#include "core/explain/exact_overlap.h"
 
 #include <algorithm>
 #include <array>

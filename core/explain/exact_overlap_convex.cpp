@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/explain/convex_depth.h"
 #include "core/explain/exact_overlap.h"
 #include "core/overlap/gjk.h"
 

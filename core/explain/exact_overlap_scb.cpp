@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/explain/centered_pair.h"
-#include "core/volumes/half_chord.h"
+#include "core/volumes/scb2_reach.h"
 
 namespace scb {
 namespace {

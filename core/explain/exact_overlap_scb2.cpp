@@ -5,7 +5,7 @@
 #include "core/explain/box_room.h"
 #include "core/explain/centered_pair.h"
 #include "core/explain/exact_overlap.h"
-#include "core/volumes/half_chord.h"
+#include "core/volumes/scb2_reach.h"
 
 namespace scb {
 namespace {

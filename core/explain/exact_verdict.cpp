@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/explain/exact_overlap.h"
-#include "core/volumes/placed_volume.h"
+#include "core/volumes/any_volume.h"
 
 namespace scb {
 namespace {

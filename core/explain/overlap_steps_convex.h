@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/explain/overlap_steps.h"
-#include "core/explain/step_parts.h"
 #include "core/overlap/overlap_convex.h"
 
 namespace scb {

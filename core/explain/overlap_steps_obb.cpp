@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/explain/step_parts.h"
+#include "core/explain/overlap_steps.h"
 #include "core/volumes/shape.h"
 
 namespace scb {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/text_format.h"
-#include "core/explain/step_parts.h"
+#include "core/explain/overlap_steps.h"
 #include "core/overlap/overlap_extents.h"
 
 namespace scb {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/explain/step_parts.h"
+#include "core/explain/overlap_steps.h"
 #include "core/overlap/overlap_scb2.h"
 
 namespace scb {

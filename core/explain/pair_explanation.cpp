@@ -1,6 +1,6 @@
 #include "core/explain/pair_explanation.h"
 
-#include "core/explain/certificate_check.h"
+#include "core/explain/contact_certificate.h"
 #include "core/explain/exact_overlap.h"
 #include "core/explain/overlap_steps_convex.h"
 #include "core/overlap/test_functors.h"

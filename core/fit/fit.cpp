@@ -58,7 +58,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include "core/base/enum_names.h"
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scb/mesh.h"
 

@@ -5,9 +5,9 @@
 
 #include "core/fit/dop26.h"
 #include "core/fit/extremal_points.h"
-#include "core/fit/few_points.h"
 #include "core/geometry/points.h"
-#include "core/geometry/surface_moments.h"
+#include "core/geometry/surface.h"
+#include "scb/vec.h"
 
 namespace scb {
 
@@ -25,5 +25,11 @@ struct FitInput {
     std::size_t size() const { return parts[0].size + parts[1].size; }
     bool is_few() const { return size() <= FewPoints::capacity; }
 };
+
+/// The axes of an Obb, as columns, right-handed and the longest direction first: eigenvectors of
+/// the scatter of the surface, or of the points if there are no triangles or they have no area; the
+/// coordinate axes if the points' scatter has no direction (Gottschalk, Lin, Manocha, "OBBTree",
+/// 1996).
+Mat3 box_axes(const FitInput& input);
 
 }  // namespace scb

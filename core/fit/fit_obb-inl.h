@@ -6,7 +6,6 @@
 #define SCB_CORE_FIT_OBB_INL_H_
 #endif
 
-#include "core/fit/box_axes.h"
 #include "core/fit/fit_input.h"
 #include "core/fit/point_passes-inl.h"
 #include "scb/fit.h"

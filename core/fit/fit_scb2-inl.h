@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
+#include "core/fit/extremal_points.h"
 #include "core/fit/fit_scb-inl.h"
-#include "core/fit/flat_hull.h"
 #include "scb/scb2.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/base/double_lanes-inl.h"
-#include "core/fit/few_points.h"
+#include "core/fit/extremal_points.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace scb {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 
 namespace scb {

@@ -1,4 +1,4 @@
-#include "core/geometry/triangle_distance.h"
+#include "core/geometry/triangle_segment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "scb/mesh.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
@@ -70,5 +72,15 @@ LinePoints line_points_of_b(const Sides& of_b);
 /// and y the point on the edge of b from its apex to corner `to_b`.
 int order_on_line(const TriangleCorners& a, const LinePoints& on_a, std::uint8_t to_a,
                   const TriangleCorners& b, const LinePoints& on_b, std::uint8_t to_b);
+
+/// Whether two triangles have a vertex in common. `joined`: the joined_vertices of the mesh, or of
+/// the same mesh at rest.
+inline bool share_vertex(const Mesh& mesh, std::span<const std::uint32_t> joined, std::uint32_t i,
+                         std::uint32_t j) {
+    for (const std::uint32_t a : mesh.triangles[i])
+        for (const std::uint32_t b : mesh.triangles[j])
+            if (joined[a] == joined[b]) return true;
+    return false;
+}
 
 }  // namespace scb

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/placed_box.h"
+#include "core/geometry/mesh_facts.h"
 
 namespace scb {
 namespace {

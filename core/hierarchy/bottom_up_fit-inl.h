@@ -21,7 +21,7 @@
 #include "core/fit/fit_convex-inl.h"
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
-#include "core/hierarchy/fitted_nodes.h"
+#include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/unfitted_triangle.h"
 #include "core/hierarchy/visit_cost.h"

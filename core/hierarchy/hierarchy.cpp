@@ -1,6 +1,6 @@
 #include "scb/hierarchy.h"
 
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
 

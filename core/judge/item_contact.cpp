@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/geometry/triangle_distance.h"
-#include "core/judge/object_contacts.h"
+#include "core/geometry/triangle_segment.h"
+#include "core/judge/query_contacts.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {

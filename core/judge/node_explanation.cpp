@@ -4,9 +4,9 @@
 #include <string>
 #include <type_traits>
 
-#include "core/explain/certificate_check.h"
+#include "core/explain/contact_certificate.h"
 #include "core/explain/exact_overlap.h"
-#include "core/explain/step_parts.h"
+#include "core/explain/overlap_steps.h"
 #include "core/volumes/any_volume.h"
 
 namespace scb {

@@ -8,7 +8,7 @@
 #include "core/judge/division_check.h"
 #include "core/judge/item_contact.h"
 #include "core/judge/missed_pairs.h"
-#include "core/judge/object_contacts.h"
+#include "core/judge/query_contacts.h"
 #include "core/judge/self_pairs.h"
 #include "core/judge/test_links.h"
 

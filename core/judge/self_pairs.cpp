@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/geometry/share_vertex.h"
-#include "core/geometry/triangle_distance.h"
+#include "core/geometry/triangle_pair.h"
+#include "core/geometry/triangle_segment.h"
 #include "core/hierarchy/leaf_order.h"
 #include "scb/triangle_overlap.h"
 

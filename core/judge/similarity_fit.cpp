@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/portable_math.h"
 #include "core/base/text_format.h"
-#include "core/base/trigonometry.h"
 
 namespace scb {
 namespace {

@@ -7,7 +7,6 @@
 #include "core/base/text_format.h"
 #include "core/judge/similarity_fit.h"
 #include "core/judge/tree_check.h"
-#include "core/judge/triangle_order.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {

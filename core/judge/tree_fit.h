@@ -33,4 +33,11 @@ std::optional<TreeFit> find_tree_fit(const EngineNodes& tree, const TreeShape& s
                                      const Mesh& mesh, double tolerance, std::uint64_t outside,
                                      std::span<const OtherMesh> others);
 
+/// An order of the triangles, per item one, with which each leaf contains the triangles of its
+/// items, and most leaves end where these end. An engine that takes places in a sorted list for
+/// triangles has such leaves. Nothing where there is none, or where the search takes too long.
+std::optional<std::vector<std::uint32_t>> find_triangle_order(const EngineNodes& tree,
+                                                              const TreeShape& shape,
+                                                              const Mesh& mesh, double tolerance);
+
 }  // namespace scb

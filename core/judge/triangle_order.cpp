@@ -1,4 +1,4 @@
-#include "core/judge/triangle_order.h"
+#include "core/judge/tree_fit.h"
 
 #include <algorithm>
 #include <cmath>

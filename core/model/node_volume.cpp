@@ -7,7 +7,7 @@
 
 #include "core/explain/exact_overlap.h"
 #include "core/explain/exact_verdict.h"
-#include "core/volumes/polytope.h"
+#include "core/volumes/convex_shape.h"
 #include "core/volumes/shape.h"
 #include "scb/error.h"
 #include "scb/placement.h"

@@ -3,18 +3,26 @@
 #include <cassert>
 #include <concepts>
 
-#include "core/overlap/overlap_aabb.h"
-#include "core/overlap/overlap_ball.h"
 #include "core/overlap/overlap_convex.h"
 #include "core/overlap/overlap_extents.h"
 #include "core/overlap/overlap_figure8.h"
 #include "core/overlap/overlap_obb.h"
 #include "core/overlap/overlap_scb2.h"
 #include "core/overlap/overlap_symmetric.h"
+#include "scb/ball.h"
 #include "scb/overlap_options.h"
+#include "scb/placement.h"
+#include "scb/stage.h"
 #include "scb/volume.h"
 
 namespace scb {
+
+/// Two balls: exact, up to the placement's margin.
+inline Stage overlap_ball(const Ball& a, const Ball& b, const Placement& placed) {
+    const Vec3 c = transform_point(placed.b_to_a, b.center) - a.center;
+    const double sum = a.radius + b.radius + placed.margin;
+    return squared_norm(c) > sum * sum ? Stage::ball_ball : Stage::overlapping;
+}
 
 /// An overlap test as a type, so that a traversal is compiled for it. Called with A, B and the
 /// placement of B, it returns the stage that rejected them, or overlapping.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "scb/scb2.h"
 #include "scb/vec.h"
 
 namespace scb {
@@ -33,6 +36,15 @@ struct GrownSlab {
 
     /// Half the thickness that contains the slab if its middle is rounded to `middle`.
     double half_about(double middle) const;
+};
+
+/// The slabs of an Scb2 for PackedScb2, not rounded yet: the narrower slab first, the normals
+/// turned around such that the scalar part of the quaternion is the largest.
+struct TurnedSlabs {
+    std::array<Slab, 2> slabs;
+    Vec3 q;  ///< the vector part; no component is larger than the scalar part
+
+    explicit TurnedSlabs(const Scb2& scb);
 };
 
 }  // namespace scb

@@ -11,7 +11,6 @@
 
 #include "core/packed/float_placement-inl.h"
 #include "core/packed/packed_query.h"
-#include "core/packed/prefetch.h"
 #include "core/packed/triangle_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/packed/grown_slab.h"
-#include "core/packed/turned_slabs.h"
 
 namespace scb {
 namespace {

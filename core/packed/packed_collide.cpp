@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
-#include "core/collide/pair_sort.h"
+#include "core/collide/index_pairs.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
 #include "core/packed/packed_query.h"

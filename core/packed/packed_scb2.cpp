@@ -4,7 +4,6 @@
 
 #include "core/packed/grown_slab.h"
 #include "core/packed/packed_axes-inl.h"
-#include "core/packed/turned_slabs.h"
 
 // Functions inlined from it need the same target.
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,6 @@
 
 #include "core/base/lane_parts-inl.h"
 #include "core/packed/packed_query.h"
-#include "core/packed/prefetch.h"
 #include "core/packed/two_slab_kernel-inl.h"
 #include "core/packed/volume_kernel-inl.h"
 

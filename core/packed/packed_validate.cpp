@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "core/packed/each_codec.h"
 #include "scb/packed_hierarchy.h"
 

@@ -3,16 +3,38 @@
 #include <variant>
 
 #include "core/volumes/convex_shape.h"
-#include "core/volumes/placed_volume.h"
 #include "core/volumes/shape.h"
+#include "scb/ball.h"
+#include "scb/obb.h"
+#include "scb/pose.h"
+#include "scb/scb.h"
+#include "scb/scb2.h"
 
 namespace scb {
+
+/// The volume moved by a rigid pose, from the body's frame to the frame that the pose maps to.
+Scb placed(const Scb& volume, const Pose& pose);
+Scb2 placed(const Scb2& volume, const Pose& pose);
+Ball placed(const Ball& volume, const Pose& pose);
+Obb placed(const Obb& volume, const Pose& pose);
 
 /// The shape_of a volume of any type, for pictures, files and reports that mix types.
 using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
 
+AnyVolume placed(const AnyVolume& volume, const Pose& pose);
+
 /// The center of the ball or the box (not of the slab).
 Vec3 center(const AnyVolume& volume);
+
+/// Whether two volumes are the same numbers.
+bool identical(const Scb& a, const Scb& b);
+bool identical(const Scb2& a, const Scb2& b);
+bool identical(const Ball& a, const Ball& b);
+bool identical(const Obb& a, const Obb& b);
+bool identical(const AnyVolume& a, const AnyVolume& b);
+
+/// The largest `direction.x` over the points x of the volume, for a unit direction.
+double reach(const AnyVolume& volume, const Vec3& direction);
 
 /// The extents of a volume: the diameter and the thickness of Section 3.1 of the paper, d = 2r and
 /// tau = e - f; for an OBB the diagonal and the shortest side.

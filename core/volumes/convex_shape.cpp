@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
-namespace scb {
+#include "core/volumes/direction_grid.h"
+#include "scb/convex.h"
 
+namespace scb {
 namespace {
 
 Vec3 sides_of_box(const ConvexShape& shape) {
@@ -47,6 +49,79 @@ bool identical(const ConvexShape& a, const ConvexShape& b) {
     return a.center == b.center && a.rounding == b.rounding &&
            std::all_of(directions.begin(), directions.end(),
                        [&](const Vec3& d) { return a.support_point(d) == b.support_point(d); });
+}
+
+namespace {
+
+/// Clips a convex polygon by a half space (Sutherland and Hodgman, "Reentrant Polygon Clipping").
+/// Returns whether anything was cut off.
+bool clip(const std::vector<Vec3>& polygon, const FacePlane& plane, std::vector<Vec3>& kept) {
+    const auto beyond = [&](const Vec3& p) { return dot(plane.normal, p) - plane.offset; };
+    if (std::none_of(polygon.begin(), polygon.end(), [&](const Vec3& p) { return beyond(p) > 0; }))
+        return false;
+    kept.clear();
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+        const double at_a = beyond(a), at_b = beyond(b);
+        if (at_a <= 0) kept.push_back(a);
+        if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0))
+            kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+    }
+    return true;
+}
+
+double area_of(const std::vector<Vec3>& polygon, const Vec3& normal) {
+    double doubled = 0;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        doubled +=
+            dot(normal, cross(Vec3(polygon[k] - polygon[0]), Vec3(polygon[k + 1] - polygon[0])));
+    return std::abs(doubled) / 2;
+}
+
+/// Calls `use` with each face that has corners: its plane's unit normal and distance, its polygon.
+template <class Use>
+void for_each_face(std::span<const FacePlane> planes, double size, const Use& use) {
+    std::vector<Vec3> face, kept;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const double length = std::sqrt(squared_norm(planes[i].normal));
+        const Vec3 normal = planes[i].normal / length;
+        const double height = planes[i].offset / length;
+        // A square in the plane, larger than the polytope, clipped by the other planes.
+        const Vec3 other = std::abs(normal[0]) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
+        Vec3 u = cross(normal, other);
+        u *= 2 * size / std::sqrt(squared_norm(u));
+        const Vec3 v = cross(normal, u), middle = height * normal;
+        face = {middle + u + v, middle - u + v, middle - u - v, middle + u - v};
+        for (std::size_t j = 0; j < planes.size() && !face.empty(); ++j)
+            if (j != i && clip(face, planes[j], kept)) face.swap(kept);
+        if (face.size() > 2) use(normal, height, face);
+    }
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec3>> face_polygons(std::span<const FacePlane> planes, double size) {
+    std::vector<std::vector<Vec3>> polygons;
+    for_each_face(planes, size, [&](const Vec3&, double, const std::vector<Vec3>& face) {
+        polygons.push_back(face);
+    });
+    return polygons;
+}
+
+SurfaceMeasures polytope_measures(std::span<const FacePlane> planes, double size) {
+    SurfaceMeasures sum;
+    for_each_face(planes, size,
+                  [&](const Vec3& normal, double height, const std::vector<Vec3>& face) {
+                      const double area = area_of(face, normal);
+                      sum.area += area;
+                      sum.volume += area * height / 3;
+                  });
+    return sum;
+}
+
+std::span<const Vec3> touching_directions() {
+    static const DirectionGrid grid = direction_grid(4);
+    return grid.directions;
 }
 
 }  // namespace scb

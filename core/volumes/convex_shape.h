@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "scb/convex.h"
@@ -36,5 +37,10 @@ std::vector<FacePlane> planes_about(const ConvexShape& shape, std::span<const Ve
 
 /// Whether both reach equally far in all touching_directions.
 bool identical(const ConvexShape& a, const ConvexShape& b);
+
+/// The corners of each face of the polytope within the planes, counterclockwise from outside;
+/// planes without a face are left out. The polytope must be within the distance `size` of the
+/// origin.
+std::vector<std::vector<Vec3>> face_polygons(std::span<const FacePlane> planes, double size);
 
 }  // namespace scb

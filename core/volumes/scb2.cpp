@@ -3,9 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/trigonometry.h"
-#include "core/volumes/half_chord.h"
-#include "core/volumes/scb2_faces.h"
+#include "core/base/portable_math.h"
 #include "core/volumes/scb2_reach.h"
 
 namespace scb {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scb/scb2.h"
@@ -39,5 +40,19 @@ T scb2_reach(const BasicScb2<T>& s, const Vector3<T>& along, const T& length) {
     }
     return k0 * d0 + k1 * d1 + d2 * sqrt(max(T(0), rest0 - k1 * k1));
 }
+
+/// Half the chord at the distance k from the center of a circle; also the radius of the circle in
+/// which a plane cuts a ball. 0 if there is no cut.
+inline double half_chord(double r, double k) { return std::sqrt(std::max(0.0, (r - k) * (r + k))); }
+
+/// The areas of the faces of an Scb2.
+struct Scb2Faces {
+    double sphere = 0;  ///< the part of the sphere inside the slabs
+    /// The parts of the planes inside the ball and the other slab: per slab, upper and lower.
+    std::array<std::array<double, 2>, 2> planes{};
+};
+
+/// In closed form: the sphere's part is an integral of arcs over their height (Archimedes).
+Scb2Faces faces(const Scb2& scb);
 
 }  // namespace scb

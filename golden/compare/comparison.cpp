@@ -5,7 +5,7 @@
 
 #include "golden/compare/number_words.h"
 #include "golden/suite/baseline.h"
-#include "golden/suite/files_equal.h"
+#include "golden/suite/file_replacement.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
 #include "render/overlay/figure_layout.h"

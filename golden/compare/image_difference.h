@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "golden/compare/pixel_box.h"
-#include "golden/suite/color_tolerance.h"
+#include "golden/suite/suite.h"
 #include "render/files/image.h"
 
 namespace scb::golden {

@@ -8,7 +8,6 @@
 
 #include "golden/compare/number_words.h"
 #include "golden/report/plain_text.h"
-#include "golden/report/result_lines.h"
 
 namespace scb::golden {
 namespace {

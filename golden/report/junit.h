@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "golden/compare/result.h"
 
@@ -12,5 +13,10 @@ namespace scb::golden {
 /// incomplete run has one more test case, an error. Characters that XML does not allow become
 /// U+FFFD.
 std::string junit_xml(const SuiteResult& result);
+
+/// The text with U+FFFD for everything that XML 1.0 does not allow: bytes that are not UTF-8,
+/// control characters except tab and the line ends, U+FFFE and U+FFFF. Not escaped: '<' and '&'
+/// stay.
+std::string xml_text(std::string_view text);
 
 }  // namespace scb::golden

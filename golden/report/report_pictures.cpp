@@ -1,4 +1,3 @@
-#include "golden/report/report_pictures.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/compare/id_picture.h"
+#include "golden/compare/id_difference.h"
 #include "golden/report/report_values.h"
 #include "render/files/base64.h"
 #include "render/files/image_file.h"

@@ -1,5 +1,3 @@
-#include "golden/report/report_tables.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/text_format.h"
 #include "golden/compare/number_words.h"
 #include "golden/compare/worst_pixels.h"
 #include "golden/report/report_values.h"
@@ -206,6 +205,20 @@ void set_tables(data& values, const CaseResult& result, const fs::path& folder) 
                           (ids.box.empty() ? "" : ", " + box_words(ids.box));
     set_colors(values, result);
     set_worst_pixels(values, worst_pixels_of(result, folder));
+}
+
+using kainjow::mustache::data;
+
+data flag(bool value) { return data(value ? data::type::bool_true : data::type::bool_false); }
+
+std::string percent(double part, double whole) {
+    return format("%.4g", whole > 0 ? 100 * part / whole : 0);
+}
+
+std::string box_numbers(const PixelBox& box) {
+    if (box.empty()) return "";
+    return std::to_string(box.left) + " " + std::to_string(box.top) + " " +
+           std::to_string(box.right) + " " + std::to_string(box.bottom);
 }
 
 }  // namespace scb::golden::report

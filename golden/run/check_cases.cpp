@@ -1,18 +1,24 @@
 #include "golden/run/check_cases.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "golden/run/failure_lines.h"
-#include "golden/run/for_each_in_threads.h"
 #include "golden/suite/baseline.h"
+#include "golden/suite/file_replacement.h"
+#include "render/files/image_file.h"
 #include "render/files/output_file.h"
+#include "scenes/text/file_bytes.h"
+#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -142,6 +148,89 @@ CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& 
         all.results.push_back(std::move(done[i]->result));
     }
     return all;
+}
+
+void for_each_in_threads(std::size_t count, std::size_t threads,
+                         const std::function<void(std::size_t)>& work,
+                         const std::function<bool()>& step) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex stepping;
+    std::exception_ptr error;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            try {
+                work(i);
+                const std::lock_guard lock(stepping);
+                if (!step()) next = count;
+            } catch (...) {
+                const std::lock_guard lock(stepping);
+                if (!error) error = std::current_exception();
+                next = count;
+                return;
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t i = 1; i < threads && i < count; ++i) others.emplace_back(run);
+        run();
+    }
+    if (error) std::rethrow_exception(error);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Copies a picture of the run for the report, if it is not there yet.
+void show(std::string& candidate, const fs::path& made, const fs::path& report,
+          const std::string& name) {
+    if (!candidate.empty() || report.empty() || !render::is_there(made)) return;
+    render::write_file_whole(report / name, scenes::file_bytes(made.string()));
+    candidate = name;
+}
+
+void add_pictures(CaseResult& result, const CaseFiles& made, const fs::path& report, bool ids,
+                  bool colors) {
+    if (colors) show(result.picture.candidate, made.image, report, result.name + ".new.png");
+    if (ids) show(result.id_picture.candidate, made.ids, report, result.name + ".new.ids.png");
+}
+
+void add_counts(CaseResult& result, const fs::path& made) {
+    const std::string file = made.string();
+    const std::vector<CountChange> counts = counts_difference(
+        nlohmann::json::object(), scenes::parse_json(scenes::read_text_file(file), file));
+    result.counts.insert(result.counts.begin(), counts.begin(), counts.end());
+}
+
+void add_tolerated_colors(CaseResult& result, const GoldenCase& golden,
+                          const ComparisonFolders& folders, const CaseFiles& made) {
+    if (!golden.colors || golden.tolerance == ColorTolerance{} || result.variant == 0) return;
+    const fs::path accepted = accepted_images(
+        folders.baselines, result.name)[static_cast<std::size_t>(result.variant) - 1];
+    if (files_equal(accepted, made.image)) return;
+    const ImageDifference difference =
+        image_difference(render::read_png(accepted), render::read_png(made.image));
+    if (difference.pixels > 0) result.colors = difference;
+}
+
+}  // namespace
+
+void complete_result(CaseResult& result, const GoldenCase& golden,
+                     const ComparisonFolders& folders) {
+    if (!has_run(golden, folders)) return;
+    const CaseFiles before = case_files(folders.baselines, result.name),
+                    made = case_files(folders.candidates, result.name);
+    if (result.verdict == Verdict::same) return add_tolerated_colors(result, golden, folders, made);
+    if (result.verdict == Verdict::could_not_run) {
+        result.message +=
+            " Restore it from version control, or take over what the run made with the command "
+            "below.";
+        return add_pictures(result, made, folders.report, golden.ids, golden.colors);
+    }
+    if (golden.counts && !render::is_there(before.counts)) add_counts(result, made.counts);
+    add_pictures(result, made, folders.report, golden.ids && !render::is_there(before.ids),
+                 golden.colors && !render::is_there(before.image));
 }
 
 }  // namespace scb::golden

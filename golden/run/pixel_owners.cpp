@@ -10,8 +10,11 @@
 #include "scenes/text/json_reader.h"
 
 namespace scb::golden {
+namespace {
 
 using Json = nlohmann::json;
+
+}  // namespace
 
 Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
                const std::filesystem::path& index, bool same_meshes)

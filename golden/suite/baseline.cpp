@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "golden/suite/file_replacement.h"
-#include "golden/suite/files_equal.h"
 #include "render/files/output_file.h"
 #include "scb/error.h"
 

@@ -27,4 +27,7 @@ GoldenCase in_own_folder(GoldenCase golden);
 GoldenCase seen_from_here(GoldenCase golden, const std::filesystem::path& folder,
                           const std::filesystem::path& models);
 
+/// The text as one word of a POSIX shell: in single quotes if it needs them.
+std::string shell_word(const std::string& text);
+
 }  // namespace scb::golden

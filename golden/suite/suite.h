@@ -6,9 +6,16 @@
 #include <vector>
 
 #include "core/base/enum_names.h"
-#include "golden/suite/color_tolerance.h"
 
 namespace scb::golden {
+
+/// How much colors of a case may differ; by default not at all.
+struct ColorTolerance {
+    int max_channel_delta = 0;
+    std::size_t max_pixels = 0;  ///< pixels that differ by more than this
+
+    friend bool operator==(const ColorTolerance&, const ColorTolerance&) = default;
+};
 
 /// The outputs of a case, by the command of scb; `external`: the counts of another engine's
 /// recording, by `scb trace`.

@@ -1,4 +1,4 @@
-#include "render/draw/packed_volume.h"
+#include "render/draw/volume_painter.h"
 
 #include <Eigen/Geometry>
 

@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "render/draw/eye_view.h"
+#include "render/draw/image_operations.h"
 #include "render/draw/mesh_painter.h"
-#include "render/draw/outline.h"
 #include "render/draw/overlay_painter.h"
-#include "render/draw/resolve.h"
 #include "render/draw/segment_painter.h"
 #include "render/draw/volume_painter.h"
 #include "render/gl/context_platform.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "render/draw/packed_volume.h"
 #include "render/gl/embedded.h"
 
 SCB_DECLARE_EMBEDDED(eye_glsl)

@@ -6,10 +6,9 @@
 #include <limits>
 #include <map>
 
-#include "core/base/c_locale.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::render {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/portable_math.h"
 #include "core/base/text_format.h"
-#include "core/base/trigonometry.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/plot_axis.h"
 #include "render/view/palette.h"

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/trigonometry.h"
-#include "render/figures/explain_layout.h"
-#include "render/figures/explain_symbols.h"
+#include "core/base/portable_math.h"
 #include "render/figures/explain_verdict.h"
 #include "render/overlay/clip.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/line_stroke.h"
 #include "render/overlay/scales.h"
-#include "render/overlay/smooth_line.h"
 #include "render/plots/section_cut.h"
 #include "render/plots/section_plot.h"
 #include "render/plots/slack_chart.h"

@@ -3,12 +3,15 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/explain/pair_explanation.h"
-#include "render/view/any_volume.h"
+#include "core/volumes/any_volume.h"
 #include "render/view/palette.h"
 #include "render/view/picture.h"
 #include "scb/any_hierarchy.h"
+#include "scb/overlap_options.h"
 
 namespace scb::render {
 
@@ -43,5 +46,23 @@ struct ExplainFigure {
 Camera explain_camera(const ExplainFigure& figure, double aspect);
 
 Picture compose(const ExplainFigure& figure, int width, int height, int samples, Overlay& overlay);
+
+/// The positions of the parts of a picture of an explanation.
+struct ExplainLayout {
+    int unit = 20;  ///< size of body text, pixels
+    PixelRect heading;
+    PixelRect view, section;  ///< with their captions above them; boxes have no section
+    PixelRect steps, verdict;
+    PixelRect footnote;  ///< the meaning of symbols; empty if there are none, or no room
+
+    static constexpr int caption_lines = 2;
+    int caption_height() const { return caption_lines * unit * 5 / 4 + unit / 4; }
+    /// The view of the scene, without its caption and the scale bar below it.
+    PixelRect view_box() const;
+};
+ExplainLayout explain_layout(int width, int height, const ExplainFigure& figure, Overlay& overlay);
+
+/// The symbols in the formulas of a test beyond the paper's, in lines for a terminal.
+std::vector<std::string_view> symbol_lines(VolumeKind kind, const OverlapOptions& options);
 
 }  // namespace scb::render

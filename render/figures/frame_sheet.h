@@ -1,15 +1,31 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/draw/renderer.h"
-#include "render/figures/frame_sheet_layout.h"
+#include "render/overlay/figure_layout.h"
 #include "render/overlay/overlay.h"
 #include "render/overlay/side_panel.h"
+#include "render/view/picture.h"
 
 namespace scb::render {
+
+/// The layout of a sheet of views that are already drawn, each below its captions.
+struct FrameSheetLayout : SheetGrid {
+    int view_height = 0;
+
+    int cell_height() const;
+    /// The y at which the view begins in a cell.
+    int view_y() const;
+};
+
+/// The layout for `cells` cells of a view of this size. Views are shrunk, never enlarged: the more
+/// cells, the smaller. Nothing if they would be too small to see, see most_frame_cells.
+std::optional<FrameSheetLayout> frame_sheet_layout(std::size_t cells, const PixelRect& view);
+std::size_t most_frame_cells(const PixelRect& view);
 
 /// One picture of a sequence.
 struct FrameSheetCell {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "render/figures/body_names.h"
+#include "render/figures/figure_words.h"
 #include "render/plots/depth_matrix_plot.h"
 #include "render/view/palette.h"
 

@@ -5,8 +5,7 @@
 
 #include "core/hierarchy/node_surfaces.h"
 #include "core/model/level_statistics.h"
-#include "render/figures/body_names.h"
-#include "render/figures/item_count.h"
+#include "render/figures/figure_words.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {

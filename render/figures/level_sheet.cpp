@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/level_statistics.h"
-#include "render/figures/item_count.h"
+#include "render/figures/figure_words.h"
 #include "render/overlay/side_panel.h"
 
 namespace scb::render {

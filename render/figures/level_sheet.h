@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/figures/level_figure.h"
-#include "render/overlay/sheet_grid.h"
+#include "render/overlay/figure_layout.h"
 
 namespace scb::render {
 

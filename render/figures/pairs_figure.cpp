@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "core/geometry/triangle_segment.h"
-#include "render/figures/body_names.h"
-#include "render/figures/item_count.h"
+#include "render/figures/figure_words.h"
 #include "render/plots/ending_colors.h"
 #include "scb/level_cover.h"
 #include "scb/triangle_overlap.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "core/geometry/surface_moments.h"
+#include "core/geometry/surface.h"
 #include "render/figures/pairs_figure.h"
 #include "render/plots/ending_colors.h"
 #include "scb/triangle_overlap.h"

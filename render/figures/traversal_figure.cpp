@@ -7,7 +7,7 @@
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
 #include "render/plots/ending_colors.h"
-#include "render/plots/icicle_plot.h"
+#include "render/plots/icicle.h"
 
 namespace scb::render {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -79,5 +80,9 @@ class Context {
     Gl gl_;
     GlInfo info_;
 };
+
+/// Throws DrawError if the address space of this process is limited (ulimit -v) and has less room
+/// left. OpenGL libraries crash if memory runs out, so call this before they allocate.
+void require_address_space(std::uint64_t bytes);
 
 }  // namespace scb::render

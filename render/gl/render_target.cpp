@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "render/gl/address_space.h"
 #include "render/gl/context.h"
 
 namespace scb::render {

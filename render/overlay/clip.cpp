@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 
 namespace scb::render {
 namespace {

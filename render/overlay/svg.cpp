@@ -1,4 +1,4 @@
-#include "render/overlay/svg.h"
+#include "render/overlay/overlay_shape.h"
 
 #include "core/base/text_format.h"
 #include "render/files/base64.h"

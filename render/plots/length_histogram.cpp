@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/logarithm.h"
+#include "core/base/portable_math.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::render {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "render/overlay/line_stroke.h"
+#include "render/overlay/overlay.h"
 #include "render/plots/plot_frame.h"
 
 namespace scb::render {
@@ -54,5 +56,10 @@ PlotScale chosen_scale(const LinePlot& plot);
 /// little room.
 PixelRect draw_line_plot(Overlay& overlay, const PixelRect& rect, const LinePlot& plot,
                          const FigureStyle& style);
+
+/// The points of a line (pixels, from left to right) without invisible ones: among consecutive
+/// points in one column of pixels, the first, the highest, the lowest and the last stay, in their
+/// order. So no peak is lost.
+std::vector<ScreenPosition> thinned(std::span<const ScreenPosition> points);
 
 }  // namespace scb::render

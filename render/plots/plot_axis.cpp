@@ -6,11 +6,10 @@
 #include <cstdlib>
 #include <limits>
 
-#include "core/base/c_locale.h"
 #include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
 
-#include "core/base/logarithm.h"
+#include "core/base/portable_math.h"
 
 namespace scb::render {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 
 namespace scb::render {
 namespace {

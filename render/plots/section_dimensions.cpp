@@ -6,7 +6,7 @@
 
 #include "core/base/text_format.h"
 #include "render/overlay/figure_layout.h"
-#include "render/overlay/smooth_line.h"
+#include "render/overlay/line_stroke.h"
 
 namespace scb::render {
 namespace {

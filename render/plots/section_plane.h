@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/explain/overlap_steps.h"
-#include "render/view/any_volume.h"
+#include "core/volumes/any_volume.h"
 
 namespace scb::render {
 

@@ -6,7 +6,6 @@
 
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/line_stroke.h"
-#include "render/overlay/smooth_line.h"
 #include "render/plots/section_dimensions.h"
 
 namespace scb::render {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 
 namespace scb::render {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "render/view/any_volume.h"
+#include "core/volumes/any_volume.h"
 #include "render/view/camera.h"
 #include "scb/mesh.h"
 #include "scb/pose.h"

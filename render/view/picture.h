@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/volumes/any_volume.h"
 #include "render/files/image.h"
-#include "render/view/any_volume.h"
 #include "render/view/camera.h"
 #include "scb/pose.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
+#include "core/volumes/convex_shape.h"
 #include "core/volumes/direction_grid.h"
-#include "core/volumes/polytope.h"
 
 namespace scb::scenes {
 namespace {

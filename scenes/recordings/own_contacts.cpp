@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/judge/object_contacts.h"
+#include "core/judge/query_contacts.h"
 #include "core/judge/self_pairs.h"
 #include "scb/collide.h"
 

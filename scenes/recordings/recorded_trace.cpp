@@ -6,7 +6,7 @@
 
 #include "core/judge/engine_trace.h"
 #include "core/judge/query_attribution.h"
-#include "core/judge/query_overlaps.h"
+#include "core/judge/query_contacts.h"
 #include "core/judge/test_links.h"
 #include "core/model/tree.h"
 #include "scb/error.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/hierarchy/fitted_nodes.h"
+#include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
 #include "core/hierarchy/tree_shape.h"
 #include "scb/any_hierarchy.h"

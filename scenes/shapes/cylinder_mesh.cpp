@@ -1,4 +1,4 @@
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 #include "scenes/shapes/parameter_checks.h"
 #include "scenes/shapes/procedural.h"
 

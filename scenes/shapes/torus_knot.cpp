@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 #include "scenes/shapes/parameter_checks.h"
 
 namespace scb::scenes {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/base/sentence.h"
+#include "core/base/text_format.h"
 #include "scb/error.h"
 
 namespace scb::scenes {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/c_locale.h"
+#include "core/base/text_format.h"
 
 namespace scb::scenes {
 

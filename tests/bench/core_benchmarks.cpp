@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/portable_math.h"
 #include "core/base/random.h"
-#include "core/base/trigonometry.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/triangle_segment.h"
 #include "scb/hierarchy.h"

@@ -8,7 +8,7 @@
 
 #include "golden/compare/id_difference.h"
 #include "golden/compare/image_difference.h"
-#include "golden/suite/files_equal.h"
+#include "golden/suite/file_replacement.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
 #include "render/files/output_file.h"
@@ -30,7 +30,7 @@ enum Kind : std::int64_t { equal, one_missing, all_different };
 render::Rendering draw(Kind kind) {
     const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(scenes::icosphere(6, 1));
     const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
-    std::vector<render::AnyVolume> volumes;
+    std::vector<AnyVolume> volumes;
     render::Pane pane;
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         if (depths[i] != 9) continue;

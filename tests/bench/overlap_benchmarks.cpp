@@ -6,7 +6,7 @@
 #include "core/collide/query_placement.h"
 #include "core/explain/exact_overlap.h"
 #include "core/overlap/test_functors.h"
-#include "core/volumes/placed_volume.h"
+#include "core/volumes/any_volume.h"
 #include "scb/collide.h"
 #include "scenes/scene/load_scene.h"
 

@@ -14,7 +14,7 @@ namespace {
 render::Picture level_of_a_sphere(int level, int samples) {
     const Hierarchy<Scb> hierarchy = build_hierarchy<Scb>(scenes::icosphere(6, 1));
     const std::vector<std::uint16_t> depths = node_depths(*hierarchy.topology);
-    std::vector<render::AnyVolume> volumes;
+    std::vector<AnyVolume> volumes;
     render::Pane pane;
     for (std::uint32_t i = 0; i < depths.size(); ++i) {
         if (depths[i] != level) continue;

@@ -109,10 +109,9 @@ void describe(render::SceneFigure& figure, What what, const render::QueryBodies&
 }
 
 /// The upper levels of both bodies at all of these frames, which the camera has to hold.
-std::vector<render::AnyVolume> held_volumes(const Spheres& spheres,
-                                            const std::vector<int>& frames) {
+std::vector<AnyVolume> held_volumes(const Spheres& spheres, const std::vector<int>& frames) {
     const std::vector<render::MeshHandle> none(spheres.scene.meshes.size());
-    std::vector<render::AnyVolume> volumes;
+    std::vector<AnyVolume> volumes;
     for (const int frame : frames)
         for (const render::QueryBody& body : spheres.bodies(frame, none)) {
             const std::vector<std::uint32_t>& depths = body.tree->shape().depths;
@@ -203,7 +202,7 @@ void sequence(benchmark::State& state, What what) {
     std::vector<render::MeshHandle> handles;
     for (const scenes::NamedMesh& named : spheres.scene.meshes)
         handles.push_back(renderer.upload(named.mesh));
-    const std::vector<render::AnyVolume> held = held_volumes(spheres, frames);
+    const std::vector<AnyVolume> held = held_volumes(spheres, frames);
     const render::Support support = render::support_of(held);
     const scenes::CameraView wish = spheres.scene.camera.value_or(scenes::CameraView{});
     render::CameraFit fit;

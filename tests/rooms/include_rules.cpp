@@ -53,7 +53,7 @@ const std::map<std::string, std::vector<std::string>> public_headers = {
     {"overlap", {"stage", "step", "overlap_options", "overlap"}},
     {"hierarchy", {"topology", "hierarchy", "any_hierarchy", "level_cover"}},
     {"traverse", {"observer", "step_recorder"}},
-    {"collide", {"query", "descent_rule", "collide", "any_collide"}},
+    {"collide", {"collide", "any_collide"}},
     {"packed",
      {"packed_scb", "packed_scb2", "node_codec", "packed_layout", "packed_hierarchy",
       "packed_front", "packed_collide", "any_packed"}},

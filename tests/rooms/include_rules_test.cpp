@@ -87,7 +87,7 @@ TEST(IncludeRules, AreSeenToBreak) {
         {"render/draw/renderer.cpp", "golden/suite/suite.h"},
         {"golden/run/run_case.cpp", "app/cli/console.h"},
         {"app/view/view.cpp", "app/python/binding/view.h"},
-        {"core/geometry/mesh.cpp", "core/volumes/placed_volume.h"},
+        {"core/geometry/mesh.cpp", "core/volumes/any_volume.h"},
         {"core/fit/fit.cpp", "core/overlap/overlap_slabs.h"},
         {"core/fit/fit.cpp", "scb/collide.h"},
         {"core/packed/collapse.cpp", "core/analysis/trace.h"},

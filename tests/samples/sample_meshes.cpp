@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 
 namespace scb::samples {
 namespace {

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "scb/descent_rule.h"
 #include "scb/hierarchy.h"
 #include "scb/observer.h"
 #include "scb/overlap_options.h"
@@ -14,6 +15,28 @@
 #include "scb/step_recorder.h"
 
 namespace scb {
+
+/// The kinds of queries.
+enum class QueryKind : std::uint8_t {
+    collide,  ///< the intersecting triangles of two bodies
+    self,     ///< the intersecting triangles of one body, see collide_self
+};
+
+/// Which of two overlapping nodes is divided: A's node if its size is not below the size of B's, so
+/// a tie divides A. If one cannot be divided, the other is.
+enum class DescentRule {
+    radius,       ///< the larger descent_size: the paper's rule (Section 5)
+    area,         ///< the larger surface area
+    volume,       ///< the larger volume
+    alternating,  ///< in turn, A first
+};
+
+/// "radius", "area", "volume", "alternating".
+std::string_view descent_rule_name(DescentRule rule);
+/// The rule of this name, or nothing where there is none.
+std::optional<DescentRule> descent_rule_of(std::string_view name);
+/// All rules, in the order in which they are declared.
+std::span<const DescentRule> all_descent_rules();
 
 /// One side of a query: a hierarchy and the mesh it was built from, both in the body frame. Refers,
 /// does not own.

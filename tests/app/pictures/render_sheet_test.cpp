@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "render/draw/shrink.h"
+#include "render/draw/image_operations.h"
 #include "render/figures/frame_sheet.h"
 #include "render/files/image_file.h"
 #include "render/overlay/figure_layout.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/leaf_order.h"
 #include "scb/any_collide.h"

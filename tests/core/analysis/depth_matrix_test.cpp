@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/analysis/outcome.h"
+#include "core/analysis/traversal_part.h"
 #include "scb/any_collide.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"

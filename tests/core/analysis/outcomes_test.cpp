@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/costly_tests.h"
+#include "core/analysis/traversal_part.h"
 #include "tests/core/analysis/made_query.h"
 
 namespace scb {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 #include "scb/error.h"
 
 namespace scb {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/explain/certificate_check.h"
-#include "core/explain/convex_depth.h"
+#include "core/explain/contact_certificate.h"
 #include "core/explain/exact_overlap.h"
 #include "core/explain/pair_explanation.h"
 #include "core/overlap/overlap_convex.h"

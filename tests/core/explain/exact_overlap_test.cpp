@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/explain/certificate_check.h"
+#include "core/explain/contact_certificate.h"
 #include "scb/overlap.h"
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/core/overlap/scb2_pairs.h"

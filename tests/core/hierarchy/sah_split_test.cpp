@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "scb/any_packed.h"
+#include "scb/level_cover.h"
 #include "tests/core/collide/brute_force.h"
 #include "tests/core/collide/small_scenes.h"
 #include "tests/core/fit/point_sets.h"
-#include "tests/core/hierarchy/depth_of.h"
 
 namespace scb {
 namespace {
@@ -47,7 +47,7 @@ TEST(SahSplit, IsValidForEveryKindOfMesh) {
         const Topology topology = by_cost(mesh);
         EXPECT_EQ(validate(topology, mesh), "");
         // A tenth in each half, and fewer than ten may come off one by one.
-        EXPECT_LE(depth_of(topology),
+        EXPECT_LE(depth(topology),
                   14 + std::log(static_cast<double>(mesh.triangles.size())) / std::log(10.0 / 9.0));
     }
 }
@@ -57,7 +57,7 @@ TEST(SahSplit, FallsBackToTheRulesOfThePaper) {
     same.triangles.assign(100, {0, 1, 2});
     const Topology topology = by_cost(same);
     EXPECT_EQ(topology.rules[0], SplitRule::index);
-    EXPECT_LE(depth_of(topology), 11);
+    EXPECT_LE(depth(topology), 11);
 }
 
 TEST(SahSplit, CostsLessThanTheRulesOfThePaper) {

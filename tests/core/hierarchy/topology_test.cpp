@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "scb/hierarchy.h"
+#include "scb/level_cover.h"
 #include "tests/core/fit/point_sets.h"
-#include "tests/core/hierarchy/depth_of.h"
 
 namespace scb {
 namespace {
@@ -43,7 +43,7 @@ TEST(BuildTopology, IsValidForEverySmallCount) {
         const Mesh mesh = random_soup(41, count, 0.2);
         const Topology topology = build_topology(mesh);
         EXPECT_EQ(validate(topology, mesh), "");
-        EXPECT_LE(depth_of(topology), depth_bound(mesh.triangles.size()));
+        EXPECT_LE(depth(topology), depth_bound(mesh.triangles.size()));
     }
 }
 
@@ -53,7 +53,7 @@ TEST(BuildTopology, HalvesWhenAllCentroidsAreEqual) {
         mesh.triangles.assign(static_cast<std::size_t>(count), {0, 1, 2});
         const Topology topology = build_topology(mesh);
         EXPECT_EQ(validate(topology, mesh), "");
-        EXPECT_LE(depth_of(topology), std::ceil(std::log2(count)) + 1);
+        EXPECT_LE(depth(topology), std::ceil(std::log2(count)) + 1);
         EXPECT_GT(used(topology, SplitRule::index), 0u);
     }
 }
@@ -63,7 +63,7 @@ TEST(BuildTopology, TakesOnePointRepeated) {
     mesh.triangles.assign(1000, {0, 0, 0});
     const Topology topology = build_topology(mesh);
     EXPECT_EQ(validate(topology, mesh), "");
-    EXPECT_LE(depth_of(topology), 11);
+    EXPECT_LE(depth(topology), 11);
 }
 
 TEST(BuildTopology, StaysShallowWhenPositionsAttackTheMiddleSplit) {
@@ -75,7 +75,7 @@ TEST(BuildTopology, StaysShallowWhenPositionsAttackTheMiddleSplit) {
     const Mesh mesh = triangles_at(positions);
     const Topology topology = build_topology(mesh);
     EXPECT_EQ(validate(topology, mesh), "");
-    EXPECT_LE(depth_of(topology), depth_bound(mesh.triangles.size()));
+    EXPECT_LE(depth(topology), depth_bound(mesh.triangles.size()));
     EXPECT_GT(used(topology, SplitRule::median_of_7) + used(topology, SplitRule::index), 0u);
 }
 

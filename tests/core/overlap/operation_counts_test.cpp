@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 #include "core/overlap/test_functors.h"
 #include "tests/core/overlap/counting_scalar.h"
 #include "tests/core/overlap/scb2_pairs.h"

@@ -1,4 +1,4 @@
-#include "core/overlap/overlap_aabb.h"
+#include "core/overlap/overlap_obb.h"
 
 #include <gtest/gtest.h>
 

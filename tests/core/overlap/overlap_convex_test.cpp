@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/overlap/overlap_aabb.h"
+#include "core/overlap/overlap_obb.h"
 #include "core/volumes/direction_grid.h"
 #include "scb/volume.h"
 #include "tests/core/overlap/convex_pairs.h"

@@ -4,7 +4,7 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "core/explain/certificate_check.h"
+#include "core/explain/contact_certificate.h"
 #include "core/explain/exact_verdict.h"
 #include "scb/overlap.h"
 

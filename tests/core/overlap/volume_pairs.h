@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/volumes/any_volume.h"
 #include "core/volumes/measured_shape.h"
-#include "core/volumes/placed_volume.h"
 #include "scb/pose.h"
 #include "scb/scb.h"
 #include "tests/core/fit/point_sets.h"

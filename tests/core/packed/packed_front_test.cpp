@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/base/trigonometry.h"
+#include "core/base/portable_math.h"
 #include "core/packed/front_schedule.h"
 #include "scb/any_packed.h"
 #include "tests/core/collide/brute_force.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/volumes/scb2_faces.h"
+#include "core/volumes/scb2_reach.h"
 #include "scb/scb.h"
 #include "tests/core/overlap/scb2_pairs.h"
 

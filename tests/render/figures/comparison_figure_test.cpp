@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/draw/pane_difference.h"
+#include "render/draw/image_operations.h"
 
 namespace scb::render {
 namespace {

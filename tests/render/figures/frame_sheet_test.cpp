@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/draw/shrink.h"
+#include "render/draw/image_operations.h"
 
 namespace scb::render {
 namespace {

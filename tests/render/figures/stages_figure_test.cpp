@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "render/plots/icicle_plot.h"
+#include "render/plots/icicle.h"
 #include "tests/render/gl/gl_fixture.h"
 
 namespace scb::render {

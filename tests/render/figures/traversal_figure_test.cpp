@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "render/plots/icicle.h"
-#include "render/plots/icicle_plot.h"
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 

@@ -4,7 +4,7 @@
 
 #include "render/figures/level_sheet.h"
 #include "render/view/fit_camera.h"
-#include "tests/render/overlay/rects.h"
+#include "tests/render/overlay/overlay_fixture.h"
 
 namespace scb::render {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "render/overlay/figure_layout.h"
 #include "render/view/picture.h"
 
 namespace scb::render {
@@ -26,6 +27,12 @@ inline std::pair<int, int> inside_and_outside(const Image& image, const PixelRec
         for (int x = 0; x < image.width; ++x)
             if (pixel(image, x, y) != background) ++(contains(rect, x, y) ? inside : outside);
     return {inside, outside};
+}
+
+/// Whether the two share no pixel.
+inline bool apart(const PixelRect& a, const PixelRect& b) {
+    return a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y ||
+           b.y + b.height <= a.y;
 }
 
 }  // namespace scb::render

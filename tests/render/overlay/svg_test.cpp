@@ -1,9 +1,9 @@
-#include "render/overlay/svg.h"
+#include "render/overlay/overlay_shape.h"
 
 #include <gtest/gtest.h>
 
 #include "render/overlay/font_face.h"
-#include "render/overlay/smooth_line.h"
+#include "render/overlay/line_stroke.h"
 #include "tests/render/overlay/overlay_fixture.h"
 
 namespace scb::render {

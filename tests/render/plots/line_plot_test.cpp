@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "render/overlay/smooth_line.h"
+#include "render/overlay/line_stroke.h"
 #include "render/plots/bar_plot.h"
-#include "render/plots/line_thinning.h"
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
 

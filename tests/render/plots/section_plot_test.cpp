@@ -4,7 +4,7 @@
 
 #include "core/explain/exact_overlap.h"
 #include "core/explain/pair_explanation.h"
-#include "render/figures/explain_layout.h"
+#include "render/figures/explain_figure.h"
 #include "render/overlay/clip.h"
 #include "render/overlay/figure_layout.h"
 #include "render/plots/section_cut.h"
@@ -14,7 +14,6 @@
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/render/gl/gl_fixture.h"
 #include "tests/render/overlay/overlay_fixture.h"
-#include "tests/render/overlay/rects.h"
 #include "tests/unless_sanitized.h"
 
 namespace scb::render {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 #include "scb/any_collide.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/real_models.h"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/analysis/alternative_test.h"
-#include "core/analysis/operation_cost.h"
+#include "core/analysis/cost_equation.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/overlap_steps.h"
 #include "core/explain/pair_explanation.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/collide/pairs_hash.h"
+#include "core/collide/index_pairs.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/core/collide/brute_force.h"
 #include "tests/core/hierarchy/built_mesh.h"

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "core/base/sentence.h"
 #include "core/base/text_format.h"
 #include "scenes/meshes/mesh_file.h"
 #include "scenes/text/tokens.h"
