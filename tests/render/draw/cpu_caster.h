@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/volumes/direction_grid.h"
+#include "core/volumes/convex_shape.h"
 #include "render/view/picture.h"
 
 namespace scb::render {

@@ -7,8 +7,7 @@
 #include "core/base/statistics.h"
 #include "render/figures/bench_legend.h"
 #include "render/overlay/figure_layout.h"
-#include "tests/render/gl/gl_fixture.h"
-#include "tests/render/overlay/overlay_fixture.h"
+#include "tests/render/figures/drawn_figure.h"
 
 namespace scb::render {
 namespace {
@@ -50,12 +49,6 @@ BenchFigure tests_example(int frames = 300) {
             figure.series.begin(),
             series_of(std::string("SCB ") + test, VolumeKind::scb, n_v += 1000, 3, frames));
     return figure;
-}
-
-Image drawn(Drawing& drawing, const BenchFigure& figure, int width, int height) {
-    Overlay overlay;
-    const Picture picture = compose(figure, width, height, overlay);
-    return drawing.renderer.draw(picture, &overlay).image;
 }
 
 int count_of(const Image& image, Rgba8 color) {

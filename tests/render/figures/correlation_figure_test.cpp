@@ -2,9 +2,7 @@
 
 #include <limits>
 
-#include "render/overlay/figure_layout.h"
-#include "tests/render/gl/gl_fixture.h"
-#include "tests/render/overlay/overlay_fixture.h"
+#include "tests/render/figures/drawn_figure.h"
 
 namespace scb::render {
 namespace {
@@ -26,25 +24,10 @@ CorrelationFigure measures_example() {
 }
 
 TEST(CorrelationFigure, StaysWithinItsMargins) {
-    Drawing drawing;
     CorrelationFigure wide = measures_example();
     for (CorrelationPlot& plot : wide.plots)
         for (CorrelationRow& row : plot.rows) row.name = std::string(80, 'W');
-    for (const CorrelationFigure& figure : {measures_example(), wide, CorrelationFigure{}})
-        for (const Theme* theme : {&light_theme, &dark_theme})
-            for (const auto& [width, height] :
-                 {std::pair{1280, 720}, {640, 480}, {400, 800}, {320, 240}, {64, 48}}) {
-                CorrelationFigure themed = figure;
-                themed.theme = theme;
-                Overlay overlay;
-                const Picture picture = compose(themed, width, height, overlay);
-                const Image image = drawing.renderer.draw(picture, &overlay).image;
-                const int margin = figure_layout(width, height).heading.x - 1;
-                const auto [inside, outside] = inside_and_outside(
-                    image, {margin, margin, width - 2 * margin, height - 2 * margin},
-                    theme->background);
-                EXPECT_EQ(outside, 0) << width << "x" << height;
-            }
+    expect_free_margins({measures_example(), wide, CorrelationFigure{}});
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 #include <array>
 
 #include "render/overlay/figure_layout.h"
-#include "tests/render/gl/gl_fixture.h"
-#include "tests/render/overlay/overlay_fixture.h"
+#include "tests/render/figures/drawn_figure.h"
 
 namespace scb::render {
 namespace {
@@ -38,29 +37,11 @@ InspectFigure figure_of(std::size_t frames, std::uint64_t fit, std::uint64_t tes
     return figure;
 }
 
-Image drawn(Drawing& drawing, const InspectFigure& figure, int width, int height) {
-    Overlay overlay;
-    const Picture picture = compose(figure, width, height, overlay);
-    return drawing.renderer.draw(picture, &overlay).image;
-}
-
 TEST(InspectFigure, StaysWithinItsMargins) {
-    Drawing drawing;
     InspectFigure long_title = figure_of(3, 10, 10);
     long_title.title = std::string(300, 'W');
-    for (const InspectFigure& figure :
-         {figure_of(1, 100, 50), figure_of(300, 100, 0, 7), long_title, InspectFigure{}})
-        for (const Theme* theme : {&light_theme, &dark_theme})
-            for (const auto& [width, height] :
-                 {std::pair{1280, 720}, {640, 480}, {400, 800}, {320, 240}, {64, 48}}) {
-                InspectFigure themed = figure;
-                themed.theme = theme;
-                const int margin = figure_layout(width, height).heading.x - 1;
-                const auto [inside, outside] = inside_and_outside(
-                    drawn(drawing, themed, width, height),
-                    {margin, margin, width - 2 * margin, height - 2 * margin}, theme->background);
-                EXPECT_EQ(outside, 0) << width << "x" << height;
-            }
+    expect_free_margins(
+        {figure_of(1, 100, 50), figure_of(300, 100, 0, 7), long_title, InspectFigure{}});
 }
 
 TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {

@@ -1,8 +1,6 @@
 #include "render/figures/tune_figure.h"
 
-#include "render/overlay/figure_layout.h"
-#include "tests/render/gl/gl_fixture.h"
-#include "tests/render/overlay/overlay_fixture.h"
+#include "tests/render/figures/drawn_figure.h"
 
 namespace scb::render {
 namespace {
@@ -27,28 +25,10 @@ TuneFigure example(bool timed) {
     return figure;
 }
 
-Image drawn(Drawing& drawing, const TuneFigure& figure, int width, int height) {
-    Overlay overlay;
-    const Picture picture = compose(figure, width, height, overlay);
-    return drawing.renderer.draw(picture, &overlay).image;
-}
-
 TEST(TuneFigure, StaysWithinItsMargins) {
-    Drawing drawing;
     TuneFigure wide = example(true);
     for (TuneBar& bar : wide.bars) bar.name = std::string(80, 'W');
-    for (const TuneFigure& figure : {example(true), example(false), wide, TuneFigure{}})
-        for (const Theme* theme : {&light_theme, &dark_theme})
-            for (const auto& [width, height] :
-                 {std::pair{1280, 720}, {640, 480}, {400, 800}, {320, 240}, {64, 48}}) {
-                TuneFigure themed = figure;
-                themed.theme = theme;
-                const int margin = figure_layout(width, height).heading.x - 1;
-                const auto [inside, outside] = inside_and_outside(
-                    drawn(drawing, themed, width, height),
-                    {margin, margin, width - 2 * margin, height - 2 * margin}, theme->background);
-                EXPECT_EQ(outside, 0) << width << "x" << height;
-            }
+    expect_free_margins({example(true), example(false), wide, TuneFigure{}});
 }
 
 TEST(TuneFigure, ShowsEveryBarAndThePlaceOfTheBest) {

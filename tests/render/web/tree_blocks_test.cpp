@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scb/any_hierarchy.h"
 #include "tests/core/fit/point_sets.h"
 
