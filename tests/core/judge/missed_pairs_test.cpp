@@ -13,88 +13,94 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-TEST(MissedPairs, NamesTheCauseOfAMissedPair) {
-    {
-        Rows rows;  // rejected though they overlap
-        rows.event(Kind::volumes, 3, 3).stage = 5;
-        rows.erase(Kind::items_meet, 0, 0);
-        rows.erase(Kind::pair, 0, 0);
-        const PairProblem problem = rows.problem();
-        EXPECT_EQ(problem.cause, PairCause::rejected);
-        EXPECT_EQ(problem.items, (IndexPair{0, 0}));
-        EXPECT_EQ(problem.nodes, (IndexPair{3, 3}));
-        EXPECT_EQ(rows.judged().count(TestVerdict::wrong), 1u);
-    }
-    {
-        auto nodes = nodes_of_row();  // a box that is elsewhere
-        nodes[2].volume = Obb{Vec3(3.25, 5, 0), Mat3::Identity(), Vec3(1, 0.25, 0.1)};
-        Rows rows(nodes);
-        for (const std::uint32_t i : {2u, 3u}) rows.erase(Kind::pair, i, i);
-        const QueryJudgement judged = rows.judged();
-        ASSERT_EQ(judged.pairs.size(), 2u);
-        EXPECT_EQ(judged.pairs[0].cause, PairCause::not_contained);
-        EXPECT_EQ(judged.pairs[0].nodes.a, 2u);
-        EXPECT_EQ(judged.pairs[0].side, 0u);
-        EXPECT_GT(judged.pairs[0].amount, 4);
-        EXPECT_EQ(judged.count(TestVerdict::wrong), 0u) << "the volumes are apart";
-    }
-    {
-        Rows rows;  // below (2, 2) nothing was tested
-        std::erase_if(rows.query.events, [](const EngineEvent& e) {
-            return e.kind == Kind::volumes ? e.a >= 5 && e.b >= 5 : e.a >= 2 && e.b >= 2;
-        });
-        const QueryJudgement judged = rows.judged();
-        ASSERT_EQ(judged.pairs.size(), 2u);
-        EXPECT_EQ(judged.pairs[0].cause, PairCause::never_visited);
-        EXPECT_EQ(judged.pairs[0].nodes, (IndexPair{2, 2}));
-    }
-    {
-        Rows rows;
-        rows.erase(Kind::items_meet, 1, 1);
-        rows.erase(Kind::pair, 1, 1);
-        EXPECT_EQ(rows.problem().cause, PairCause::items_not_tested);
-    }
-    {
-        Rows rows;
-        rows.event(Kind::items_meet, 1, 1).a = 4;
-        const QueryJudgement judged = rows.judged();
-        ASSERT_EQ(judged.wrong_item_tests.size(), 1u);
-        EXPECT_TRUE(judged.wrong_item_tests[0].unknown);
-    }
-    {
-        Rows rows;
-        rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
-        rows.erase(Kind::pair, 1, 1);
-        EXPECT_EQ(rows.problem().cause, PairCause::items_apart);
-        EXPECT_EQ(rows.judged().wrong_item_tests.size(), 1u);
-    }
-    {
-        Rows rows;
-        rows.erase(Kind::pair, 1, 1);
-        EXPECT_EQ(rows.problem().cause, PairCause::not_reported);
-    }
-    {
-        auto nodes = nodes_of_row();
-        nodes[4].items = {};
-        Rows rows(nodes);
-        rows.erase(Kind::pair, 1, 1);
-        const PairProblem problem = rows.problem();
-        EXPECT_EQ(problem.cause, PairCause::in_no_leaf);
-        EXPECT_EQ(problem.side, 0u);
-    }
-    {
-        Rows rows;
-        rows.query.events.clear();
-        rows.query.events.push_back({Kind::pair, 0, 0, 0});
-        const QueryJudgement judged = rows.judged();
-        ASSERT_EQ(judged.pairs.size(), 3u);
-        EXPECT_EQ(judged.pairs[0].cause, PairCause::no_tests);
-        // Tests of other nodes say that the query makes tests.
-        rows.query.events.push_back({Kind::volumes, 0, 6, 6});
-        EXPECT_EQ(rows.judged().pairs[0].cause, PairCause::never_tested);
-        rows.query.complete = false;
-        EXPECT_TRUE(rows.judged().pairs.empty()) << "it ended early on purpose";
-    }
+TEST(MissedPairs, ARejectedPairThatOverlapsIsWrong) {
+    Rows rows;
+    rows.event(Kind::volumes, 3, 3).stage = 5;
+    rows.erase(Kind::items_meet, 0, 0);
+    rows.erase(Kind::pair, 0, 0);
+    const PairProblem problem = rows.problem();
+    EXPECT_EQ(problem.cause, PairCause::rejected);
+    EXPECT_EQ(problem.items, (IndexPair{0, 0}));
+    EXPECT_EQ(problem.nodes, (IndexPair{3, 3}));
+    EXPECT_EQ(rows.judged().count(TestVerdict::wrong), 1u);
+}
+
+TEST(MissedPairs, AVolumeThatMissesItsItemsIsNamed) {
+    auto nodes = nodes_of_row();  // a box that is elsewhere
+    nodes[2].volume = Obb{Vec3(3.25, 5, 0), Mat3::Identity(), Vec3(1, 0.25, 0.1)};
+    Rows rows(nodes);
+    for (const std::uint32_t i : {2u, 3u}) rows.erase(Kind::pair, i, i);
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.pairs.size(), 2u);
+    EXPECT_EQ(judged.pairs[0].cause, PairCause::not_contained);
+    EXPECT_EQ(judged.pairs[0].nodes.a, 2u);
+    EXPECT_EQ(judged.pairs[0].side, 0u);
+    EXPECT_GT(judged.pairs[0].amount, 4);
+    EXPECT_EQ(judged.count(TestVerdict::wrong), 0u) << "the volumes are apart";
+}
+
+TEST(MissedPairs, NodesBelowAPairThatPassedAreNeverVisited) {
+    Rows rows;  // below (2, 2) nothing was tested
+    std::erase_if(rows.query.events, [](const EngineEvent& e) {
+        return e.kind == Kind::volumes ? e.a >= 5 && e.b >= 5 : e.a >= 2 && e.b >= 2;
+    });
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.pairs.size(), 2u);
+    EXPECT_EQ(judged.pairs[0].cause, PairCause::never_visited);
+    EXPECT_EQ(judged.pairs[0].nodes, (IndexPair{2, 2}));
+}
+
+TEST(MissedPairs, ItemsOfLeavesAreNotTested) {
+    Rows rows;
+    rows.erase(Kind::items_meet, 1, 1);
+    rows.erase(Kind::pair, 1, 1);
+    EXPECT_EQ(rows.problem().cause, PairCause::items_not_tested);
+}
+
+TEST(MissedPairs, AnItemOfNoMeshIsUnknown) {
+    Rows rows;
+    rows.event(Kind::items_meet, 1, 1).a = 4;
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.wrong_item_tests.size(), 1u);
+    EXPECT_TRUE(judged.wrong_item_tests[0].unknown);
+}
+
+TEST(MissedPairs, ItemsThatMeetAreCalledApart) {
+    Rows rows;
+    rows.event(Kind::items_meet, 1, 1).kind = Kind::items_apart;
+    rows.erase(Kind::pair, 1, 1);
+    EXPECT_EQ(rows.problem().cause, PairCause::items_apart);
+    EXPECT_EQ(rows.judged().wrong_item_tests.size(), 1u);
+}
+
+TEST(MissedPairs, APairThatWasFoundIsNotReported) {
+    Rows rows;
+    rows.erase(Kind::pair, 1, 1);
+    EXPECT_EQ(rows.problem().cause, PairCause::not_reported);
+}
+
+TEST(MissedPairs, AnItemIsInNoLeaf) {
+    auto nodes = nodes_of_row();
+    nodes[4].items = {};
+    Rows rows(nodes);
+    rows.erase(Kind::pair, 1, 1);
+    const PairProblem problem = rows.problem();
+    EXPECT_EQ(problem.cause, PairCause::in_no_leaf);
+    EXPECT_EQ(problem.side, 0u);
+}
+
+TEST(MissedPairs, AQueryWithoutTestsHasACauseOfItsOwn) {
+    Rows rows;
+    rows.query.events.clear();
+    rows.query.events.push_back({Kind::pair, 0, 0, 0});
+    const QueryJudgement judged = rows.judged();
+    ASSERT_EQ(judged.pairs.size(), 3u);
+    EXPECT_EQ(judged.pairs[0].cause, PairCause::no_tests);
+    // Tests of other nodes say that the query makes tests.
+    rows.query.events.push_back({Kind::volumes, 0, 6, 6});
+    EXPECT_EQ(rows.judged().pairs[0].cause, PairCause::never_tested);
+    rows.query.complete = false;
+    EXPECT_TRUE(rows.judged().pairs.empty()) << "it ended early on purpose";
 }
 
 // An engine may go on below a pair that it has rejected, and come back to one above it.
