@@ -24,14 +24,8 @@ struct VolumeStatistics {
     double mean_thickness() const { return volumes == 0 ? 0 : thickness_sum / volumes; }
 
     void add(const VolumeSize& size, bool is_leaf) {
-        ++volumes;
-        leaves += is_leaf ? 1 : 0;
-        diameter_sum += size.diameter;
-        thickness_sum += size.thickness;
-        max_diameter = std::max(max_diameter, size.diameter);
-        max_thickness = std::max(max_thickness, size.thickness);
-        area += size.area;
-        volume += size.volume;
+        add({1, is_leaf ? 1u : 0u, size.diameter, size.diameter, size.thickness, size.thickness,
+             size.area, size.volume});
     }
 
     void add(const VolumeStatistics& other) {
