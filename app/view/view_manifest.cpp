@@ -7,7 +7,7 @@
 
 #include "app/pictures/level_bodies.h"
 #include "core/model/level_statistics.h"
-#include "core/volumes/direction_grid.h"
+#include "core/volumes/convex_shape.h"
 #include "render/figures/query_body.h"
 #include "render/web/tree_blocks.h"
 #include "scenes/text/utf8.h"

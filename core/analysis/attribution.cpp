@@ -4,7 +4,7 @@
 
 #include "core/analysis/cost_equation.h"
 #include "core/collide/query_placement.h"
-#include "core/explain/exact_verdict.h"
+#include "core/explain/exact_overlap.h"
 #include "core/volumes/shape.h"
 #include "scb/collide.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/hierarchy/tree_shape.h"
 
 namespace scb {

@@ -81,8 +81,11 @@ void add_directions(std::vector<Vec3>& to, const Obb& box) {
     for (int i = 0; i < 3; ++i) to.push_back(box.axes.col(i));
 }
 
+}  // namespace
+
 template <class V>
-bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate& certificate) {
+bool check_certificate(const V& a, const V& b, const ContactCertificate& certificate) {
+    const Vec3 to_b = shape_center(b) - shape_center(a);
     const double rounding = 1e-13 * std::max({diameter(a), diameter(b), to_b.norm()});
     const auto reach_of_a = [&](const Vec3& d) { return dot(d, farthest(a, d)); };
     const auto end_of_b = [&](const Vec3& d) { return dot(d, Vec3(to_b + farthest(b, -d))); };
@@ -108,27 +111,9 @@ bool bear_out(const V& a, const V& b, const Vec3& to_b, const ContactCertificate
                        [&](const Vec3& d) { return holds_along(d) && holds_along(-d); });
 }
 
-}  // namespace
-
-bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
-    return bear_out(a, b, b.c - a.c, certificate);
-}
-
-bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
-    return bear_out(a, b, b.c - a.c, certificate);
-}
-
-bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
-    return bear_out(a, b, b.center - a.center, certificate);
-}
-
-bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
-    return bear_out(a, b, b.center - a.center, certificate);
-}
-
-bool check_certificate(const ConvexShape& a, const ConvexShape& b,
-                       const ContactCertificate& certificate) {
-    return bear_out(a, b, b.center - a.center, certificate);
-}
+#define SCB_INSTANTIATE(V) \
+    template bool check_certificate(const V&, const V&, const ContactCertificate&);
+SCB_FOR_EACH_SHAPE(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

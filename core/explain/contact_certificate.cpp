@@ -111,24 +111,11 @@ FreeBox free_box(const Scb2& s, const Vec3& from_center) {
     return box;
 }
 
-/// `size`: the largest length of the pair.
-template <class V>
-bool verify_within(const V& a, const V& b, const ContactCertificate& certificate, double size) {
-    // Squares of shorter lengths lose digits, or vanish; squares of longer lengths overflow.
-    if (!(size > 1e-140 && size < 1e140)) return false;
-    const double rounding = 1e-14 * size;
-    if (!(certificate.margin > rounding)) return false;
-    switch (certificate.contact) {
-        case Contact::disjoint:
-            return std::abs(certificate.direction.norm() - 1) <= 1e-9 &&
-                   proven_gap(a, b, certificate.direction) >= certificate.margin - rounding;
-        case Contact::overlapping:
-            return proven_depth(a, b, certificate.point) >= certificate.margin - rounding;
-        case Contact::touching:
-            break;
-    }
-    return false;
-}
+double length_of(const Scb& s) { return s.r; }
+double length_of(const Scb2& s) { return s.r; }
+double length_of(const Ball& ball) { return ball.radius; }
+double length_of(const Obb& box) { return box.half.stableNorm(); }
+double length_of(const ConvexShape& shape) { return diameter(shape); }
 
 }  // namespace
 
@@ -189,28 +176,28 @@ double proven_depth(const Obb& a, const Obb& b, const Vec3& point) {
     return least_reach(a.axes, in_a.cwiseMax(0), b.axes, in_b.cwiseMax(0)) - outside;
 }
 
-bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
-    return verify_within(a, b, certificate, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
+template <class V>
+bool verify(const V& a, const V& b, const ContactCertificate& certificate) {
+    const double size =
+        std::max({length_of(a), length_of(b), (shape_center(b) - shape_center(a)).stableNorm()});
+    // Squares of shorter lengths lose digits, or vanish; squares of longer lengths overflow.
+    if (!(size > 1e-140 && size < 1e140)) return false;
+    const double rounding = 1e-14 * size;
+    if (!(certificate.margin > rounding)) return false;
+    switch (certificate.contact) {
+        case Contact::disjoint:
+            return std::abs(certificate.direction.norm() - 1) <= 1e-9 &&
+                   proven_gap(a, b, certificate.direction) >= certificate.margin - rounding;
+        case Contact::overlapping:
+            return proven_depth(a, b, certificate.point) >= certificate.margin - rounding;
+        case Contact::touching:
+            break;
+    }
+    return false;
 }
 
-bool verify(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
-    return verify_within(a, b, certificate, std::max({a.r, b.r, (b.c - a.c).stableNorm()}));
-}
-
-bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
-    return verify_within(a, b, certificate,
-                         std::max({a.radius, b.radius, (b.center - a.center).stableNorm()}));
-}
-
-bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
-    return verify_within(
-        a, b, certificate,
-        std::max({a.half.stableNorm(), b.half.stableNorm(), (b.center - a.center).stableNorm()}));
-}
-
-bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate& certificate) {
-    return verify_within(a, b, certificate,
-                         std::max({diameter(a), diameter(b), (b.center - a.center).stableNorm()}));
-}
+#define SCB_INSTANTIATE(V) template bool verify(const V&, const V&, const ContactCertificate&);
+SCB_FOR_EACH_SHAPE(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

@@ -1,11 +1,7 @@
 #pragma once
 
 #include "core/base/enum_names.h"
-#include "core/volumes/convex_shape.h"
-#include "scb/ball.h"
-#include "scb/obb.h"
-#include "scb/scb.h"
-#include "scb/scb2.h"
+#include "core/volumes/any_volume.h"
 
 namespace scb {
 
@@ -55,16 +51,15 @@ double proven_depth(const Ball& a, const Ball& b, const Vec3& point);
 double proven_depth(const Obb& a, const Obb& b, const Vec3& point);
 double proven_depth(const ConvexShape& a, const ConvexShape& b, const Vec3& point);
 
+// The next two functions are defined for the types of SCB_FOR_EACH_SHAPE.
+
 /// Whether the certificate proves the verdict, by at least the stated margin, with proven_gap or
 /// proven_depth and without exact_overlap. `sharpened` climbs on the same two functions, so its
 /// margins need check_certificate as an independent check. False for `touching`, which claims
 /// nothing, for lengths whose squares are not normal numbers, and for a direction that is not a
 /// unit vector.
-bool verify(const Scb& a, const Scb& b, const ContactCertificate& certificate);
-bool verify(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
-bool verify(const Ball& a, const Ball& b, const ContactCertificate& certificate);
-bool verify(const Obb& a, const Obb& b, const ContactCertificate& certificate);
-bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate& certificate);
+template <class V>
+bool verify(const V& a, const V& b, const ContactCertificate& certificate);
 
 /// Whether the farthest points of the two volumes support the certificate, by at least its margin.
 /// For a gap, all of A must be before all of B in the direction. For a depth, in some thirty
@@ -73,11 +68,7 @@ bool verify(const ConvexShape& a, const ConvexShape& b, const ContactCertificate
 ///
 /// It shares no code with proven_gap, proven_depth and verify, by which a sharpened certificate is
 /// made.
-bool check_certificate(const Scb& a, const Scb& b, const ContactCertificate& certificate);
-bool check_certificate(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
-bool check_certificate(const Ball& a, const Ball& b, const ContactCertificate& certificate);
-bool check_certificate(const Obb& a, const Obb& b, const ContactCertificate& certificate);
-bool check_certificate(const ConvexShape& a, const ConvexShape& b,
-                       const ContactCertificate& certificate);
+template <class V>
+bool check_certificate(const V& a, const V& b, const ContactCertificate& certificate);
 
 }  // namespace scb

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/explain/contact_certificate.h"
-#include "core/volumes/convex_shape.h"
+#include "scb/placement.h"
 
 namespace scb {
 
@@ -61,13 +61,10 @@ ContactCertificate exact_overlap(const ConvexShape& a, const ConvexShape& b,
 
 /// The same verdict with a larger margin, by a search that climbs on proven_gap or proven_depth.
 /// The margin is close to the distance, or to the depth of a deep common point; it is smaller if
-/// two thin volumes are nearly parallel and nearly touch. For display.
-ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate);
-ContactCertificate sharpened(const Scb2& a, const Scb2& b, const ContactCertificate& certificate);
-ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate);
-ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate);
-ContactCertificate sharpened(const ConvexShape& a, const ConvexShape& b,
-                             const ContactCertificate& certificate);
+/// two thin volumes are nearly parallel and nearly touch. For display. Defined for the types of
+/// SCB_FOR_EACH_SHAPE.
+template <class V>
+ContactCertificate sharpened(const V& a, const V& b, ContactCertificate certificate);
 
 /// When the search for a depth ends: if the bound is more than `enough`, or within the share
 /// `accuracy` of the least extent found, or after a number of directions.
@@ -86,5 +83,19 @@ struct DepthSearch {
 /// any point bounds the triangle; the farthest point of a corner is better the smaller the triangle
 /// is. Triangles with the lowest bounds are divided.
 double least_depth(const ConvexShape& a, const ConvexShape& b, const DepthSearch& search);
+
+// These functions are defined for the types of SCB_FOR_EACH_SHAPE.
+
+/// The exact verdict on A, in its own frame, and B, in the frame that `placed` places: the
+/// certificate of exact_overlap, in A's frame. If gap or depth is within the placement's margin,
+/// the overlap tests cannot decide, and the verdict is that the two touch. Overlap tests are judged
+/// by this verdict.
+template <class V>
+ContactCertificate exact_verdict(const V& a, const V& b, const Placement& placed);
+
+/// B in A's frame, for the exact verdict: normals are normalized again, since a pose that is rigid
+/// to ten digits may change their lengths.
+template <class V>
+V seen_from_a(const V& b, const Placement& placed);
 
 }  // namespace scb

@@ -125,12 +125,4 @@ ContactCertificate exact_overlap(const ConvexShape& a, const ConvexShape& b, dou
     return certificate;
 }
 
-ContactCertificate sharpened(const ConvexShape& a, const ConvexShape& b,
-                             const ContactCertificate& certificate) {
-    ContactCertificate result = certificate;
-    if (result.contact == Contact::overlapping)
-        result.margin = std::max(result.margin, least_depth(a, b, {HUGE_VAL, 1e-4, 20000}));
-    return result;
-}
-
 }  // namespace scb

@@ -1,16 +1,28 @@
-#include "core/explain/exact_verdict.h"
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include "core/explain/exact_overlap.h"
 #include "core/volumes/any_volume.h"
 
 namespace scb {
-namespace {
 
 template <class V>
-ContactCertificate verdict(const V& a, const V& b, const Placement& placed) {
+V seen_from_a(const V& b, const Placement& placed) {
+    V moved = scb::placed(b, placed.b_to_a);
+    if constexpr (std::same_as<V, Scb>) moved.n /= std::sqrt(squared_norm(moved.n));
+    if constexpr (std::same_as<V, Scb2>) {
+        auto& [first, second] = moved.slabs;
+        first.n /= std::sqrt(squared_norm(first.n));
+        second.n -= dot(first.n, second.n) * first.n;
+        second.n /= std::sqrt(squared_norm(second.n));
+    }
+    return moved;
+}
+
+template <class V>
+ContactCertificate exact_verdict(const V& a, const V& b, const Placement& placed) {
     // The length that the tolerance of exact_overlap is a share of.
     const double size = std::max(diameter(a), diameter(b)) / 2;
     const double tolerance =
@@ -22,50 +34,10 @@ ContactCertificate verdict(const V& a, const V& b, const Placement& placed) {
     return lost ? ContactCertificate{} : certificate;
 }
 
-}  // namespace
-
-ContactCertificate exact_verdict(const Scb& a, const Scb& b, const Placement& placed) {
-    return verdict(a, b, placed);
-}
-
-ContactCertificate exact_verdict(const Scb2& a, const Scb2& b, const Placement& placed) {
-    return verdict(a, b, placed);
-}
-
-ContactCertificate exact_verdict(const Ball& a, const Ball& b, const Placement& placed) {
-    return verdict(a, b, placed);
-}
-
-ContactCertificate exact_verdict(const Obb& a, const Obb& b, const Placement& placed) {
-    return verdict(a, b, placed);
-}
-
-ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b,
-                                 const Placement& placed) {
-    return verdict(a, b, placed);
-}
-
-Scb seen_from_a(const Scb& b, const Placement& placed) {
-    Scb moved = scb::placed(b, placed.b_to_a);
-    moved.n /= std::sqrt(squared_norm(moved.n));
-    return moved;
-}
-
-Scb2 seen_from_a(const Scb2& b, const Placement& placed) {
-    Scb2 moved = scb::placed(b, placed.b_to_a);
-    auto& [first, second] = moved.slabs;
-    first.n /= std::sqrt(squared_norm(first.n));
-    second.n -= dot(first.n, second.n) * first.n;
-    second.n /= std::sqrt(squared_norm(second.n));
-    return moved;
-}
-
-Ball seen_from_a(const Ball& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
-
-Obb seen_from_a(const Obb& b, const Placement& placed) { return scb::placed(b, placed.b_to_a); }
-
-ConvexShape seen_from_a(const ConvexShape& b, const Placement& placed) {
-    return scb::placed(b, placed.b_to_a);
-}
+#define SCB_INSTANTIATE(V)                              \
+    template V seen_from_a(const V&, const Placement&); \
+    template ContactCertificate exact_verdict(const V&, const V&, const Placement&);
+SCB_FOR_EACH_SHAPE(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/enum_names.h"
-#include "core/explain/exact_verdict.h"
+#include "core/explain/exact_overlap.h"
 #include "core/explain/overlap_steps.h"
 #include "scb/volume.h"
 

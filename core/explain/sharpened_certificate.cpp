@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 
 #include "core/explain/exact_overlap.h"
 
@@ -113,7 +114,7 @@ double outside(const Obb& a, const Obb& b, const Vec3& point) {
 }
 
 template <class V>
-ContactCertificate sharpened_certificate(const V& a, const V& b, ContactCertificate certificate) {
+ContactCertificate climbed(const V& a, const V& b, ContactCertificate certificate) {
     if (certificate.contact == Contact::disjoint)
         climb(
             certificate.direction, certificate.margin, 0.5,
@@ -138,20 +139,19 @@ ContactCertificate sharpened_certificate(const V& a, const V& b, ContactCertific
 
 }  // namespace
 
-ContactCertificate sharpened(const Scb& a, const Scb& b, const ContactCertificate& certificate) {
-    return sharpened_certificate(a, b, certificate);
+template <class V>
+ContactCertificate sharpened(const V& a, const V& b, ContactCertificate certificate) {
+    if constexpr (!std::same_as<V, ConvexShape>)
+        return climbed(a, b, certificate);
+    else if (certificate.contact == Contact::overlapping)
+        certificate.margin =
+            std::max(certificate.margin, least_depth(a, b, {HUGE_VAL, 1e-4, 20000}));
+    return certificate;
 }
 
-ContactCertificate sharpened(const Scb2& a, const Scb2& b, const ContactCertificate& certificate) {
-    return sharpened_certificate(a, b, certificate);
-}
-
-ContactCertificate sharpened(const Ball& a, const Ball& b, const ContactCertificate& certificate) {
-    return sharpened_certificate(a, b, certificate);
-}
-
-ContactCertificate sharpened(const Obb& a, const Obb& b, const ContactCertificate& certificate) {
-    return sharpened_certificate(a, b, certificate);
-}
+#define SCB_INSTANTIATE(V) \
+    template ContactCertificate sharpened(const V&, const V&, ContactCertificate);
+SCB_FOR_EACH_SHAPE(SCB_INSTANTIATE)
+#undef SCB_INSTANTIATE
 
 }  // namespace scb

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
 #include "core/hierarchy/mesh_topology.h"
 
 namespace scb {

@@ -22,9 +22,8 @@
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/hierarchy/unfitted_triangle.h"
-#include "core/hierarchy/visit_cost.h"
 #include "scb/topology.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangle_pair.h"
 #include "core/geometry/triangle_segment.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {

@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "core/explain/exact_overlap.h"
-#include "core/explain/exact_verdict.h"
 #include "core/volumes/convex_shape.h"
 #include "core/volumes/shape.h"
 #include "scb/error.h"

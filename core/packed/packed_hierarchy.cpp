@@ -10,7 +10,6 @@
 #include "core/base/parallel_for.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
-#include "core/hierarchy/visit_cost.h"
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"

@@ -29,14 +29,7 @@ Obb placed(const Obb& volume, const Pose& pose) {
 }
 
 Vec3 center(const AnyVolume& volume) {
-    return std::visit(
-        []<class V>(const V& v) -> Vec3 {
-            if constexpr (std::is_same_v<V, ConvexShape>)
-                return v.center;
-            else
-                return support_center(v);
-        },
-        volume);
+    return std::visit([](const auto& shape) { return shape_center(shape); }, volume);
 }
 
 VolumeSize size_of(const ConvexShape& shape) {

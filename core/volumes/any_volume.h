@@ -21,9 +21,21 @@ Obb placed(const Obb& volume, const Pose& pose);
 /// The shape_of a volume of any type, for pictures, files and reports that mix types.
 using AnyVolume = std::variant<Scb, Ball, Obb, Scb2, ConvexShape>;
 
+/// Calls the macro X with the type of each shape of AnyVolume, to instantiate templates.
+#define SCB_FOR_EACH_SHAPE(X) X(Scb) X(Ball) X(Obb) X(Scb2) X(ConvexShape)
+
+/// The center of the ball or the box (not of the slab) of a shape of AnyVolume.
+template <class V>
+const Vec3& shape_center(const V& shape) {
+    if constexpr (requires { shape.center; })
+        return shape.center;
+    else
+        return shape.c;
+}
+
 AnyVolume placed(const AnyVolume& volume, const Pose& pose);
 
-/// The center of the ball or the box (not of the slab).
+/// The shape_center of the shape.
 Vec3 center(const AnyVolume& volume);
 
 /// Whether two volumes are the same numbers.

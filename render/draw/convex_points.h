@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/volumes/convex_shape.h"
-#include "core/volumes/direction_grid.h"
 #include "render/draw/eye_view.h"
 #include "render/gl/gl_object.h"
 #include "render/gl/gl_program.h"

@@ -8,7 +8,6 @@
 
 #include "core/base/portable_math.h"
 #include "core/volumes/convex_shape.h"
-#include "core/volumes/direction_grid.h"
 
 namespace scb::scenes {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "core/analysis/trace.h"
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "render/draw/renderer.h"
 #include "render/figures/pairs_figure.h"
 #include "render/figures/rejections_figure.h"

@@ -6,7 +6,7 @@
 
 #include "core/collide/index_pairs.h"
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scb/any_collide.h"
 #include "scenes/scene/load_scene.h"
 #include "tests/app/program.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scb/any_hierarchy.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/app/program.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scb/any_collide.h"
 
 namespace scb {

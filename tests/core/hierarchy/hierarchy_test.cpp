@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/model/level_statistics.h"
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"

@@ -1,4 +1,4 @@
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 
 #include <gtest/gtest.h>
 

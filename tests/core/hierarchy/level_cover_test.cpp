@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "core/model/level_statistics.h"
 #include "scb/any_hierarchy.h"
 #include "tests/core/fit/point_sets.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/overlap/overlap_obb.h"
-#include "core/volumes/direction_grid.h"
+#include "core/volumes/convex_shape.h"
 #include "scb/volume.h"
 #include "tests/core/overlap/convex_pairs.h"
 #include "tests/unless_sanitized.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "core/explain/contact_certificate.h"
-#include "core/explain/exact_verdict.h"
+#include "core/explain/exact_overlap.h"
 #include "scb/overlap.h"
 
 namespace scb {

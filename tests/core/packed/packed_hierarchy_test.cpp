@@ -8,7 +8,6 @@
 #include "core/base/random.h"
 #include "core/hierarchy/fit_volumes.h"
 #include "core/hierarchy/mesh_topology.h"
-#include "core/hierarchy/visit_cost.h"
 #include "scb/error.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/packed/packed_variants.h"

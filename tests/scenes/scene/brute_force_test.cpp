@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/hierarchy/fit_volumes.h"
-#include "core/hierarchy/leaf_order.h"
+#include "core/hierarchy/mesh_topology.h"
 #include "scenes/scene/builtin.h"
 #include "tests/core/hierarchy/built_mesh.h"
 #include "tests/real_models.h"
