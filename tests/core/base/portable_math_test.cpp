@@ -1,6 +1,7 @@
 #include "core/base/portable_math.h"
 
 #include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace scb {

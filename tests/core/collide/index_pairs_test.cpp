@@ -1,6 +1,7 @@
 #include "core/collide/index_pairs.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <limits>
 #include <vector>

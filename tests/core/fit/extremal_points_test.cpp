@@ -1,6 +1,7 @@
 #include "core/fit/extremal_points.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

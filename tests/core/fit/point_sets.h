@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <initializer_list>
 #include <vector>
 
 #include "core/base/random.h"
@@ -67,6 +69,31 @@ inline Mesh height_field(int n) {
             mesh.vertices.emplace_back(double(i) / n, double(j) / n, 0.3 / n * random.uniform());
     mesh.triangles = grid_triangles(n);
     return mesh;
+}
+
+inline void append(Mesh& mesh, const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+/// Soups of these numbers of triangles, a height field, one triangle fifty times, triangles that
+/// are points, and a mesh far from the origin.
+inline std::vector<Mesh> assorted_meshes(std::uint64_t seed, std::initializer_list<int> counts) {
+    std::vector<Mesh> meshes;
+    for (const int count : counts) meshes.push_back(random_soup(seed, count, 0.3));
+    meshes.push_back(height_field(20));
+    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    same.triangles.assign(50, {0, 1, 2});
+    meshes.push_back(same);
+    Mesh point{{{1, 2, 3}}, {}};
+    point.triangles.assign(33, {0, 0, 0});
+    meshes.push_back(point);
+    Mesh far = height_field(8);
+    for (Vec3& v : far.vertices) v += Vec3(1e6, -1e6, 1e6);
+    meshes.push_back(far);
+    return meshes;
 }
 
 }  // namespace scb

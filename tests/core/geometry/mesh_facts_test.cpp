@@ -1,7 +1,10 @@
 #include "core/geometry/mesh_facts.h"
 
 #include <gtest/gtest.h>
+
 #include <cmath>
+
+#include "tests/core/fit/point_sets.h"
 
 namespace scb {
 namespace {
@@ -27,13 +30,6 @@ Mesh soup_of(const Mesh& mesh) {
         soup.triangles.push_back({first, first + 1, first + 2});
     }
     return soup;
-}
-
-void append(Mesh& mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const Triangle& t : other.triangles)
-        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 TEST(MeshFacts, OfAClosedSurfaceWhateverItsIndices) {

@@ -1,6 +1,7 @@
 #include "core/geometry/triangle_segment.h"
 
 #include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "core/base/random.h"

@@ -22,22 +22,10 @@ using Volumes = testing::Types<Scb, Scb2, Ball, Obb, Aabb, ExactAabb>;
 TYPED_TEST_SUITE(HierarchyOf, Volumes);
 
 std::vector<Mesh> all_kinds() {
-    std::vector<Mesh> meshes;
-    for (const int count : {1, 2, 3, 7, 8, 9, 26, 27, 300})
-        meshes.push_back(random_soup(51, count, 0.3));
-    meshes.push_back(height_field(20));
-    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
-    same.triangles.assign(50, {0, 1, 2});
-    meshes.push_back(same);
-    Mesh point{{{1, 2, 3}}, {}};
-    point.triangles.assign(33, {0, 0, 0});
-    meshes.push_back(point);
+    std::vector<Mesh> meshes = assorted_meshes(51, {1, 2, 3, 7, 8, 9, 26, 27, 300});
     Mesh segments = random_soup(52, 40, 0.3);
     for (Triangle& t : segments.triangles) t[2] = t[1];
     meshes.push_back(segments);
-    Mesh far = height_field(8);
-    for (Vec3& v : far.vertices) v += Vec3(1e6, -1e6, 1e6);
-    meshes.push_back(far);
     return meshes;
 }
 

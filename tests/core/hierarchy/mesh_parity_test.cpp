@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/mesh_parts.h"
+#include "tests/core/fit/point_sets.h"
 
 namespace scb {
 namespace {
@@ -21,13 +22,6 @@ Mesh box_of(const Vec3& lower, const Vec3& upper) {
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return mesh;
-}
-
-void append(Mesh& mesh, const Mesh& other) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const Triangle& t : other.triangles)
-        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 /// The side of the mesh that the point is on, checked in every order of the axes. Each order has

@@ -1,6 +1,7 @@
 #include "core/judge/query_contacts.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "core/base/random.h"

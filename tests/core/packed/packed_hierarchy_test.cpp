@@ -17,19 +17,7 @@ namespace scb {
 namespace {
 
 std::vector<Mesh> all_kinds() {
-    std::vector<Mesh> meshes;
-    for (const int count : {1, 2, 3, 4, 5, 7, 8, 9, 26, 27, 300})
-        meshes.push_back(random_soup(61, count, 0.3));
-    meshes.push_back(height_field(20));
-    Mesh same{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
-    same.triangles.assign(50, {0, 1, 2});
-    meshes.push_back(same);
-    Mesh point{{{1, 2, 3}}, {}};
-    point.triangles.assign(33, {0, 0, 0});
-    meshes.push_back(point);
-    Mesh far = height_field(8);
-    for (Vec3& v : far.vertices) v += Vec3(1e6, -1e6, 1e6);
-    meshes.push_back(far);
+    std::vector<Mesh> meshes = assorted_meshes(61, {1, 2, 3, 4, 5, 7, 8, 9, 26, 27, 300});
     Mesh tiny = height_field(8);
     for (Vec3& v : tiny.vertices) v *= 1e-7;
     meshes.push_back(tiny);

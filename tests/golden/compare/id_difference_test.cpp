@@ -1,6 +1,7 @@
 #include "golden/compare/id_difference.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <random>

@@ -1,6 +1,7 @@
 #include "golden/report/junit.h"
 
 #include <gtest/gtest.h>
+
 #include <random>
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "golden/suite/case_command.h"
 
 #include <gtest/gtest.h>
+
 #include <cstdio>
 
 #include "tests/temporary_folder.h"

@@ -1,6 +1,7 @@
 #include "golden/suite/file_replacement.h"
 
 #include <gtest/gtest.h>
+
 #include <map>
 #include <string>
 

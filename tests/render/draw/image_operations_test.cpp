@@ -1,6 +1,7 @@
 #include "render/draw/image_operations.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
