@@ -25,6 +25,17 @@ double error_of(std::span<const CostSample> samples, const Costs& costs) {
     return std::sqrt(sum / static_cast<double>(samples.size()));
 }
 
+// The counts of these columns per unit of time, a row for each sample.
+Eigen::MatrixXd rates_of(std::span<const CostSample> samples,
+                         const std::vector<std::size_t>& columns) {
+    Eigen::MatrixXd rates(samples.size(), columns.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            rates(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) =
+                counts_of(samples[i])[columns[c]] / samples[i].time;
+    return rates;
+}
+
 // Whether the counts vary enough from sample to sample to tell their costs apart: no column of the
 // matrix of shares is within a twentieth of the span of the others. Counts that are always 0 are
 // left out.
@@ -37,11 +48,7 @@ bool is_determined(std::span<const CostSample> samples) {
                 break;
             }
     if (columns.empty() || samples.size() < columns.size()) return false;
-    Eigen::MatrixXd matrix(samples.size(), columns.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) =
-                counts_of(samples[i])[columns[c]] / samples[i].time;
+    Eigen::MatrixXd matrix = rates_of(samples, columns);
     matrix.colwise().normalize();
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
     return qr.matrixR().diagonal().cwiseAbs().minCoeff() > 0.05;
@@ -52,11 +59,7 @@ Costs costs_of(std::span<const CostSample> samples, unsigned chosen) {
     std::vector<std::size_t> columns;
     for (std::size_t k = 0; k < 3; ++k)
         if ((chosen >> k & 1) != 0) columns.push_back(k);
-    Eigen::MatrixXd matrix(samples.size(), columns.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) =
-                counts_of(samples[i])[columns[c]] / samples[i].time;
+    const Eigen::MatrixXd matrix = rates_of(samples, columns);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(samples.size()));
     const Eigen::VectorXd solved = matrix.colPivHouseholderQr().solve(ones);
     Costs costs{};

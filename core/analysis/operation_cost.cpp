@@ -1,58 +1,47 @@
 #include "core/analysis/cost_equation.h"
 
+#include <initializer_list>
+
 namespace scb {
 namespace {
 
-/// After ball-ball, slab-ball, ball-slab, and the two cylinder stages; the last also if none
-/// rejects.
+struct StageCost {
+    Stage stage;
+    std::uint32_t operations;
+};
+
+/// `last`: the cost at the last stage, also if none rejects.
+std::uint32_t cost_at(Stage stage, std::initializer_list<StageCost> costs, std::uint32_t last) {
+    for (const StageCost& cost : costs)
+        if (cost.stage == stage) return cost.operations;
+    return last;
+}
+
 std::uint32_t of_cylinder_tests(Stage stage, std::uint32_t first_cylinder,
                                 std::uint32_t second_cylinder) {
-    switch (stage) {
-        case Stage::ball_ball:
-            return 29;
-        case Stage::slab_ball:
-            return 36;
-        case Stage::ball_slab:
-            return 60;
-        case Stage::slab_cylinder:
-            return first_cylinder;
-        default:
-            return second_cylinder;
-    }
+    return cost_at(stage,
+                   {{Stage::ball_ball, 29},
+                    {Stage::slab_ball, 36},
+                    {Stage::ball_slab, 60},
+                    {Stage::slab_cylinder, first_cylinder}},
+                   second_cylinder);
 }
 
 std::uint32_t of_extents(Stage stage) {
-    switch (stage) {
-        case Stage::ball_ball:
-            return 29;
-        case Stage::slab_a:
-            return 69;
-        case Stage::slab_b:
-            return 90;
-        default:
-            return 115;
-    }
+    return cost_at(stage, {{Stage::ball_ball, 29}, {Stage::slab_a, 69}, {Stage::slab_b, 90}}, 115);
 }
 
 /// The worst case: each extent is at a point where two planes meet the sphere, with five square
 /// roots each.
 std::uint32_t of_two_slabs(Stage stage) {
-    switch (stage) {
-        case Stage::ball_ball:
-            return 29;
-        case Stage::slab_a:
-            return 138;
-        case Stage::second_slab_a:
-            return 199;
-        case Stage::slab_b:
-            return 265;
-        case Stage::second_slab_b:
-            return 311;
-        case Stage::center_line:
-            return 391;
-        default:
-            return 479;
-    }
+    return cost_at(stage,
+                   {{Stage::ball_ball, 29},
+                    {Stage::slab_a, 138},
+                    {Stage::second_slab_a, 199},
+                    {Stage::slab_b, 265},
+                    {Stage::second_slab_b, 311},
+                    {Stage::center_line, 391}},
+                   479);
 }
 
 /// Oriented boxes: 66 for B's center and axes; 27 for each axis of A, with the products of axes

@@ -1,3 +1,4 @@
+#include "core/packed/front_schedule.h"
 
 #include <gtest/gtest.h>
 
@@ -5,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/portable_math.h"
-#include "core/packed/front_schedule.h"
 #include "scb/error.h"
 #include "tests/core/overlap/volume_pairs.h"
 
