@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/analysis/hierarchy_measures.h"
-#include "core/analysis/sample_descent.h"
 #include "core/analysis/shared_volume.h"
 #include "core/base/parallel_for.h"
 #include "core/base/portable_math.h"

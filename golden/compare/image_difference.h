@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "golden/compare/pixel_box.h"
 #include "golden/suite/suite.h"
@@ -34,5 +35,21 @@ bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 /// A picture of the difference: equal pixels are `b` in pale grey; other pixels have the accent
 /// color, stronger for larger differences, but always visible. The sizes must be equal.
 render::Image difference_picture(const render::Image& a, const render::Image& b);
+
+/// A pixel that has another color than before.
+struct PixelChange {
+    int x = 0, y = 0;  ///< from the left, from the top
+    render::Rgba8 before, after;
+
+    /// The differences of red, green, blue, alpha.
+    std::array<int, 4> by() const;
+    /// The largest of them, without its sign.
+    int most() const;
+};
+
+/// The pixels that differ most in a part of the pictures, at most `listed`; ties in the order of
+/// rows from the top. Both pictures must have one size; the part is cut to them.
+std::vector<PixelChange> worst_pixels(const render::Image& before, const render::Image& after,
+                                      const PixelBox& part, std::size_t listed);
 
 }  // namespace scb::golden

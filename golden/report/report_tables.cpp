@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/text_format.h"
+#include "golden/compare/image_difference.h"
 #include "golden/compare/number_words.h"
-#include "golden/compare/worst_pixels.h"
 #include "golden/report/report_values.h"
 #include "render/files/image_file.h"
 #include "scb/error.h"
