@@ -66,7 +66,7 @@ class RecordedTrace {
     /// Compares the pairs reported by that query with the exact pairs, within the engine's
     /// tolerance, as RecordingJudgement does; empty if a pose is unusable.
     RecordedResults results();
-    /// See query_overlaps.h.
+    /// See level_overlaps of core/judge/query_contacts.h.
     std::vector<std::size_t> level_overlaps(std::size_t most);
 
   private:

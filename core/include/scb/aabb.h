@@ -8,7 +8,7 @@ namespace scb {
 
 /// A box along the axes of its body's frame: the points with |x[i] - center[i]| <= half[i]. Closed.
 /// In another frame it is an oriented box. Two tests are common, so the test is part of the type,
-/// see overlap_aabb.h: `exact`, or, as in engines, A against the box along A's axes about the
+/// see overlap_aabb: `exact`, or, as in engines, A against the box along A's axes about the
 /// turned B.
 template <bool exact>
 struct BasicAabb {
