@@ -7,7 +7,7 @@
 
 #include "app/cli/version.h"
 #include "app/query/scene_options.h"
-#include "golden/compare/number_words.h"
+#include "core/base/text_format.h"
 #include "golden/report/github.h"
 #include "golden/report/html_report.h"
 #include "golden/report/junit.h"
@@ -183,7 +183,7 @@ std::string results_text(const golden::SuiteResult& result) {
     }
     if (!result.incomplete.empty())
         text += "incomplete. " + golden::plain_text(result.incomplete) + "\n";
-    text += golden::words::counted(result.cases.size(), "case", "cases");
+    text += counted(result.cases.size(), "case", "cases");
     if (result.cases.empty() && !result.shard.empty())
         text += "; none are left for shard " + golden::plain_text(result.shard);
     const char* separator = ": ";

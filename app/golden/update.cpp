@@ -7,7 +7,7 @@
 #include "app/cli/progress.h"
 #include "app/golden/results.h"
 #include "core/base/exit_status.h"
-#include "golden/compare/number_words.h"
+#include "core/base/text_format.h"
 #include "golden/report/plain_text.h"
 #include "golden/run/check_cases.h"
 #include "golden/run/work_folder.h"
@@ -80,8 +80,8 @@ void update_case(const UpdateOptions& options, const golden::GoldenCheck& check,
 }
 
 void print(const Updated& updated, std::size_t cases) {
-    print_result(updated.text + golden::words::grouped(updated.cases) + " of " +
-                 golden::words::counted(cases, "case", "cases") + " updated\n");
+    print_result(updated.text + count_text(updated.cases) + " of " +
+                 counted(cases, "case", "cases") + " updated\n");
 }
 
 int run(const UpdateOptions& options, const Console& console) {

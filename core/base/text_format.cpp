@@ -51,4 +51,14 @@ std::string short_hash(std::string_view text) {
     return format("%08x", hash);
 }
 
+std::string count_text(std::uint64_t count) {
+    std::string text = std::to_string(count);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* several) {
+    return count_text(count) + " " + (count == 1 ? one : several);
+}
+
 }  // namespace scb

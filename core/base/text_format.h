@@ -30,6 +30,12 @@ std::string right_aligned(const std::string& text, std::size_t width);
 /// The shortest decimal text that reads back as the same double; "inf" or "nan" if not finite.
 std::string exact_number(double value);
 
+/// "20,480"
+std::string count_text(std::uint64_t count);
+
+/// "1 node", "2,000 nodes"
+std::string counted(std::uint64_t count, const char* one, const char* several);
+
 /// "a, b, c": `name` of each element of a range, at most 20 of them and then "...".
 template <class Range, class Name = std::identity>
 std::string name_list(const Range& range, Name name = {}) {

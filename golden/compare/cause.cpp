@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/text_format.h"
-#include "golden/compare/number_words.h"
 
 namespace scb::golden {
 namespace {
@@ -65,8 +64,8 @@ std::string command_sentence(const std::string& before, const std::string& after
 /// "320 triangles instead of 1,280"
 std::string mesh_change(const RecordedMesh& before, const RecordedMesh& after) {
     const auto change = [](std::int64_t was, std::int64_t is, const char* one, const char* many) {
-        return words::counted(static_cast<std::uint64_t>(is), one, many) + " instead of " +
-               words::grouped(static_cast<std::uint64_t>(was));
+        return counted(static_cast<std::uint64_t>(is), one, many) + " instead of " +
+               count_text(static_cast<std::uint64_t>(was));
     };
     if (before.triangles != after.triangles)
         return change(before.triangles, after.triangles, "triangle", "triangles");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text_format.h"
 #include "golden/compare/number_words.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/file_replacement.h"
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 /// "19 pixels in the box from (1, 2) to (3, 4)", "1 pixel at (1, 2)"
 std::string pixels_words(std::size_t pixels, const PixelBox& box) {
     const std::string where = words::box_words(box);
-    return words::counted(pixels, "pixel", "pixels") +
-           (where.starts_with("from") ? " in the box " : " ") + where;
+    return counted(pixels, "pixel", "pixels") + (where.starts_with("from") ? " in the box " : " ") +
+           where;
 }
 
 std::string size_words(const render::Image& image) {
@@ -139,7 +140,7 @@ class Comparison {
         result_.counts = counts_difference(read(baseline_.counts), read(candidate_.counts));
         if (result_.counts.empty()) return;
         raise(Verdict::different);
-        said_.push_back(words::counted(result_.counts.size(), "count", "counts"));
+        said_.push_back(counted(result_.counts.size(), "count", "counts"));
     }
 
     void compare_ids() {

@@ -1,5 +1,7 @@
 #include "golden/compare/number_words.h"
 
+#include "core/base/text_format.h"
+
 namespace scb::golden::words {
 namespace {
 
@@ -12,23 +14,13 @@ std::string place(int x, int y) { return "(" + std::to_string(x) + ", " + std::t
 
 }  // namespace
 
-std::string grouped(std::uint64_t n) {
-    std::string text = std::to_string(n);
-    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-    return text;
-}
-
 std::string grouped_signed(std::int64_t n, const char* minus) {
-    return (n < 0 ? minus : "") + grouped(magnitude(n));
+    return (n < 0 ? minus : "") + count_text(magnitude(n));
 }
 
 std::string change_of(std::int64_t before, std::int64_t after, const char* minus) {
     const auto a = static_cast<std::uint64_t>(before), b = static_cast<std::uint64_t>(after);
-    return after < before ? minus + grouped(a - b) : "+" + grouped(b - a);
-}
-
-std::string counted(std::uint64_t n, const char* one, const char* many) {
-    return grouped(n) + " " + (n == 1 ? one : many);
+    return after < before ? minus + count_text(a - b) : "+" + count_text(b - a);
 }
 
 std::string box_words(const PixelBox& box) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/compare/number_words.h"
+#include "core/base/text_format.h"
 #include "golden/report/plain_text.h"
 
 namespace scb::golden {
@@ -26,7 +26,7 @@ Cases failing_cases(const SuiteResult& result) {
     return failing;
 }
 
-std::string cases_text(std::size_t count) { return words::counted(count, "case", "cases"); }
+std::string cases_text(std::size_t count) { return counted(count, "case", "cases"); }
 
 /// The text, cut between characters if it is too long.
 std::string shortened(std::string_view text, std::size_t most = longest_text) {
@@ -66,7 +66,7 @@ std::string lines_text(const CaseResult& result, std::size_t most) {
     std::string text;
     for (std::size_t i = 0; i < lines.size() && i < most; ++i) text += "\n" + shortened(lines[i]);
     if (lines.size() > most)
-        text += "\n... and " + words::counted(lines.size() - most, "more line", "more lines");
+        text += "\n... and " + counted(lines.size() - most, "more line", "more lines");
     return text;
 }
 

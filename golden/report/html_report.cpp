@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "core/base/text_format.h"
-#include "golden/compare/number_words.h"
 #include "golden/report/report_values.h"
 #include "golden/suite/case_command.h"
 #include "render/files/output_file.h"
@@ -31,8 +30,6 @@ namespace fs = std::filesystem;
 using kainjow::mustache::data;
 using kainjow::mustache::mustache;
 using report::flag;
-using words::counted;
-using words::grouped;
 
 constexpr std::array verdicts = {
     Verdict::different,     Verdict::size_differs, Verdict::missing_baseline, Verdict::new_output,
@@ -159,7 +156,8 @@ void set_header(data& values, const SuiteResult& result, std::size_t failures) {
     if (all == 0)
         values["headline"] = "No cases were run";
     else if (failures > 0)
-        values["headline"] = grouped(failures) + " of " + counted(all, "case", "cases") + " failed";
+        values["headline"] =
+            count_text(failures) + " of " + counted(all, "case", "cases") + " failed";
     else
         values["headline"] = counted(all, "case", "cases") +
                              (result.incomplete.empty() ? ", none failed" : ", but not all");
@@ -173,7 +171,7 @@ void set_header(data& values, const SuiteResult& result, std::size_t failures) {
         if (n == 0) continue;
         data chip;
         chip["verdict"] = std::string(verdict_names[verdict]);
-        chip["n"] = grouped(static_cast<std::uint64_t>(n));
+        chip["n"] = count_text(static_cast<std::uint64_t>(n));
         chips << chip;
     }
     values.set("chips", chips);
@@ -221,7 +219,7 @@ std::string report_html(const SuiteResult& result, const fs::path& folder) {
         std::count_if(result.cases.begin(), result.cases.end(), is_tolerated));
     values["passed_words"] =
         counted(same, "case is", "cases are") + " the same" +
-        (tolerated > 0 ? ", " + grouped(tolerated) + " of them within the tolerance" : "");
+        (tolerated > 0 ? ", " + count_text(tolerated) + " of them within the tolerance" : "");
     values.set("passed", passed);
     values["has_skipped"] = flag(left_out > 0);
     values["skipped_words"] = counted(left_out, "case was", "cases were") + " skipped";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/text_format.h"
 #include "golden/compare/number_words.h"
 #include "scenes/text/utf8.h"
 
@@ -90,7 +91,7 @@ std::vector<std::string> count_lines(const CaseResult& result, std::size_t most)
         else
             ++more;
     }
-    if (more > 0) lines.push_back("and " + words::counted(more, "more count", "more counts"));
+    if (more > 0) lines.push_back("and " + counted(more, "more count", "more counts"));
     return lines;
 }
 

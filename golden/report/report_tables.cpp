@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 using kainjow::mustache::data;
 using words::box_words;
 using words::change_of;
-using words::counted;
-using words::grouped;
 using words::grouped_signed;
 
 /// Rows that a table shows at once; the rest is folded away.
@@ -84,13 +82,13 @@ void fill_count(const CountChange& change, data& row) {
 void fill_id(const IdChange& change, const std::string& owner, data& row) {
     row["id"] = std::to_string(change.id);
     row["owner"] = owner;
-    row["before"] = grouped(change.before);
-    row["after"] = grouped(change.after);
+    row["before"] = count_text(change.before);
+    row["after"] = count_text(change.after);
     row["change"] = change.before == 0  ? std::string("appeared")
                     : change.after == 0 ? std::string("vanished")
                                         : change_of(static_cast<std::int64_t>(change.before),
                                                     static_cast<std::int64_t>(change.after));
-    row["moved"] = grouped(change.moved);
+    row["moved"] = count_text(change.moved);
     row["box"] = box_numbers(change.box);
     row["where"] = box_words(change.box);
 }
@@ -121,7 +119,7 @@ void set_colors(data& values, const CaseResult& result) {
     set_rows(values, "sweep", result.colors ? sweep_of(colors) : sweep_of(none),
              [&](const std::pair<int, std::size_t>& step, data& row) {
                  row["delta"] = std::to_string(step.first);
-                 row["pixels"] = grouped(step.second);
+                 row["pixels"] = count_text(step.second);
                  row["width"] = percent(static_cast<double>(step.second),
                                         static_cast<double>(colors.beyond[0]));
              });

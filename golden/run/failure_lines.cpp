@@ -4,8 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text_format.h"
 #include "golden/compare/cause.h"
-#include "golden/compare/number_words.h"
 #include "golden/run/pixel_owners.h"
 #include "golden/suite/baseline.h"
 #include "render/files/image_file.h"
@@ -19,7 +19,7 @@ namespace {
 /// More things do not help a reader.
 constexpr std::size_t most_things = 10;
 
-std::string pixels(std::size_t count) { return words::counted(count, "pixel", "pixels"); }
+std::string pixels(std::size_t count) { return counted(count, "pixel", "pixels"); }
 
 /// "Node 412 of A, level 7 (id 413),", as in the tables.
 std::string subject(const std::string& name, std::uint32_t id) {
@@ -36,8 +36,8 @@ std::string line_of(const IdChange& change, const std::string& name) {
     // It has lost and gained equal numbers of pixels.
     if (change.before == change.after)
         return who + " has " + pixels(change.after) + " as before, " +
-               words::grouped(change.moved / 2) + " of them elsewhere.";
-    return who + " had " + pixels(change.before) + " and has " + words::grouped(change.after) + ".";
+               count_text(change.moved / 2) + " of them elsewhere.";
+    return who + " had " + pixels(change.before) + " and has " + count_text(change.after) + ".";
 }
 
 void add_id_lines(CaseResult& result, const Owners& owners) {
@@ -47,9 +47,9 @@ void add_id_lines(CaseResult& result, const Owners& owners) {
             result.lines.push_back(line_of(change, result.owners.back()));
     }
     if (result.owners.size() > most_things)
-        result.lines.push_back(words::counted(result.owners.size() - most_things,
-                                              "more thing has other pixels.",
-                                              "more things have other pixels."));
+        result.lines.push_back(counted(result.owners.size() - most_things,
+                                       "more thing has other pixels.",
+                                       "more things have other pixels."));
 }
 
 /// Adds the things whose pixels have other colors although the ids are the same.
@@ -76,9 +76,8 @@ void add_color_lines(CaseResult& result, const ComparisonFolders& folders, const
                                     : subject(owners.name(most[i].first), most[i].first)) +
                                " has other colors: " + pixels(most[i].second) + ".");
     if (most.size() > most_things)
-        result.lines.push_back(words::counted(most.size() - most_things,
-                                              "more thing has other colors.",
-                                              "more things have other colors."));
+        result.lines.push_back(counted(most.size() - most_things, "more thing has other colors.",
+                                       "more things have other colors."));
 }
 
 /// Checks that the record of the baseline can be read also if the case is the same: when the case

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text_format.h"
 #include "render/overlay/scales.h"
 
 namespace scb::render {
@@ -191,16 +190,6 @@ std::string number_text(double value, int digits) {
         result.pop_back();
     }
     return value == 0 ? "0" : result;
-}
-
-std::string count_text(std::uint64_t count) {
-    std::string text = std::to_string(count);
-    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-    return text;
-}
-
-std::string counted(std::uint64_t count, const char* one, const char* several) {
-    return count_text(count) + " " + (count == 1 ? one : several);
 }
 
 std::string mean_text(std::uint64_t sum, std::size_t frames) {

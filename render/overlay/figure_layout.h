@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text_format.h"
 #include "render/overlay/font_face.h"
 #include "render/overlay/overlay.h"
 #include "render/view/camera.h"
@@ -77,9 +78,8 @@ std::optional<PixelRect> marker_of(const PixelRect& view, const Camera& camera, 
 
 /// A number of about `digits` digits for a reader: 20,480 or 0.0731 or 1.2e-05.
 std::string number_text(double value, int digits = 3);
-std::string count_text(std::uint64_t count);
-/// "1 node", "2,000 nodes".
-std::string counted(std::uint64_t count, const char* one, const char* several);
+using scb::count_text;
+using scb::counted;
 /// The mean over frames: "39,333.4", without a decimal for one frame.
 std::string mean_text(std::uint64_t sum, std::size_t frames);
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "golden/compare/number_words.h"
+#include "core/base/text_format.h"
 #include "tests/golden/compare/sample_result.h"
 
 namespace scb::golden {
@@ -154,7 +154,7 @@ TEST(GithubSummary, StaysWithinTheLimitAndSaysWhatIsLeftOut) {
                 const std::string text = github_summary(failing_suite(cases, lines), largest);
                 ASSERT_LE(text.size(), largest);
                 const std::size_t shown = occurrences(text, "### case-");
-                const std::string rest = words::counted(cases - shown, "case", "cases") +
+                const std::string rest = counted(cases - shown, "case", "cases") +
                                          " more failed; the report has all of them.\n";
                 EXPECT_EQ(text.ends_with(rest), shown < cases) << text.substr(text.size() - 100);
                 EXPECT_GT(shown, 0u);
