@@ -320,9 +320,6 @@ std::optional<ContactCertificate> open_verdict(const OpenBox& a, const OpenBox& 
     return found;
 }
 
-/// The inverse of a rigid pose.
-Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
-
 bool has_verdict(const NodeVolume& a, const NodeVolume& b) {
     // For such volumes scb2_reach gives only a bound.
     if (has_slab_beside_center(a) || has_slab_beside_center(b)) return false;

@@ -23,8 +23,6 @@ constexpr int paid = 2;
 constexpr int longest_pause = 63;
 constexpr int most_ahead = 32;
 
-Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
-
 Pose product(const Pose& outer, const Pose& inner) {
     Pose result;
     for (int k = 0; k < 3; ++k)

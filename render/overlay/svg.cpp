@@ -1,5 +1,8 @@
 #include "render/overlay/overlay_shape.h"
 
+#include <array>
+#include <string_view>
+
 #include "core/base/text_format.h"
 #include "render/files/base64.h"
 #include "render/files/image_file.h"
@@ -13,23 +16,14 @@ constexpr double ascent = 0.927734375, descent = 0.244140625;
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                // XML allows no other control characters.
-                if (static_cast<unsigned char>(c) >= 0x20) result += c;
-        }
+    for (const char c : text) {
+        constexpr std::string_view special = "&<>\"";
+        constexpr std::array names = {"&amp;", "&lt;", "&gt;", "&quot;"};
+        const std::size_t i = special.find(c);
+        if (i != std::string_view::npos) result += names[i];
+        // XML allows no other control characters.
+        if (i == std::string_view::npos && static_cast<unsigned char>(c) >= 0x20) result += c;
+    }
     return result;
 }
 

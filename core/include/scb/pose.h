@@ -52,6 +52,9 @@ inline Vec3 transform_direction(const Pose& pose, const Vec3& direction) {
 /// The pose of B as seen from A's frame: `inverse(a) * b` (equation 6 of the paper).
 Pose relative_pose(const Pose& a, const Pose& b);
 
+/// The inverse: of the pose of B in A's frame, the pose of A in B's.
+inline Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
+
 /// The largest entry of |R^T R - I|, or infinity where the determinant is not positive or an entry
 /// is not finite.
 double rigidity_defect(const Pose& pose);

@@ -17,8 +17,6 @@ struct VolumePair {
     Pose b_to_a;
 };
 
-inline Pose inverse(const Pose& pose) { return relative_pose(pose, Pose{}); }
-
 inline Pose compose(const Pose& outer, const Pose& inner) {
     return {outer.rotation * inner.rotation, transform_point(outer, inner.translation)};
 }
