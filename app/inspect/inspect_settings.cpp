@@ -11,7 +11,7 @@
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "render/figures/bench_figure.h"
-#include "render/figures/volume_titles.h"
+#include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
 #include "scenes/scene/pose_rows.h"
