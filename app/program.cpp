@@ -16,12 +16,12 @@
 #include "app/cli/version.h"
 #include "app/config/config.h"
 #include "core/base/exit_status.h"
-#include "render/files/output_file.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/left_out.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -104,7 +104,7 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
 
 /// Reports the files that a case has read to `scb golden`, unless a signal ends the process.
 struct ToldInputs {
-    static constexpr int descriptor = 3;  // of render::ChildProcess::output_path
+    static constexpr int descriptor = 3;  // of ChildProcess::output_path
     bool wanted = false;
 
     ~ToldInputs() {
@@ -113,7 +113,7 @@ struct ToldInputs {
         if (!wanted || ::fstat(descriptor, &told) != 0 || !S_ISREG(told.st_mode) ||
             told.st_nlink != 0)
             return;
-        const std::string inputs = scenes::noted_inputs();
+        const std::string inputs = noted_inputs();
         if (::write(descriptor, inputs.data(), inputs.size()) < 0) return;
     }
 };
@@ -209,7 +209,7 @@ int report_exception(const ConfiguredLine& line, const Console& console) {
     } catch (const InputError& error) {
         console.error(line.placed(error.what()));
         return exit_bad_input;
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         console.error(error.what());
     } catch (const render::GlError& error) {
         console.error(error.what());
@@ -236,7 +236,7 @@ int report_exception(const ConfiguredLine& line, const Console& console) {
 
 void tell_out_of_memory() {
     std::fputs("scb: error: out of memory", stderr);
-    const char* file = scenes::last_input();
+    const char* file = last_input();
     if (*file != '\0') std::fputs(", and the file that was read last is ", stderr);
     for (; *file != '\0'; ++file) {
         const auto c = static_cast<unsigned char>(*file);

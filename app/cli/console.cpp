@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "render/files/output_file.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/output_file.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -33,7 +33,7 @@ std::string without_commands(std::string_view text) {
 
 /// Text from outside, as a part of one line.
 std::string one_line(std::string_view text) {
-    return without_commands(scenes::printable(std::string(text)));
+    return without_commands(printable(std::string(text)));
 }
 
 void print(std::string_view text) {
@@ -41,8 +41,8 @@ void print(std::string_view text) {
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (written) return;
-    throw render::OutputError(std::string("cannot write to standard output: ") +
-                              std::strerror(errno) + "; send it elsewhere.");
+    throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno) +
+                      "; send it elsewhere.");
 }
 
 bool colored(ColorMode mode, int file) {
@@ -54,7 +54,7 @@ bool colored(ColorMode mode, int file) {
 bool Console::colors_results() const { return colored(color, STDOUT_FILENO); }
 
 void Console::error(std::string_view text) const {
-    const std::string sentence = scenes::printable(std::string(text));
+    const std::string sentence = printable(std::string(text));
     const bool red = colored(color, STDERR_FILENO);
     std::fprintf(stderr, "%sscb: error:%s %.*s\n", red ? "\033[1;31m" : "", red ? "\033[0m" : "",
                  static_cast<int>(sentence.size()), sentence.data());

@@ -9,7 +9,7 @@
 #include "core/base/exit_status.h"
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
-#include "render/files/child_process.h"
+#include "core/platform/child_process.h"
 #include "render/files/video_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
@@ -59,7 +59,7 @@ DoctorFinding reader_finding() {
 
 DoctorFinding program_finding(const std::string& program, const std::string& use,
                               const std::string& package) {
-    const bool works = render::is_on_path(program);
+    const bool works = is_on_path(program);
     return {program, works, true, use, works ? "" : "apt-get install " + package};
 }
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "render/files/child_process.h"
-#include "render/files/output_file.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/child_process.h"
+#include "core/platform/output_file.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -19,24 +19,23 @@ constexpr std::chrono::seconds patience{5};
 void open_file(const std::filesystem::path& file, const Console& console) {
     std::string opener;
     for (const char* name : {"open", "xdg-open"})
-        if (render::is_on_path(name)) opener = name;
+        if (is_on_path(name)) opener = name;
     if (opener.empty()) {
         console.note("scb: --open: there is neither xdg-open nor open on PATH; open " +
-                     scenes::printable(file.string()) + " yourself.");
+                     printable(file.string()) + " yourself.");
         return;
     }
     // A name that begins with "-" would be taken for an option.
-    const std::string name = file.string(), shown = scenes::printable(name);
-    const render::UnnamedFile unused;
+    const std::string name = file.string(), shown = printable(name);
+    const UnnamedFile unused;
     try {
-        render::ChildProcess child({opener, name.starts_with('-') ? "./" + name : name}, unused,
-                                   patience);
-        const std::optional<render::ProcessEnd> end = child.wait_or_leave(patience);
-        if (!end || *end == render::ProcessEnd{}) return;
-        const std::string said = scenes::printable(child.last_line());
+        ChildProcess child({opener, name.starts_with('-') ? "./" + name : name}, unused, patience);
+        const std::optional<ProcessEnd> end = child.wait_or_leave(patience);
+        if (!end || *end == ProcessEnd{}) return;
+        const std::string said = printable(child.last_line());
         console.note("scb: --open: " + opener + " could not open " + shown +
                      (said.empty() ? "" : " (" + said + ")") + "; open it yourself.");
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         console.note("scb: --open: " + std::string(error.what()));
     }
 }

@@ -6,15 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/reference/words.h"
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
-
-using scenes::JsonPlace;
 
 std::vector<std::filesystem::path> config_paths() {
     std::vector<std::filesystem::path> paths = {"scb.json"};
@@ -32,13 +30,13 @@ std::vector<std::filesystem::path> config_paths() {
 
 /// A number, a text or a truth value in the form of a command line.
 std::string value_text(const JsonPlace& place, const ReferenceOption& option) {
-    if (!option.takes_value) return scenes::read_bool(place) ? "true" : "false";
+    if (!option.takes_value) return read_bool(place) ? "true" : "false";
     if (place.value->is_number()) return place.value->dump();
-    if (!place.value->is_array()) return scenes::read_plain_text(place);
+    if (!place.value->is_array()) return read_plain_text(place);
     std::vector<std::string> parts;
-    for (std::size_t i = 0; i < scenes::array_size(place, "a list"); ++i)
-        parts.push_back(value_text(scenes::element(place, i), option));
-    if (parts.empty()) scenes::refuse(place, "the list is empty; give a value, or leave it out.");
+    for (std::size_t i = 0; i < array_size(place, "a list"); ++i)
+        parts.push_back(value_text(element(place, i), option));
+    if (parts.empty()) refuse(place, "the list is empty; give a value, or leave it out.");
     return joined(parts, ",");
 }
 
@@ -53,26 +51,26 @@ const ReferenceOption& known_option(const JsonPlace& place, const std::string& s
             is_only_typed |= option.has_name(name);
     }
     if (is_only_typed)
-        scenes::refuse(place, "no file may give " + name +
-                                  ", for it says what is written or run; give it on the command "
-                                  "line.");
-    scenes::refuse(place, "there is no option " + name + " of " +
-                              (section == "*" ? "any command" : "`scb " + section + "`") +
-                              "; see `scb " + (section == "*" ? "" : section + " ") + "--help`.");
+        refuse(place, "no file may give " + name +
+                          ", for it says what is written or run; give it on the command "
+                          "line.");
+    refuse(place, "there is no option " + name + " of " +
+                      (section == "*" ? "any command" : "`scb " + section + "`") + "; see `scb " +
+                      (section == "*" ? "" : section + " ") + "--help`.");
 }
 
 void read_section(const JsonPlace& place, const std::string& section,
                   const ReferenceCommand& program, std::vector<Setting>& settings) {
     if (!place.value->is_object())
-        scenes::refuse_value(place, "an object of options, such as {\"volume\": \"obb\"}");
+        refuse_value(place, "an object of options, such as {\"volume\": \"obb\"}");
     Setting setting{place.file, section, "", ""};
     std::vector<const ReferenceCommand*> commands;
     for (const ReferenceCommand* command : all_commands(program))
         if (command->commands.empty() && setting.reaches(*command)) commands.push_back(command);
     if (commands.empty())
-        scenes::refuse(place,
-                       "there is no command of that name; give one that `scb --help` "
-                       "lists, such as \"collide\" or \"render levels\", or \"*\".");
+        refuse(place,
+               "there is no command of that name; give one that `scb --help` "
+               "lists, such as \"collide\" or \"render levels\", or \"*\".");
     for (const auto& [key, value] : place.value->items()) {
         const JsonPlace at{&value, place.file, place.path + "." + key};
         const ReferenceOption& option = known_option(at, section, "--" + key, commands);
@@ -83,20 +81,20 @@ void read_section(const JsonPlace& place, const std::string& section,
                 break;
             }
         setting.value = value_text(at, option);
-        for (const std::string& word : scenes::split_list(setting.value))
+        for (const std::string& word : split_list(setting.value))
             if (const auto kept = option.values.only_typed.find(word);
                 kept != option.values.only_typed.end())
-                scenes::refuse(at, "no file may give " + setting.name + " " + word + ", for " +
-                                       kept->second + "; give it on the command line.");
+                refuse(at, "no file may give " + setting.name + " " + word + ", for " +
+                               kept->second + "; give it on the command line.");
         settings.push_back(setting);
     }
 }
 
 std::vector<Setting> read_settings(const std::string& file, const ReferenceCommand& program) {
     constexpr std::size_t largest = std::size_t{1} << 20;
-    const nlohmann::json document = scenes::parse_json(scenes::read_text_file(file, largest), file);
+    const nlohmann::json document = parse_json(read_text_file(file, largest), file);
     if (!document.is_object())
-        scenes::refuse_value({&document, file, ""}, "an object with a section for each command");
+        refuse_value({&document, file, ""}, "an object with a section for each command");
     if (document.contains("scb_scene"))
         throw InputError(file +
                          ": this is a scene, and settings have this name; give it another one, or "
@@ -130,7 +128,7 @@ std::vector<ConfigFile> read_config_files(const ReferenceCommand& program) {
         std::error_code ignored;
         file.is_there = std::filesystem::exists(path, ignored);
         if (file.is_there) {
-            scenes::note_input(path);
+            note_input(path);
             file.settings = read_settings(path.string(), program);
         }
         files.push_back(std::move(file));

@@ -8,9 +8,9 @@
 #include "app/explain/explain_volumes.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
-#include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"
 
 namespace scb::app {
@@ -48,9 +48,8 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     if (status != exit_done) console.alarm("scb: the test rejected volumes that overlap.");
     Json entry = {{"scene", scene.name}, {"frame", at.frame}};
     entry.update(explanation_json(pair));
-    const std::string title = scenes::printable(scene.name) + ", frame " +
-                              std::to_string(at.frame) + ": " +
-                              scenes::printable(node_names(pair)) + "\n",
+    const std::string title = printable(scene.name) + ", frame " + std::to_string(at.frame) + ": " +
+                              printable(node_names(pair)) + "\n",
                       text = title + explanation_text(pair, console.colors_results());
     if (!options.draws()) {
         print_result(options.picture.json ? json_text(Json::array({entry}), 2) + "\n" : text);

@@ -2,13 +2,13 @@
 
 #include <charconv>
 
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
 std::array<std::int64_t, 2> ExplainOptions::nodes() const {
-    const std::vector<std::string> parts = scenes::split_list(pair);
+    const std::vector<std::string> parts = split_list(pair);
     std::array<std::int64_t, 2> nodes{};
     bool good = parts.size() == 2;
     for (std::size_t i = 0; good && i < 2; ++i) {

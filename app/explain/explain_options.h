@@ -8,7 +8,7 @@
 #include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/query_options.h"
-#include "scenes/text/number_list.h"
+#include "core/platform/number_list.h"
 
 namespace scb::app {
 
@@ -16,7 +16,7 @@ namespace scb::app {
 struct ExplainOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = scenes::auto_frames};
+    QueryOptions query{.frames = auto_frames};
     PictureOptions picture{.output = ""};
     CameraOptions camera;
     std::string pair, pairs_file;

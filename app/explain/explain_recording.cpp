@@ -11,9 +11,11 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/model/tree.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
-#include "scenes/text/utf8.h"
+#include "scb/triangle_overlap.h"
+#include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {
 namespace {
@@ -35,7 +37,7 @@ std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPa
                              ": this command takes one frame; give one.");
         return trace;
     }
-    const std::unique_ptr<RecordedTrace> trace = open(scenes::auto_frames);
+    const std::unique_ptr<RecordedTrace> trace = open(auto_frames);
     return open(std::to_string(trace->frame_of_test(numbers, trace->frames()[0])));
 }
 
@@ -171,7 +173,7 @@ ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& optio
     picture.subtitle = format("frame %d", frame);
     picture.is_tested = !found.tests.empty() && found.has_verdict;
     picture.ending =
-        scenes::printable(header.engine->name) + ":  " +
+        printable(header.engine->name) + ":  " +
         (found.tests.empty() ? "no test was recorded" : ending_of(found, found.tests[0].stage));
     picture.camera = asked_camera(options.camera, &found.trace->scene());
     picture.orthographic = options.camera.orthographic;
@@ -186,10 +188,10 @@ int explain_recording(const ExplainOptions& options, const Console& console) {
     const IndexPair numbers{checked_number(i, option), checked_number(j, option)};
     const std::unique_ptr<RecordedTrace> trace = open_trace(options, numbers);
     const RecordedPair found = recorded_pair(*trace, trace->frames()[0], numbers, option);
-    const std::string title = scenes::printable(found.header().scene) + ", " +
-                              scenes::printable(found.header().engine->name) + ", frame " +
+    const std::string title = printable(found.header().scene) + ", " +
+                              printable(found.header().engine->name) + ", frame " +
                               std::to_string(found.frame->frame) + ": " +
-                              scenes::printable(node_names(found.pair)) + "\n",
+                              printable(node_names(found.pair)) + "\n",
                       text = title + report_text(found, console.colors_results());
     Json entry = report_json(found);
     const int status = found.has_wrong_test() ? exit_different : exit_done;

@@ -6,9 +6,9 @@
 #include "app/cli/console.h"
 #include "app/query/scene_title.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/explain_figure.h"
 #include "render/figures/figure_words.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -85,11 +85,11 @@ std::string volumes_text(const ExplainedPair& pair) {
         text += side == 0 ? "  A: " : "  B: ";
         if (pair.nodes) {
             const ExplainedNode& node = (*pair.nodes)[side];
-            text += "node " + std::to_string(node.index) + " of " + scenes::printable(node.body) +
+            text += "node " + std::to_string(node.index) + " of " + printable(node.body) +
                     ", depth " + std::to_string(node.depth) + ", " +
                     std::to_string(node.triangles) + (node.are_objects ? " object" : " triangle") +
                     (node.triangles == 1 ? "" : "s") +
-                    (node.remark.empty() ? "" : ", " + scenes::printable(node.remark)) + "\n     ";
+                    (node.remark.empty() ? "" : ", " + printable(node.remark)) + "\n     ";
         }
         text += std::visit([](const auto& v) { return volume_text(v); }, *volumes[side]) + "\n";
     }
@@ -104,7 +104,7 @@ std::string volumes_text(const ExplainedPair& pair) {
     if (pair.kind == VolumeKind::scb)
         text += ", the normals at " + number(normal_angle(pair)) + "°";
     text += ".\n";
-    for (const std::string& note : pair.notes) text += "  " + scenes::printable(note) + "\n";
+    for (const std::string& note : pair.notes) text += "  " + printable(note) + "\n";
     return text;
 }
 

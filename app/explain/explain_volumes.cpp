@@ -8,9 +8,9 @@
 #include "app/explain/explain_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -81,8 +81,8 @@ class VolumesReport {
             // A single pair is formatted for people, many pairs for programs.
             out((i == 0 ? "\n" : ",\n") + json_text(entry, pairs_ == 1 ? 2 : -1));
         else
-            out("pair " + std::to_string(i) + " of " + scenes::printable(options_.pairs_file) +
-                "\n" + explanation_text(pair, console_.colors_results()) + "\n");
+            out("pair " + std::to_string(i) + " of " + printable(options_.pairs_file) + "\n" +
+                explanation_text(pair, console_.colors_results()) + "\n");
     }
 
     const Summary& finish() {
@@ -99,7 +99,7 @@ class VolumesReport {
         else
             pictures_->say(std::move(text_));
         Json head = explain_index_head(options_);
-        head["pairs"] = scenes::as_utf8(options_.pairs_file);
+        head["pairs"] = as_utf8(options_.pairs_file);
         pictures_->finish(std::move(head), console_);
         return summary_;
     }

@@ -1,7 +1,7 @@
 #include "app/golden/case_views.h"
 
 #include "app/view/view_page.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::app {
 
@@ -24,7 +24,7 @@ void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
             continue;
         }
         const std::string page = c.name + ".view.html";
-        render::write_file_whole(folder / page, html);
+        write_file_whole(folder / page, html);
         c.view.insert(0, page);
     }
 }

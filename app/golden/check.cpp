@@ -9,11 +9,11 @@
 #include "app/golden/results.h"
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
+#include "core/platform/shard.h"
 #include "golden/run/check_cases.h"
 #include "golden/run/work_folder.h"
 #include "golden/suite/baseline.h"
 #include "scb/error.h"
-#include "scenes/text/shard.h"
 
 namespace scb::app {
 namespace {
@@ -31,10 +31,10 @@ std::vector<golden::GoldenCase> cases_of(const CheckOptions& options, const gold
                          ": there is no case to check; add some, or name another file with "
                          "--suite.");
     if (options.shard.empty()) return cases;
-    const scenes::Shard shard = scenes::parse_shard(options.shard);
+    const Shard shard = parse_shard(options.shard);
     std::vector<golden::GoldenCase> mine;
     for (std::size_t i = 0; i < cases.size(); ++i)
-        if (scenes::in_shard(shard, i)) mine.push_back(std::move(cases[i]));
+        if (in_shard(shard, i)) mine.push_back(std::move(cases[i]));
     return mine;
 }
 

@@ -5,9 +5,9 @@
 #include "app/golden/results.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/output_file.h"
 #include "golden/report/plain_text.h"
 #include "golden/suite/baseline.h"
-#include "render/files/output_file.h"
 
 namespace scb::app {
 namespace {
@@ -22,9 +22,8 @@ std::string compared(const golden::GoldenCase& golden) {
 
 bool has_baseline(const golden::GoldenCase& golden, const std::filesystem::path& folder) {
     const golden::CaseFiles files = golden::case_files(folder, golden.name);
-    return (!golden.counts || render::is_there(files.counts)) &&
-           (!golden.ids || render::is_there(files.ids)) &&
-           (!golden.colors || render::is_there(files.image));
+    return (!golden.counts || is_there(files.counts)) && (!golden.ids || is_there(files.ids)) &&
+           (!golden.colors || is_there(files.image));
 }
 
 int run(const GoldenOptions& options) {

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -17,8 +17,8 @@ void make_folder(const fs::path& folder, std::vector<fs::path>& made) {
     std::error_code error;
     if (fs::create_directory(folder, error)) made.push_back(folder);
     if (error)
-        throw render::OutputError("Cannot make the folder \"" + folder.string() +
-                                  "\": " + error.message() + "; choose another place.");
+        throw OutputError("Cannot make the folder \"" + folder.string() + "\": " + error.message() +
+                          "; choose another place.");
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void write_new_files(const std::vector<NewFile>& files) {
     try {
         for (const NewFile& file : files) {
             make_folder(file.path.parent_path(), made);
-            render::write_file_whole(file.path, file.text);
+            write_file_whole(file.path, file.text);
             made.push_back(file.path);
         }
     } catch (...) {

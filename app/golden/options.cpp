@@ -7,12 +7,12 @@
 #include "app/cli/validators.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/scene_options.h"
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
 #include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/scene_inputs.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -33,7 +33,7 @@ std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) 
         golden::GoldenCase seen = golden::seen_from_here(golden, all.file.parent_path(), models);
         // Other processes read these files; nothing here may replace them.
         scenes::note_scene_inputs(seen.scene, models);
-        for (const std::string& argument : seen.arguments) scenes::note_input(argument);
+        for (const std::string& argument : seen.arguments) note_input(argument);
         if (names.empty() || wanted.erase(golden.name) > 0) cases.push_back(std::move(seen));
     }
     if (!wanted.empty())
@@ -53,7 +53,7 @@ golden::GoldenRunSettings GoldenOptions::settings() const {
     settings.folder = std::filesystem::absolute(suite).parent_path().string();
     if (!models.empty()) settings.models = std::filesystem::absolute(models).string();
     settings.gl = gl;
-    for (const std::string& word : scenes::split_list(runner, ' '))
+    for (const std::string& word : split_list(runner, ' '))
         if (!word.empty()) settings.runner.push_back(word);
     // Programs on PATH keep their names; paths must be absolute, since cases run in another folder.
     if (!settings.runner.empty() && settings.runner[0].find('/') != std::string::npos)

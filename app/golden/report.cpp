@@ -6,13 +6,13 @@
 #include "app/golden/results.h"
 #include "app/query/scene_options.h"
 #include "core/base/exit_status.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "golden/report/merge.h"
 #include "golden/run/work_folder.h"
-#include "render/files/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::app {
 namespace {
@@ -33,22 +33,21 @@ void gather(const golden::CaseResult& result, const fs::path& folder, const fs::
             throw InputError((folder / "results.json").string() + ": '" + name +
                              "' is not a name of a file beside it.");
         std::error_code ignored;
-        scenes::note_input(folder / name);
+        note_input(folder / name);
         if (fs::exists(folder / name, ignored))
-            render::write_file_whole(work / name, scenes::file_bytes((folder / name).string()));
+            write_file_whole(work / name, file_bytes((folder / name).string()));
     }
 }
 
 int run(const ReportOptions& options, const Console& console) {
     const golden::GoldenWork work;
     std::vector<golden::ResultPart> parts;
-    for (const std::string& file : options.from) scenes::note_input(file);
+    for (const std::string& file : options.from) note_input(file);
     options.files.refuse_inputs();
     for (const std::string& file : options.from)
         parts.push_back(
-            {file, golden::result_of(
-                       scenes::parse_json(scenes::read_text_file(file, std::size_t{1} << 30), file),
-                       file)});
+            {file, golden::result_of(parse_json(read_text_file(file, std::size_t{1} << 30), file),
+                                     file)});
     golden::SuiteResult merged = golden::merge_results(parts);
     if (!options.files.report.empty()) add_diff_commands(merged, options.files.report);
     for (const golden::ResultPart& part : parts)

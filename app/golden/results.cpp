@@ -8,14 +8,18 @@
 #include "app/cli/version.h"
 #include "app/query/scene_options.h"
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
+#include "golden/compare/number_words.h"
 #include "golden/report/github.h"
 #include "golden/report/html_report.h"
 #include "golden/report/junit.h"
 #include "golden/report/plain_text.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
+#include "golden/report/html_report.h"
+#include "golden/report/plain_text.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -37,7 +41,7 @@ fs::path one_name(const fs::path& path) {
 /// Replaces only files that begin like results: inputs named by meshes are known only after the
 /// meshes were read. An empty file does no harm.
 void refuse_foreign(const fs::path& file, const std::string& option) {
-    if (!render::is_there(file)) return;
+    if (!is_there(file)) return;
     const bool is_json =
         option == "--json" || (option == "--report" && file.extension() == ".json");
     std::string start(64, '\0');
@@ -58,18 +62,16 @@ void tell_github(const golden::SuiteResult& result) {
     const std::string summary = environment_value("GITHUB_STEP_SUMMARY");
     if (summary.empty()) return;
     std::error_code ignored;
-    scenes::refuse_input(summary, "GITHUB_STEP_SUMMARY");
+    refuse_input(summary, "GITHUB_STEP_SUMMARY");
     // Opening a pipe would wait for a reader.
-    if (fs::exists(summary, ignored) && !render::is_there(summary))
-        throw render::OutputError(
-            "Cannot write \"" + summary +
-            "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
-            "one.");
+    if (fs::exists(summary, ignored) && !is_there(summary))
+        throw OutputError("Cannot write \"" + summary +
+                          "\", which GITHUB_STEP_SUMMARY names: it is not a regular file; name "
+                          "one.");
     std::ofstream file(summary, std::ios::app | std::ios::binary);
     file << golden::github_summary(result);
     if (!file.flush())
-        throw render::OutputError("Cannot write \"" + summary +
-                                  "\", which GITHUB_STEP_SUMMARY names.");
+        throw OutputError("Cannot write \"" + summary + "\", which GITHUB_STEP_SUMMARY names.");
 }
 
 }  // namespace
@@ -102,7 +104,7 @@ std::vector<std::pair<std::string, fs::path>> ResultFiles::written() const {
 
 void ResultFiles::refuse_inputs() const {
     for (const auto& [option, file] : written()) {
-        scenes::refuse_input(file, option);
+        refuse_input(file, option);
         refuse_foreign(file, option);
     }
 }
@@ -142,12 +144,12 @@ void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const fs::path& work) {
     // Meshes may name more inputs than the suite does.
     files.refuse_inputs();
-    std::optional<render::OutputError> failed;
+    std::optional<OutputError> failed;
     // If one output fails, for example the terminal, still write the others.
     const auto attempt = [&](auto write) {
         try {
             write();
-        } catch (const render::OutputError& error) {
+        } catch (const OutputError& error) {
             if (!failed) failed = error;
         }
     };
@@ -155,9 +157,9 @@ void write_results(const golden::SuiteResult& result, const ResultFiles& files,
     if (!files.report.empty())
         attempt([&] { golden::write_report_folder(result, files.report, work); });
     if (!files.junit.empty())
-        attempt([&] { render::write_file_whole(files.junit, golden::junit_xml(result)); });
+        attempt([&] { write_file_whole(files.junit, golden::junit_xml(result)); });
     if (!files.json.empty())
-        attempt([&] { render::write_file_whole(files.json, golden::results_json(result)); });
+        attempt([&] { write_file_whole(files.json, golden::results_json(result)); });
     attempt([&] { tell_github(result); });
     if (failed) throw *failed;
 }

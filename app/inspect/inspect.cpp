@@ -27,8 +27,8 @@
 #include "core/base/text_format.h"
 #include "core/judge/query_attribution.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -50,7 +50,7 @@ struct Inspected {
 void open_recording(Inspected& result, const InspectOptions& options) {
     const std::string& path = options.scene.names[0];
     result.file = std::make_shared<const scenes::RecordingFile>(path);
-    result.frames = scenes::frames_among(result.file->summary.frames, options.query.frames, path,
+    result.frames = frames_among(result.file->summary.frames, options.query.frames, path,
                                          "a recording may have");
     TraceHeader& header = result.report.header;
     header.scene = header.engine.emplace().name = std::filesystem::path(path).stem().string();

@@ -5,9 +5,9 @@
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -81,9 +81,7 @@ std::string best_other(const InspectReport& report) {
 std::vector<std::string> causes(const InspectReport& report) {
     const WasteCauses& found = report.causes;
     std::vector<std::string> sentences;
-    const auto name = [&](std::size_t body) {
-        return scenes::printable(report.header.bodies[body].name);
-    };
+    const auto name = [&](std::size_t body) { return printable(report.header.bodies[body].name); };
     for (std::size_t i = 0; i < (found.alike ? 1 : 2); ++i) {
         const BodyCauses& body = found.bodies[i];
         const MeshFacts& facts = body.facts;

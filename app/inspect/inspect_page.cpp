@@ -12,11 +12,11 @@
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/gl/embedded.h"
 #include "render/overlay/figure_layout.h"
-#include "scenes/text/utf8.h"
 
 SCB_DECLARE_EMBEDDED(inspect_html)
 
@@ -141,7 +141,7 @@ data setting_rows(const InspectSettings& settings) {
     };
     if (settings.recorded) {
         data row;
-        row["setting"] = "recorded: " + scenes::printable(settings.engine);
+        row["setting"] = "recorded: " + printable(settings.engine);
         row["n_v"] = render::count_text(from.volume_tests);
         row["n_p"] = render::count_text(from.triangle_tests);
         row["operations"] = "–";
@@ -160,7 +160,7 @@ data problem_rows(const InspectedRecording& recording) {
     data rows(data::type::list);
     for (const ProblemPicture& picture : recording.pictures) {
         data row;
-        row["what"] = scenes::printable(picture.what);
+        row["what"] = printable(picture.what);
         row["file"] = picture.file;
         rows << row;
     }
@@ -174,7 +174,7 @@ void set_judgement(data& values, const InspectedRecording& recording,
     data verdict(data::type::list);
     for (const std::string& line : verdict_lines(judged)) {
         data row;
-        row["text"] = scenes::printable(line);
+        row["text"] = printable(line);
         row["alarm"] = data(verdict.is_empty_list() && judged.wrong() ? data::type::bool_true
                                                                       : data::type::bool_false);
         verdict << row;
@@ -188,7 +188,7 @@ void set_judgement(data& values, const InspectedRecording& recording,
     for (const scenes::TreeJudgement& tree : judged.trees) {
         data row;
         row["tree"] = std::to_string(tree.number);
-        row["name"] = scenes::printable(tree.name);
+        row["name"] = printable(tree.name);
         row["nodes"] = render::count_text(tree.nodes);
         row["depth"] = std::to_string(tree.depth);
         row["problems"] = render::count_text(tree.problems.size());
@@ -198,7 +198,7 @@ void set_judgement(data& values, const InspectedRecording& recording,
     data stages(data::type::list);
     for (const scenes::StageJudgement& stage : judged.stages) {
         data row;
-        row["stage"] = scenes::printable(stage.name);
+        row["stage"] = printable(stage.name);
         row["tests"] = render::count_text(stage.tests);
         row["false"] = render::count_text(stage.false_positives);
         row["wrong"] = render::count_text(stage.wrong);
@@ -227,9 +227,8 @@ class Group {
         const std::string nodes = std::to_string(test.nodes.a) + "," + std::to_string(test.nodes.b);
         data pair;
         pair["file"] = file_of(report_, frame, test);
-        pair["caption"] = scenes::printable(bodies[0].name) + " " + std::to_string(test.nodes.a) +
-                          ", " + scenes::printable(bodies[1].name) + " " +
-                          std::to_string(test.nodes.b);
+        pair["caption"] = printable(bodies[0].name) + " " + std::to_string(test.nodes.a) + ", " +
+                          printable(bodies[1].name) + " " + std::to_string(test.nodes.b);
         pair["detail"] =
             format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
         if (!page_.view.empty())
@@ -287,7 +286,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    return scene_title(header) + " · " + scenes::printable(render::volume_title(header)) +
+    return scene_title(header) + " · " + printable(render::volume_title(header)) +
            " · inspect";
 }
 
@@ -380,7 +379,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["command"] = page.command;
     mustache html{std::string(SCB_EMBEDDED(inspect_html))};
     assert(html.is_valid() && "the template is part of the program");
-    return scenes::as_utf8(html.render(values));
+    return as_utf8(html.render(values));
 }
 
 }  // namespace scb::app

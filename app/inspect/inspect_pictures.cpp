@@ -14,7 +14,7 @@
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -87,7 +87,7 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const QueryS
     if (reason == loose) picture.but = "the fit is too loose";
     if (header.engine)
         picture.ending =
-            scenes::printable(header.engine->name) + ":  " +
+            printable(header.engine->name) + ":  " +
             (test.stage == Stage::overlapping ? "passed"
                                               : "rejected at " + stage_words(header, test.stage));
     const std::array<BodyAtFrame, 2> bodies = {source.body(0, frame), source.body(1, frame)};

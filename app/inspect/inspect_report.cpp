@@ -12,10 +12,10 @@
 #include "app/query/scene_title.h"
 #include "app/query/trace_report.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -97,8 +97,8 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
                        const char* title) {
     if (worst.empty()) return std::string(title) + ": none\n\n";
     std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
-                              scenes::printable(report.header.bodies[0].name).c_str(),
-                              scenes::printable(report.header.bodies[1].name).c_str());
+                              printable(report.header.bodies[0].name).c_str(),
+                              printable(report.header.bodies[1].name).c_str());
     text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
     for (const FalsePair& p : worst) {
         const Work& below = p.pair.below;
@@ -233,7 +233,7 @@ void add_waste_json(Json& json, const InspectReport& report) {
 }
 
 std::string title_text(const TraceHeader& header) {
-    std::string title = scenes::printable(header.scene) + ": " + bodies_text(header) + ", " +
+    std::string title = printable(header.scene) + ": " + bodies_text(header) + ", " +
                         std::string(render::volume_title(header.volume));
     if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);

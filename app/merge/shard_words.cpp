@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::app {
 namespace {
@@ -35,7 +35,7 @@ void check_shard_words(const std::filesystem::path& file, const std::vector<std:
     }
     for (; word != words.end(); ++word)
         if (word->starts_with('-') && !may_have(*command, *word))
-            throw InputError(file.string() + ": its command has '" + scenes::excerpt(*word) +
+            throw InputError(file.string() + ": its command has '" + excerpt(*word) +
                              "', which no shard of `" + command->name +
                              "` leaves to `scb merge`; give what `--shard` has written.");
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/files/folder_lock.h"
-#include "render/files/output_file.h"
+#include "core/platform/folder_lock.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::app {
 namespace {
@@ -80,11 +80,11 @@ void FolderIndex::read_if_changed() {
     if (now == read_) return;
     runs_.clear();
     read_ = now;
-    if (!render::is_there(file_)) return;
-    const std::string text = scenes::read_text_file(file_.string(), largest_index);
+    if (!is_there(file_)) return;
+    const std::string text = read_text_file(file_.string(), largest_index);
     Json index;
     try {
-        index = scenes::parse_ordered_json(text, file_.string());
+        index = parse_ordered_json(text, file_.string());
     } catch (const InputError&) {
         // Reported below, since there are no runs.
     }
@@ -102,8 +102,8 @@ void FolderIndex::read_if_changed() {
 
 void FolderIndex::about_to_write(const std::string& picture) {
     const bool is_first = replaced_.insert(picture).second;
-    if (is_first && render::is_there(file_.parent_path() / picture)) gone_.insert(picture);
-    const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
+    if (is_first && is_there(file_.parent_path() / picture)) gone_.insert(picture);
+    const FolderLock lock(file_.parent_path(), FolderLock::Busy::wait);
     read_if_changed();
     const std::size_t before = runs_.size();
     for (std::size_t i = before; i-- > 0;) {
@@ -128,13 +128,13 @@ void FolderIndex::write_runs() {
     } else {
         Json index = runs_.front().json;
         for (std::size_t i = 1; i < runs_.size(); ++i) index["earlier"].push_back(runs_[i].json);
-        render::write_file_whole(file_, index_text(index));
+        write_file_whole(file_, index_text(index));
     }
     read_ = version();
 }
 
 std::size_t FolderIndex::write(const Json& run) {
-    const render::FolderLock lock(file_.parent_path(), render::FolderLock::Busy::wait);
+    const FolderLock lock(file_.parent_path(), FolderLock::Busy::wait);
     read_if_changed();
     for (TakenRun& taken : taken_)
         runs_.insert(runs_.end() - static_cast<std::ptrdiff_t>(std::min(taken.older, runs_.size())),
@@ -147,7 +147,7 @@ std::size_t FolderIndex::write(const Json& run) {
         for (const Json& entry : earlier.json["files"]) {
             const std::string name = entry["file"];
             of_others += is_other && gone_.contains(name);
-            if (!replaced_.contains(name) && render::is_there(file_.parent_path() / name))
+            if (!replaced_.contains(name) && is_there(file_.parent_path() / name))
                 files.push_back(entry);
         }
         earlier.json["files"] = std::move(files);

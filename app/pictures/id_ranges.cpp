@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/platform/utf8.h"
 #include "scb/error.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -69,11 +69,11 @@ std::string id_text(const IdRanges& ids, const QuerySource& source, const QueryF
                     std::uint32_t id) {
     for (std::size_t side = 0; side < 2; ++side) {
         const BodyAtFrame body = source.body(side, frames.front()->frame);
-        const std::string of_body = " of " + scenes::printable(body.name);
+        const std::string of_body = " of " + printable(body.name);
         if (const auto node = index_in(ids.nodes[side], id)) {
             const TreeShape& shape = body.tree->shape();
             const std::uint32_t count = items_below(shape)[*node];
-            return scenes::printable(body.tree->node_words(*node)) + of_body + ", depth " +
+            return printable(body.tree->node_words(*node)) + of_body + ", depth " +
                    std::to_string(shape.depths[*node]) + ", " + std::to_string(count) +
                    (count == 1 ? " triangle" : " triangles");
         }

@@ -6,9 +6,9 @@
 #include "app/cli/choice.h"
 #include "app/cli/validators.h"
 #include "app/query/scene_options.h"
-#include "render/files/output_file.h"
+#include "core/platform/number_list.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 constexpr int smallest_width = 320, smallest_height = 240, smallest_view = 64, largest = 16384;
 
 int side_of(const std::string& size, std::size_t side) {
-    const std::vector<std::string> parts = scenes::split_list(size, 'x');
+    const std::vector<std::string> parts = split_list(size, 'x');
     if (parts.size() != 2)
         throw InputError("--size " + size + ": give WIDTHxHEIGHT in pixels, such as 1280x720.");
-    return scenes::whole_number(parts[side], "--size " + size);
+    return whole_number(parts[side], "--size " + size);
 }
 
 }  // namespace
@@ -75,9 +75,8 @@ std::filesystem::path PictureOptions::output_folder() const {
     std::error_code error;
     std::filesystem::create_directories(output, error);
     if (error || !std::filesystem::is_directory(output))
-        throw render::OutputError(output + ": this folder cannot be made" +
-                                  (error ? " (" + error.message() + ")" : "") +
-                                  "; name another with -o.");
+        throw OutputError(output + ": this folder cannot be made" +
+                          (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
     return output;
 }
 

@@ -8,12 +8,13 @@
 #include "app/pictures/picture_texts.h"
 #include "app/pictures/shifted_colors.h"
 #include "app/pictures/show_pictures.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "render/overlay/overlay_shape.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::app {
 namespace {
@@ -112,7 +113,7 @@ void PictureRun::take_file(const std::string& name, const std::filesystem::path&
     const std::filesystem::path to = place_picture(name);
     std::error_code ignored;
     if (!std::filesystem::equivalent(from, to, ignored))
-        render::write_file_whole(to, std::string_view(scenes::file_bytes(from.string())));
+        write_file_whole(to, std::string_view(file_bytes(from.string())));
     written_.push_back(name);
 }
 
@@ -187,12 +188,12 @@ std::uint32_t PictureRun::id_at(int x, int y) const { return render::pixel(last_
 
 std::filesystem::path PictureRun::place(const std::string& name) const {
     const std::filesystem::path path = folder_ / name;
-    scenes::refuse_input(path, "-o " + options_.output);
+    refuse_input(path, "-o " + options_.output);
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
         !std::filesystem::is_directory(status))
-        throw render::OutputError(
+        throw OutputError(
             path.string() +
             ": there is something of that name that is not a file; remove it, or name "
             "another folder with -o.");
@@ -206,7 +207,7 @@ std::filesystem::path PictureRun::place_picture(const std::string& name) {
 }
 
 void PictureRun::write(const std::string& name, const std::string& text) {
-    render::write_file_whole(place(name), text);
+    write_file_whole(place(name), text);
     written_.push_back(name);
 }
 

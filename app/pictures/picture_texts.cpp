@@ -1,7 +1,7 @@
 #include "app/pictures/picture_texts.h"
 
 #include "app/cli/command_text.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -17,9 +17,9 @@ std::vector<render::PngText> picture_texts(const PictureOptions& options,
                                            const std::string& scene) {
     std::vector<render::PngText> texts = {{"Software", "scb " SCB_VERSION}};
     // File names need not be UTF-8, and their line ends must not come into the text.
-    if (!scene.empty()) texts.push_back({"Scene", scenes::printable(scene)});
+    if (!scene.empty()) texts.push_back({"Scene", printable(scene)});
     if (options.command)
-        texts.push_back({"Command", scenes::printable(told_command(*options.command, untold))});
+        texts.push_back({"Command", printable(told_command(*options.command, untold))});
     return texts;
 }
 

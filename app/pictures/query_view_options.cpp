@@ -1,8 +1,8 @@
 #include "app/pictures/query_view_options.h"
 
 #include "app/query/output_guard.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -16,11 +16,11 @@ void QueryViewOptions::check() {
         if (scenes::names_trace(name)) refuse_for_trace(recording, name);
     picture.video.check(picture.output);
     if (pick.empty()) return;
-    const std::vector<std::string> parts = scenes::split_list(pick);
+    const std::vector<std::string> parts = split_list(pick);
     const std::string hint = "; give X,Y in pixels from the left and the top.";
     if (parts.size() != 2) throw InputError("--pick " + pick + ": this is not a pixel" + hint);
-    const PixelPosition at = {scenes::whole_number(parts[0], "--pick " + pick, hint),
-                              scenes::whole_number(parts[1], "--pick " + pick, hint)};
+    const PixelPosition at = {whole_number(parts[0], "--pick " + pick, hint),
+                              whole_number(parts[1], "--pick " + pick, hint)};
     if (at.x < 0 || at.x >= picture.width() || at.y < 0 || at.y >= picture.height())
         throw InputError("--pick " + pick + ": the picture has the pixels 0,0 to " +
                          std::to_string(picture.width() - 1) + "," +

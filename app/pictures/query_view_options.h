@@ -9,8 +9,8 @@
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
 #include "app/query/query_sources.h"
+#include "core/platform/number_list.h"
 #include "render/figures/comparison_figure.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -21,7 +21,7 @@ enum class Shown { nothing, meshes, leaves, volumes };
 struct QueryViewOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = scenes::auto_frames};
+    QueryOptions query{.frames = auto_frames};
     QueryLimits limits;
     PictureOptions picture;
     CameraOptions camera;

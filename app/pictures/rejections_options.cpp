@@ -8,8 +8,8 @@
 #include "app/cli/validators.h"
 #include "app/query/level_list.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -29,10 +29,10 @@ std::string names_of(const TraceHeader& header, const std::vector<Stage>& ending
 std::pair<int, int> depth_range(const std::string& text, int deepest_level) {
     const std::string option = "--depth " + text;
     const std::string hint = "; give a level such as 7, or the first and the last such as 0:9.";
-    const std::vector<std::string> parts = scenes::split_list(text, ':');
+    const std::vector<std::string> parts = split_list(text, ':');
     if (parts.size() > 2) throw InputError(option + ": these are not two levels" + hint);
-    const int first = scenes::whole_number(parts.front(), option, hint),
-              last = scenes::whole_number(parts.back(), option, hint);
+    const int first = whole_number(parts.front(), option, hint),
+              last = whole_number(parts.back(), option, hint);
     if (first < 0 || last < first || last > deepest_level)
         throw InputError(option + ": this scene's hierarchies have the levels 0 to " +
                          std::to_string(deepest_level) + hint);
@@ -57,7 +57,7 @@ render::RejectionsStyle RejectionsOptions::style(const QuerySources& sources) co
             if (std::find(known.begin(), known.end(), ending) == known.end())
                 known.push_back(ending);
     if (!stages.empty())
-        for (const std::string& name : scenes::split_list(stages)) {
+        for (const std::string& name : split_list(stages)) {
             std::optional<Stage> ending;
             for (const QuerySource& each : sources)
                 if (!ending) ending = ending_of(each.header(), name);

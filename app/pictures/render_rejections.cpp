@@ -10,11 +10,11 @@
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_prefix.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "render/figures/pairs_figure.h"
 #include "render/figures/rejections_figure.h"
 #include "render/figures/stages_figure.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -231,7 +231,7 @@ int run(RejectionsOptions& options, const Console& console) {
             draw_stages(stages, sources, view, style, options, pictures);
         Json json = query_index_head(view, "render rejections");
         json["options"]["by"] = render::node_color_names[options.by];
-        if (!options.stages.empty()) json["options"]["stages"] = scenes::split_list(options.stages);
+        if (!options.stages.empty()) json["options"]["stages"] = split_list(options.stages);
         if (!options.depths.empty())
             json["options"]["depths"] = {style.filter.least_depth, style.filter.most_depth};
         if (!options.body.empty()) json["options"]["body"] = options.body;

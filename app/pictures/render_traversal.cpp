@@ -8,9 +8,9 @@
 #include "app/pictures/query_index.h"
 #include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
+#include "core/platform/number_list.h"
 #include "render/figures/traversal_figure.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -42,10 +42,10 @@ std::optional<IndexPair> root_of(const TraversalOptions& options) {
     if (options.root.empty()) return std::nullopt;
     const std::string option = "--root " + options.root;
     const std::string hint = "; give the nodes I,J of A and of B, such as 5,7.";
-    const std::vector<std::string> parts = scenes::split_list(options.root);
+    const std::vector<std::string> parts = split_list(options.root);
     if (parts.size() != 2) throw InputError(option + ": this is not a pair of nodes" + hint);
     const auto node = [&](const std::string& text) {
-        const std::int64_t number = scenes::large_number(text, option, hint);
+        const std::int64_t number = large_number(text, option, hint);
         if (number < 0) throw InputError(option + ": nodes are counted from 0" + hint);
         if (number >= no_index) throw InputError(option + ": no node has such a number" + hint);
         return static_cast<std::uint32_t>(number);

@@ -6,8 +6,9 @@
 
 #include "core/base/portable_math.h"
 #include "core/base/text_format.h"
+#include "core/base/portable_math.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -71,7 +72,7 @@ std::optional<FacePlane> CameraOptions::clip_plane() const {
             "--clip " + clip + ": " + reason +
             "; give X,Y,Z,D, such as 0,0,1,0.5, for the points p with (X,Y,Z).p <= D.");
     };
-    const std::vector<std::string> parts = scenes::split_list(clip);
+    const std::vector<std::string> parts = split_list(clip);
     std::vector<double> values;
     for (const std::string& part : parts) {
         const std::string which = "number " + std::to_string(values.size() + 1);

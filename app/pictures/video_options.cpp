@@ -2,7 +2,7 @@
 
 #include "app/cli/validators.h"
 #include "app/query/output_guard.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "render/files/video_file.h"
 #include "scb/error.h"
 
@@ -18,10 +18,10 @@ void VideoOptions::check(const std::string& folder) const {
     if (!wanted()) return;
     if (!file.ends_with(".mp4") && !render::is_webp_name(file))
         throw InputError("--video " + file + ": give a file that ends in .mp4 or .webp.");
-    if (!render::is_webp_name(file) && !render::is_on_path(render::video_program))
-        throw render::OutputError("--video " + file + ": there is no program " +
-                                  render::video_program + " on PATH; install the package " +
-                                  render::video_program + ", or give a file that ends in .webp.");
+    if (!render::is_webp_name(file) && !is_on_path(render::video_program))
+        throw OutputError("--video " + file + ": there is no program " + render::video_program +
+                          " on PATH; install the package " + render::video_program +
+                          ", or give a file that ends in .webp.");
     check_output(file, "--video", folder);
 }
 

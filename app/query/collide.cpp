@@ -22,7 +22,7 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_trace.h"
 
@@ -438,7 +438,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     }
     const Sums& sums = report.sums();
     if (!options.pairs_out.empty() && sums.frames > 0)
-        render::write_file_whole(options.pairs_out, report.pairs());
+        write_file_whole(options.pairs_out, report.pairs());
     print_result(report.text());
     if (!sums.complete && !options.first)
         console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +

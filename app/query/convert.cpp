@@ -6,7 +6,7 @@
 #include "app/cli/progress.h"
 #include "app/query/output_guard.h"
 #include "core/base/exit_status.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/join_recordings.h"
 #include "scenes/recordings/recording_input.h"
@@ -51,7 +51,7 @@ int run(const ConvertOptions& options, const Console& console) {
     Progress progress(console, size / kilobyte);
     const std::string bytes = json ? joined<scenes::RecordingJsonWriter>(readers, progress)
                                    : joined<scenes::RecordingWriter>(readers, progress);
-    render::write_file_whole(options.output, bytes);
+    write_file_whole(options.output, bytes);
     for (const scenes::RecordingReader& reader : readers)
         if (!reader.damage().empty()) console.alarm("scb: " + reader.damage());
     console.note(

@@ -6,8 +6,8 @@
 #include "app/cli/progress.h"
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
+#include "core/platform/utf8.h"
 #include "scenes/recordings/test_input.h"
-#include "scenes/text/utf8.h"
 #include "scenes/traces/trace_diff_text.h"
 
 namespace scb::app {
@@ -82,8 +82,8 @@ int run(const DiffOptions& options, const Console& console) {
     print_result(options.json
                      ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n"
-                     : "first:  " + scenes::printable(options.a) + "\nsecond: " +
-                           scenes::printable(options.b) + "\n\n" + scenes::trace_diff_text(d, {}));
+                     : "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) +
+                           "\n\n" + scenes::trace_diff_text(d, {}));
     return d.equal() ? exit_done : exit_different;
 }
 

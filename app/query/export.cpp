@@ -6,8 +6,8 @@
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "core/base/exit_status.h"
+#include "core/platform/output_file.h"
 #include "core/volumes/any_volume.h"
-#include "render/files/output_file.h"
 #include "render/view/palette.h"
 #include "scb/error.h"
 #include "scb/level_cover.h"
@@ -80,7 +80,7 @@ int run(const ExportOptions& options, const Console& console) {
             "Level " + options.levels +
             ": all volumes of this level are points or segments, which have no surface; "
             "nothing to write.");
-    render::write_file_whole(options.output, scenes::encode_mesh(parts, options.output));
+    write_file_whole(options.output, scenes::encode_mesh(parts, options.output));
     console.note(
         options.output + ": " + std::to_string(nodes) + (nodes == 1 ? " volume" : " volumes") +
         (left_out == 0 ? ""

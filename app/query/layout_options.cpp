@@ -4,9 +4,9 @@
 
 #include "app/cli/validators.h"
 #include "app/query/scene_options.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scb/packed_hierarchy.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -17,16 +17,14 @@ std::string layout_names(const std::string& separator) {
     return names;
 }
 
-std::vector<std::string> layout_words() {
-    return scenes::split_list("reference," + layout_names(","));
-}
+std::vector<std::string> layout_words() { return split_list("reference," + layout_names(",")); }
 
 std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int leaf_triangles) {
     if (leaf_triangles < 1 || leaf_triangles > most_leaf_triangles)
         throw InputError("--leaf " + std::to_string(leaf_triangles) + ": give 1 to " +
                          std::to_string(most_leaf_triangles) + ".");
     std::vector<std::optional<PackedLayout>> result;
-    const std::vector<std::string> names = scenes::split_list(list);
+    const std::vector<std::string> names = split_list(list);
     std::set<std::string> known;
     for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);

@@ -2,8 +2,8 @@
 
 #include <set>
 
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -15,9 +15,9 @@ std::vector<int> parse_levels(const std::string& text, int deepest,
     const auto add = [&](int level) {
         if (seen.insert(level).second) levels.push_back(level);
     };
-    const scenes::NumberRange range{option, "level", "this scene's hierarchies have", deepest,
-                                    "levels such as 5,7,9 or 0:12 or leaves"};
-    for (const std::string& part : scenes::split_list(text, ',')) {
+    const NumberRange range{option, "level", "this scene's hierarchies have", deepest,
+                            "levels such as 5,7,9 or 0:12 or leaves"};
+    for (const std::string& part : split_list(text, ',')) {
         if (part == "auto") {
             for (const int level : automatic) add(level);
             continue;
@@ -30,7 +30,7 @@ std::vector<int> parse_levels(const std::string& text, int deepest,
             add(leaf_level);
             continue;
         }
-        for (const int level : scenes::parse_numbers(part, range)) add(level);
+        for (const int level : parse_numbers(part, range)) add(level);
     }
     return levels;
 }

@@ -2,16 +2,16 @@
 
 #include <filesystem>
 
-#include "render/files/output_file.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::app {
 void check_output(const std::string& path, const std::string& option,
                   const std::string& folder_to_make) {
     if (path == "-") throw InputError(option + " -: standard output is taken; name a file.");
     std::error_code ignored;
-    scenes::refuse_input(path, option);
+    refuse_input(path, option);
     // Fail before the work, not after it.
     std::filesystem::path parent = std::filesystem::path(path).parent_path();
     if (parent.empty()) parent = ".";
@@ -23,10 +23,10 @@ void check_output(const std::string& path, const std::string& option,
         !folder_to_make.empty() &&
         folder_of(std::filesystem::path(folder_to_make) / "file") == folder_of(parent / "file");
     if (!will_be_made && !std::filesystem::is_directory(parent, ignored))
-        throw render::OutputError(option + " " + path + ": there is no folder " + parent.string() +
-                                  "; create it first.");
+        throw OutputError(option + " " + path + ": there is no folder " + parent.string() +
+                          "; create it first.");
     if (std::filesystem::is_directory(path, ignored) || path.back() == '/')
-        throw render::OutputError(option + " " + path + ": a folder has that name; name a file.");
+        throw OutputError(option + " " + path + ": a folder has that name; name a file.");
 }
 
 }  // namespace scb::app

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -23,7 +23,7 @@ std::vector<std::string> test_words() {
 
 std::vector<OverlapTest> QueryOptions::tests() const {
     std::vector<OverlapTest> tests;
-    for (const std::string& name : scenes::split_list(test)) {
+    for (const std::string& name : split_list(test)) {
         const std::optional<OverlapTest> found = overlap_test_of(name);
         if (!found)
             throw InputError("--test " + test + ": '" + name +

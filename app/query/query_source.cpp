@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/analysis/level_overlaps.h"
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -32,7 +32,7 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.hierarchy.margin = header.margin;
     recorded.hierarchy.split = header.split;
     recorded.query.test = overlap_test_name(header.options.overlap.test);
-    recorded.query.frames = scenes::auto_frames;
+    recorded.query.frames = auto_frames;
     recorded.query.threshold = header.options.overlap.threshold;
     recorded.query.descent = header.options.descent;
     recorded.limits.max_pairs = static_cast<std::int64_t>(header.options.max_pairs);
@@ -130,9 +130,8 @@ std::string minor_version(const std::string& version) {
 
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
-    scenes::note_input(path);
-    std::vector<int> wanted =
-        scenes::frames_in_trace(path, frames == scenes::auto_frames ? "all" : frames);
+    note_input(path);
+    std::vector<int> wanted = scenes::frames_in_trace(path, frames == auto_frames ? "all" : frames);
     trace_ = std::make_unique<scenes::TraceInput>(path);
     trace_path_ = path;
     header_ = trace_->reader.header();
@@ -167,7 +166,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
             throw InputError(path + " was recorded " + mesh_words(then, now, query_.scene.name) +
                              "; " + record_again + ".");
     }
-    if (frames == scenes::auto_frames) {
+    if (frames == auto_frames) {
         const int own = query_.scene.default_frame;
         const bool has_own = std::binary_search(wanted.begin(), wanted.end(), own);
         wanted = {has_own ? own : wanted.front()};

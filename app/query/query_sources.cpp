@@ -8,10 +8,10 @@
 
 #include "app/query/poses_json.h"
 #include "app/query/trace_report.h"
+#include "core/platform/number_list.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -28,7 +28,7 @@ struct Side {
 std::array<Side, 2> sides_of(const CompareOptions& compare, const HierarchyOptions& hierarchy,
                              const QueryOptions& query) {
     const std::string option = "--compare " + compare.names;
-    const std::vector<std::string> names = scenes::split_list(compare.names);
+    const std::vector<std::string> names = split_list(compare.names);
     const auto all = [&names](auto known) {
         return std::all_of(names.begin(), names.end(),
                            [&](const std::string& name) { return known(name).has_value(); });
@@ -124,7 +124,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
                               const QueryOptions& query, const QueryLimits& limits,
                               const CompareOptions& compare) {
     const std::string option = "--compare " + compare.names;
-    std::vector<std::string> names = scenes::split_list(compare.names);
+    std::vector<std::string> names = split_list(compare.names);
     const bool has_two =
         names.size() == 2 && std::count(names.begin(), names.end(), recorded_name) == 1;
     HierarchyOptions own = hierarchy;
@@ -175,7 +175,7 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
             return QuerySource(one, hierarchy, of_one, limits, true);
         };
         for (std::size_t i = 0; i < 2; ++i) sources.push_back(open(i, query.frames));
-        if (query.frames == scenes::auto_frames) show_one_frame(sources, open);
+        if (query.frames == auto_frames) show_one_frame(sources, open);
         check_comparable(sources);
         for (const QuerySource& source : sources) {
             if (source.is_recording()) continue;

@@ -7,13 +7,13 @@
 #include "app/cli/validators.h"
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/number_list.h"
-#include "scenes/text/utf8.h"
 #include "scenes/traces/trace_input.h"
 
 namespace scb::app {
@@ -66,8 +66,8 @@ std::string SceneOptions::file_stem(const std::string& scene) const {
 
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {
     return scene.listed.empty()
-               ? scenes::parse_frames(list, scene.frames, scene.name)
-               : scenes::frames_among(scene.listed, list, scene.file.string(), "it may have");
+               ? parse_frames(list, scene.frames, scene.name)
+               : frames_among(scene.listed, list, scene.file.string(), "it may have");
 }
 
 int SceneOptions::frame_of(const scenes::Scene& scene) const {
@@ -80,7 +80,7 @@ int SceneOptions::frame_of(const scenes::Scene& scene) const {
 
 std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     std::vector<std::string> result;
-    for (const std::string& name : names) result.push_back(scenes::as_utf8(name));
+    for (const std::string& name : names) result.push_back(as_utf8(name));
     return result;
 }
 
@@ -158,7 +158,7 @@ std::string volume_names(const char* separator) {
 
 std::vector<VolumeKind> HierarchyOptions::kinds() const {
     std::vector<VolumeKind> kinds;
-    for (const std::string& name : scenes::split_list(volumes)) {
+    for (const std::string& name : split_list(volumes)) {
         const std::optional<VolumeKind> kind = volume_kind_of(name);
         if (!kind)
             throw InputError("--volume " + volumes + ": '" + name +
@@ -178,7 +178,7 @@ VolumeKind HierarchyOptions::kind() const {
 
 std::vector<SplitMethod> splits_of(const std::string& list) {
     std::vector<SplitMethod> splits;
-    for (const std::string& name : scenes::split_list(list)) {
+    for (const std::string& name : split_list(list)) {
         const std::optional<SplitMethod> split = split_method_of(name);
         if (!split)
             throw InputError("--split " + list + ": '" + name +
@@ -216,7 +216,7 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
                               .type_name(several ? "LIST" : "VOLUME")
                               .show_default();
     volume.shareable();
-    const std::vector<std::string> kinds = scenes::split_list(volume_names(","));
+    const std::vector<std::string> kinds = split_list(volume_names(","));
     if (several)
         volume.offer_list(kinds);
     else

@@ -1,8 +1,8 @@
 #include "app/query/scene_query.h"
 
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 
@@ -76,7 +76,7 @@ std::vector<BodyPair> body_pairs(const scenes::Scene& scene, const std::string& 
         return pairs;
     }
     std::vector<std::size_t> chosen;
-    for (const std::string& name : scenes::split_list(names)) {
+    for (const std::string& name : split_list(names)) {
         std::size_t i = 0;
         while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
         // Two bodies may also be called A and B.
@@ -112,7 +112,7 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
     limits.apply(result.options, scenes::deepest(result.topologies));
-    if (query.frames == scenes::auto_frames)
+    if (query.frames == auto_frames)
         result.frames = {result.scene.default_frame};
     else
         result.frames = frames_of(result.scene, query.frames);

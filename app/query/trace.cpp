@@ -13,12 +13,12 @@
 #include "app/query/scene_query.h"
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
-#include "render/files/output_file.h"
+#include "core/platform/number_list.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
-#include "scenes/text/number_list.h"
 #include "scenes/traces/trace_input.h"
 
 namespace scb::app {
@@ -82,7 +82,7 @@ int record(const TraceOptions& options, const Console& console) {
         } else {
             bytes = trace->finish();
         }
-        render::write_file_whole(options.output, bytes);
+        write_file_whole(options.output, bytes);
         console.note("scb: " + options.output + ": " + std::to_string(done) +
                      (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +
                      " volume tests, " + std::to_string(bytes.size()) + " bytes.");

@@ -7,7 +7,7 @@
 #include "core/analysis/trace_words.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -36,12 +36,12 @@ int number_width(const TraceFrame& frame) {
 std::string trace_header_text(const TraceHeader& header) {
     std::string text;
     for (const TraceField& field : fields_of(header))
-        text += format("%-10s ", field.name.c_str()) + scenes::printable(field.value) + "\n";
+        text += format("%-10s ", field.name.c_str()) + printable(field.value) + "\n";
     std::string files;
     for (const std::string& name : header.source) files += (files.empty() ? "" : " ") + name;
-    text += format("%-10s ", "named") + scenes::printable(files) + "\n";
+    text += format("%-10s ", "named") + printable(files) + "\n";
     if (header.engine) return text;
-    return text + "recorded by scb " + scenes::printable(header.scb_version) + "\n";
+    return text + "recorded by scb " + printable(header.scb_version) + "\n";
 }
 
 Json body_json(const TraceBody& body) {
@@ -108,8 +108,7 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
 
 void print_events(const TraceHeader& header, const TraceFrame& frame) {
     const Outcomes outcomes = outcomes_of(header, frame);
-    const BodyNames names = side_names(header),
-                    bodies = {scenes::printable(names[0]), scenes::printable(names[1])};
+    const BodyNames names = side_names(header), bodies = {printable(names[0]), printable(names[1])};
     const int width = number_width(frame);
     std::string text =
         format("   test  parent %*s %*s  depths  outcome\n", width, "node A", width, "node B");

@@ -8,7 +8,7 @@
 #include "app/reference/man_page.h"
 #include "app/reference/markdown_page.h"
 #include "core/base/exit_status.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::app {
 namespace {
@@ -17,8 +17,8 @@ using Script = std::string (*)(const ReferenceCommand&);
 
 int write_man_pages(const ReferenceCommand& program, const std::string& folder) {
     for (const ReferenceCommand* command : all_commands(program))
-        render::write_file_whole(std::filesystem::path(folder) / (man_page_name(*command) + ".1"),
-                                 man_page(*command, program, SCB_VERSION));
+        write_file_whole(std::filesystem::path(folder) / (man_page_name(*command) + ".1"),
+                         man_page(*command, program, SCB_VERSION));
     return exit_done;
 }
 

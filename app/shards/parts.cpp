@@ -2,7 +2,7 @@
 
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -28,10 +28,10 @@ Parts::Parts(const ShardOptions& options, std::size_t total, Json versions, cons
     if (!options.is_shard() && !options.is_merge()) return;
     const std::string hash =
         short_hash(subject().dump(-1, ' ', false, Json::error_handler_t::replace));
-    if (const std::optional<scenes::Shard> shard = options.asked()) {
+    if (const std::optional<Shard> shard = options.asked()) {
         kept_ = ShardFile{*shard, options.words(), std::move(versions), hash, total, {}, {}};
         const std::filesystem::path file = shard_path(folder_, *shard);
-        if (!render::is_there(file)) return;
+        if (!is_there(file)) return;
         if (!is_of_run(file, kept_->words))
             throw InputError(file.string() +
                              ": this is the shard of another run, or a damaged one; remove it, or "

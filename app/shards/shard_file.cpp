@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
+#include "core/platform/tokens.h"
 #include "golden/suite/case_command.h"
-#include "render/files/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::app {
 namespace {
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 // The size of the file for a million pictures.
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 
-std::string text_of(const scenes::Shard& shard) {
+std::string text_of(const Shard& shard) {
     return std::to_string(shard.k) + "/" + std::to_string(shard.n);
 }
 
@@ -37,7 +37,7 @@ std::string clause(std::string sentence) {
 
 ShardFile shard_of(const Json& json) {
     ShardFile file;
-    file.shard = scenes::parse_shard(json.at("shard").get_ref<const std::string&>());
+    file.shard = parse_shard(json.at("shard").get_ref<const std::string&>());
     file.words = json.at("command").get<std::vector<std::string>>();
     if (file.words.empty() || !can_be_shared(file.words.front()))
         throw InputError("no command that can be shared made it");
@@ -63,9 +63,8 @@ std::string shard_command(const std::vector<std::string>& words, const std::stri
     // The file may be a stranger's.
     constexpr std::size_t longest_word = 400;
     for (const std::string& word : words)
-        text +=
-            " " + (word.size() <= longest_word ? golden::shell_word(word)
-                                               : golden::shell_word(scenes::excerpt(word)) + "...");
+        text += " " + (word.size() <= longest_word ? golden::shell_word(word)
+                                                   : golden::shell_word(excerpt(word)) + "...");
     return text + " --shard " + shard + " -o DIR";
 }
 
@@ -100,15 +99,15 @@ void check_same_run(const ShardFile& first, const fs::path& first_path, const Sh
 
 fs::path shards_folder(const fs::path& folder) { return folder / "shards"; }
 
-fs::path shard_path(const fs::path& folder, const scenes::Shard& shard) {
+fs::path shard_path(const fs::path& folder, const Shard& shard) {
     return shards_folder(folder) /
            (std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
 }
 
 ShardFile read_shard_file(const fs::path& path) {
     const std::string name = path.string();
-    scenes::note_input(path);
-    const Json json = scenes::parse_ordered_json(scenes::read_text_file(name, largest_file), name);
+    note_input(path);
+    const Json json = parse_ordered_json(read_text_file(name, largest_file), name);
     if (json.is_object() && json.contains("cases"))
         throw InputError(name +
                          ": these are results of `scb golden check`; join them with `scb golden "
@@ -129,9 +128,8 @@ void make_shards_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(made, error);
     if (error || !fs::is_directory(made))
-        throw render::OutputError(made.string() + ": this folder cannot be made" +
-                                  (error ? " (" + error.message() + ")" : "") +
-                                  "; name another with -o.");
+        throw OutputError(made.string() + ": this folder cannot be made" +
+                          (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
 }
 
 void write_shard_file(const fs::path& path, const ShardFile& shard) {
@@ -143,12 +141,10 @@ void write_shard_file(const fs::path& path, const ShardFile& shard) {
                        {"total", shard.total},          {"parts", std::move(parts)},
                        {"files", shard.files}};
     make_shards_folder(path.parent_path().parent_path());
-    render::write_file_whole(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_file_whole(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string file_hash(const fs::path& file) {
-    return short_hash(scenes::file_bytes(file.string()));
-}
+std::string file_hash(const fs::path& file) { return short_hash(file_bytes(file.string())); }
 
 std::vector<ShardFile> read_shards(std::vector<fs::path>& paths, const ShardCheck& check) {
     std::vector<std::pair<ShardFile, fs::path>> shards;
@@ -177,7 +173,7 @@ std::vector<ShardFile> read_shards(std::vector<fs::path>& paths, const ShardChec
     for (std::size_t i = 0; i < n; ++i)
         for (const auto& [file, hash] : ordered[i].files) {
             const fs::path path = paths[i].parent_path().parent_path() / file;
-            if (!render::is_there(path) || file_hash(path) != hash)
+            if (!is_there(path) || file_hash(path) != hash)
                 throw InputError(path.string() + ": the file is not as shard " +
                                  text_of(ordered[i].shard) + " made it; make this shard again: " +
                                  shard_command(ordered[i].words, text_of(ordered[i].shard)));

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "scenes/text/shard.h"
+#include "core/platform/shard.h"
 
 namespace scb::app {
 
 /// The result of a shard for `scb merge`: DIR/shards/K-of-N.json. DIR has its pictures, if any.
 struct ShardFile {
-    scenes::Shard shard;
+    Shard shard;
     std::vector<std::string> words;  ///< of the command line, the same in all shards
     nlohmann::ordered_json
         versions;           ///< of the programs that made it; other versions may draw differently
@@ -28,7 +28,7 @@ struct ShardFile {
 std::string shard_command(const std::vector<std::string>& words, const std::string& shard);
 
 /// The path of a shard's file in a folder of results; and the folder of other files of shards.
-std::filesystem::path shard_path(const std::filesystem::path& folder, const scenes::Shard& shard);
+std::filesystem::path shard_path(const std::filesystem::path& folder, const Shard& shard);
 std::filesystem::path shards_folder(const std::filesystem::path& folder);
 
 /// Throws InputError if the file is no shard. Notes the file as an input.

@@ -5,10 +5,10 @@
 
 namespace scb::app {
 
-std::optional<scenes::Shard> ShardOptions::asked() const {
+std::optional<Shard> ShardOptions::asked() const {
     if (!is_shard()) return std::nullopt;
     try {
-        return scenes::parse_shard(shard);
+        return parse_shard(shard);
     } catch (const InputError& error) {
         throw InputError("--shard: " + std::string(error.what()));
     }

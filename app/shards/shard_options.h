@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "scenes/text/shard.h"
+#include "core/platform/shard.h"
 
 namespace scb::app {
 
@@ -18,7 +18,7 @@ struct ShardOptions {
     bool is_shard() const { return !shard.empty(); }
     bool is_merge() const { return !merged.empty(); }
     /// Throws InputError if `shard` is invalid.
-    std::optional<scenes::Shard> asked() const;
+    std::optional<Shard> asked() const;
     /// Throws InputError if there is a shard but no folder.
     void check_folder(const std::string& folder) const;
     /// The words of the command line that are the same in all shards of a run.

@@ -20,13 +20,13 @@
 #include "app/timing/correlation_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
+#include "core/platform/output_file.h"
 #include "render/draw/renderer.h"
-#include "render/files/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/scene/scene_group.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -164,7 +164,7 @@ struct BenchFiles {
             for (const char* ending : {".csv", ".png"})
                 written.push_back(of_all("measures", ending));
         for (const Entry& entry : all) written.push_back(picture(entry));
-        for (const std::filesystem::path& file : written) scenes::refuse_input(file, "-o");
+        for (const std::filesystem::path& file : written) refuse_input(file, "-o");
     }
 };
 
@@ -184,11 +184,11 @@ void write_files(const Report& report, const Entry& entry, const SceneBench& ben
         for (const std::string& name : report.correlation->names)
             names += (names.empty() ? "" : ", ") + name;
         draw(report.correlation->figure(), files.of_all("measures", ".png"), names);
-        render::write_file_whole(files.of_all("measures", ".csv"),
-                                 correlation_csv_header() + report.correlation->csv);
+        write_file_whole(files.of_all("measures", ".csv"),
+                         correlation_csv_header() + report.correlation->csv);
     }
-    render::write_file_whole(files.of_all("bench", ".csv"), report.csv);
-    render::write_file_whole(files.of_all("bench", ".json"), report.json());
+    write_file_whole(files.of_all("bench", ".csv"), report.csv);
+    write_file_whole(files.of_all("bench", ".json"), report.json());
 }
 
 /// A run's parts are the frames of its scenes, in order. Returns the number of the scene's first
@@ -215,7 +215,7 @@ BenchOptions measurement(const BenchCommandOptions& options) {
     BenchOptions result;
     result.subjects = subjects(options);
     QueryOptions one_test = options.query;
-    one_test.test = scenes::split_list(options.query.test)[0];
+    one_test.test = split_list(options.query.test)[0];
     result.collide = one_test.collide();
     result.build = options.hierarchy.build();
     result.packed.level = simd_level(options);

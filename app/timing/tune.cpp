@@ -18,11 +18,11 @@
 #include "app/timing/tune_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
+#include "core/platform/output_file.h"
 #include "render/draw/renderer.h"
-#include "render/files/output_file.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 struct TuneCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    QueryOptions query{.frames = scenes::auto_frames};
+    QueryOptions query{.frames = auto_frames};
     PictureOptions picture{.output = ""};
     int repeats = 5;
     bool every = false, no_time = false, json = false;
@@ -41,7 +41,7 @@ struct TuneCommandOptions {
 
 /// By default about fifty frames, spread over the whole scene.
 std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& scene) {
-    if (text != scenes::auto_frames) return frames_of(scene, text);
+    if (text != auto_frames) return frames_of(scene, text);
     const std::vector<int> all = frames_of(scene, "all");
     const std::size_t step = std::max<std::size_t>(1, (all.size() + 49) / 50);
     std::vector<int> frames;
@@ -155,9 +155,8 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
     figure.footnote = conditions(options, tuning);
     write_plot(std::move(figure), options.picture, renderer, folder / picture_file(options, scene),
                scene.name);
-    render::write_file_whole(folder / table_file(options, scene, ".csv"), tune_csv(tuning));
-    render::write_file_whole(folder / table_file(options, scene, ".json"),
-                             json_text(options, tuning));
+    write_file_whole(folder / table_file(options, scene, ".csv"), tune_csv(tuning));
+    write_file_whole(folder / table_file(options, scene, ".json"), json_text(options, tuning));
 }
 
 int run(const TuneCommandOptions& options, const Console& console) {
@@ -168,7 +167,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
         for (const std::string& file :
              {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),
               picture_file(options, scene)})
-            scenes::refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
+            refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
     const auto [a, b] = body_pairs(scene, options.query.bodies).front();
     if (a == b)
         throw InputError("--bodies " + options.query.bodies +

@@ -8,7 +8,7 @@
 #include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::app {
 namespace {
@@ -18,7 +18,7 @@ int run(const ViewOptions& options, const Console& console) {
     const PictureOptions& picture = options.level.picture;
     const std::string html = view_page(options, console);
     check_output(picture.output, "-o");
-    render::write_file_whole(picture.output, html);
+    write_file_whole(picture.output, html);
     print_result(picture.output + "\n");
     console.note("scb: " + picture.output + ": " +
                  format("%.1f MB.", static_cast<double>(html.size()) / 1e6));

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/platform/number_list.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -37,7 +37,7 @@ class Columns {
         if (asked_.queries == "none")
             throw InputError("--queries none: a comparison needs queries; leave it out.");
         query.frames = asked_.queries != "auto" ? asked_.queries
-                       : recorded               ? first_frame(scenes::auto_frames)
+                       : recorded               ? first_frame(auto_frames)
                        : traced                 ? "all"
                                                 : std::to_string(shown_frame(asked_.scene));
         auto sources = std::make_unique<QuerySources>(
@@ -122,7 +122,7 @@ class Columns {
     /// Returns whether a recorded query exists at the frame.
     bool add_recorded(const SceneOptions& scene) {
         QueryOptions query = asked_.query;
-        query.frames = first_frame(scenes::auto_frames);
+        query.frames = first_frame(auto_frames);
         if (asked_.queries != "auto")
             throw InputError("--queries " + asked_.queries +
                              ": of a recording the page has the query of one frame; name that "

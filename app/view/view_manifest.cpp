@@ -7,10 +7,10 @@
 
 #include "app/pictures/level_bodies.h"
 #include "core/model/level_statistics.h"
+#include "core/platform/utf8.h"
 #include "core/volumes/convex_shape.h"
 #include "render/figures/query_body.h"
 #include "render/web/tree_blocks.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -76,7 +76,7 @@ Json names_json(const Tree& tree) {
     Json names = Json::object();
     for (std::uint32_t node = 0; node < tree.size(); ++node)
         if (const std::string name = tree.name(node); !name.empty())
-            names[std::to_string(node)] = scenes::printable(name);
+            names[std::to_string(node)] = printable(name);
     return names;
 }
 
@@ -128,7 +128,7 @@ class Parts {
 
     Json body(const ViewColumn& column, std::size_t b, std::uint32_t first_id) {
         const BodyAtFrame& body = column.bodies[b];
-        Json told = {{"name", scenes::printable(body.name)},
+        Json told = {{"name", printable(body.name)},
                      {"color", color_json(render::category_color(b))},
                      {"dimmed",
                       {{"light", color_json(render::dimmed_body_color(b, render::light_theme))},
@@ -234,7 +234,7 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
         const std::vector<render::LevelBody> level = level_bodies(column.bodies, {});
         for (std::size_t b = 0; b < level.size(); ++b)
             bodies.push_back(parts.body(column, b, level[b].first_id));
-        columns.push_back({{"title", scenes::printable(column.title)},
+        columns.push_back({{"title", printable(column.title)},
                            {"bodies", std::move(bodies)},
                            {"verdict", column.verdict},
                            {"explain", column.explain},

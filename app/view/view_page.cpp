@@ -15,6 +15,7 @@
 #include "app/view/view_manifest.h"
 #include "app/view/view_query.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/draw/renderer.h"
 #include "render/figures/level_figure.h"
 #include "render/files/image_file.h"
@@ -22,7 +23,6 @@
 #include "render/web/web_page.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -150,7 +150,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
 
     std::string scene, titles;
     for (ViewColumn& column : subject.columns) {
-        std::string name = scenes::printable(column.scene->name);
+        std::string name = printable(column.scene->name);
         if (column.bodies.size() == 2)
             name = scene_title(name, column.bodies[0].name, column.bodies[1].name);
         if (&column == &subject.columns.front()) scene = name;
@@ -159,7 +159,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     }
     render::BlockStore store;
     render::WebPage page;
-    page.title = (options.has_two_scenes() ? "" : scene + " · ") + scenes::printable(titles);
+    page.title = (options.has_two_scenes() ? "" : scene + " · ") + printable(titles);
     page.description = format("%zu %s, %d levels, scb ", first.size(),
                               first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
                        SCB_VERSION;

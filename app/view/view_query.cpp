@@ -10,10 +10,10 @@
 #include "core/analysis/ending.h"
 #include "core/analysis/traversal_part.h"
 #include "core/analysis/worst_pairs.h"
+#include "core/platform/utf8.h"
 #include "render/figures/explain_figure.h"
 #include "render/figures/inspect_figure.h"
 #include "render/web/query_blocks.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -41,7 +41,7 @@ Json groups_json(const TraceHeader& header) {
         std::string stages;  // names as in --stages of scb render rejections
         for (const Stage ending : light[i].endings)
             stages += (stages.empty() ? "" : ",") + stage_words(header, ending);
-        groups.push_back({{"label", scenes::printable(light[i].label)},
+        groups.push_back({{"label", printable(light[i].label)},
                           {"stages", file_word(stages)},
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},

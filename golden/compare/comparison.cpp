@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text_format.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "golden/compare/number_words.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/file_replacement.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -77,14 +77,14 @@ class Comparison {
 
   private:
     bool is_missing() const {
-        return !(golden_.counts && render::is_there(baseline_.counts)) &&
-               !(golden_.ids && render::is_there(baseline_.ids)) &&
-               !(golden_.colors && render::is_there(baseline_.image));
+        return !(golden_.counts && is_there(baseline_.counts)) &&
+               !(golden_.ids && is_there(baseline_.ids)) &&
+               !(golden_.colors && is_there(baseline_.image));
     }
 
     /// False if the baseline lacks the file, which the run made.
     bool has(const fs::path& baseline, const char* what) {
-        if (render::is_there(baseline)) return true;
+        if (is_there(baseline)) return true;
         raise(Verdict::new_output);
         std::error_code ignored;
         said_.push_back(fs::exists(baseline, ignored)
@@ -135,7 +135,7 @@ class Comparison {
         if (!has(baseline_.counts, "counts")) return;
         if (files_equal(baseline_.counts, candidate_.counts)) return;
         const auto read = [](const fs::path& path) {
-            return scenes::parse_json(scenes::read_text_file(path.string()), path.string());
+            return parse_json(read_text_file(path.string()), path.string());
         };
         result_.counts = counts_difference(read(baseline_.counts), read(candidate_.counts));
         if (result_.counts.empty()) return;
@@ -214,18 +214,18 @@ class Comparison {
         result_.picture.candidate = copied(candidate_.image, "new");
         if (folders_.report.empty()) return;
         const std::string name = golden_.name + ".difference.png";
-        render::write_file_whole(folders_.report / name,
-                                 render::encode_png(difference_picture(*before, after)));
+        write_file_whole(folders_.report / name,
+                         render::encode_png(difference_picture(*before, after)));
         result_.picture.difference = name;
     }
 
     /// Copies a file for the report. Returns its name there; empty: none.
     std::string copied(const fs::path& from, const std::string& kind) const {
-        if (folders_.report.empty() || !render::is_there(from)) return "";
+        if (folders_.report.empty() || !is_there(from)) return "";
         const std::string file = from.filename().string(),
                           ids = file.ends_with(".ids.png") ? ".ids" : "",
                           name = golden_.name + "." + kind + ids + ".png";
-        render::write_file_whole(folders_.report / name, scenes::file_bytes(from.string()));
+        write_file_whole(folders_.report / name, file_bytes(from.string()));
         return name;
     }
 

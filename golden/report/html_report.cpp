@@ -12,12 +12,12 @@
 #include "core/base/text_format.h"
 #include "golden/report/report_values.h"
 #include "golden/suite/case_command.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "render/gl/embedded.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
 
 SCB_DECLARE_EMBEDDED(report_html)
 SCB_DECLARE_EMBEDDED(report_css)
@@ -236,10 +236,10 @@ namespace fs = std::filesystem;
 /// The path of a file of the report. Refuses a pipe, which would wait for a reader.
 fs::path place_of(const fs::path& folder, const fs::path& name) {
     const fs::path place = folder / name;
-    scenes::refuse_input(place, "--report " + folder.string());
+    refuse_input(place, "--report " + folder.string());
     std::error_code ignored;
-    if (fs::exists(place, ignored) && !render::is_there(place))
-        throw render::OutputError(
+    if (fs::exists(place, ignored) && !is_there(place))
+        throw OutputError(
             place.string() +
             ": there is something of that name that is not a file; remove it, or name "
             "another folder with --report.");
@@ -253,7 +253,7 @@ void clear_report(const fs::path& folder) {
     SuiteResult old;
     try {
         old = result_of(
-            scenes::parse_json(scenes::read_text_file(list, std::size_t{1} << 30), list), list);
+            parse_json(read_text_file(list, std::size_t{1} << 30), list), list);
     } catch (const InputError&) {
         return;  // it is not a list of a report's files
     }
@@ -270,14 +270,14 @@ void write_report_folder(const SuiteResult& result, const fs::path& folder, cons
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-        throw render::OutputError(folder.string() + ": this folder cannot be made (" +
+        throw OutputError(folder.string() + ": this folder cannot be made (" +
                                   error.message() + "); name another with --report.");
     clear_report(folder);
     for (const fs::directory_entry& entry : fs::directory_iterator(work))
-        render::write_file_whole(place_of(folder, entry.path().filename()),
-                                 scenes::file_bytes(entry.path().string()));
-    render::write_file_whole(place_of(folder, "report.html"), report_html(result, work));
-    render::write_file_whole(place_of(folder, "results.json"), results_json(result));
+        write_file_whole(place_of(folder, entry.path().filename()),
+                                 file_bytes(entry.path().string()));
+    write_file_whole(place_of(folder, "report.html"), report_html(result, work));
+    write_file_whole(place_of(folder, "results.json"), results_json(result));
 }
 
 std::string results_json(const SuiteResult& result) {

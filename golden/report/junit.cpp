@@ -9,7 +9,7 @@
 
 #include "golden/report/plain_text.h"
 #include "render/gl/embedded.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/utf8.h"
 
 SCB_DECLARE_EMBEDDED(junit_xml)
 
@@ -109,7 +109,7 @@ namespace {
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text[0]);
     if (lead < 0x20) return lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
-    const std::string_view character = text.substr(0, scenes::utf8_length(text));
+    const std::string_view character = text.substr(0, utf8_length(text));
     return character == "\uFFFE" || character == "\uFFFF" ? 0 : character.size();
 }
 

@@ -5,18 +5,16 @@
 #include <optional>
 #include <set>
 
+#include "core/platform/shard.h"
 #include "scb/error.h"
-#include "scenes/text/shard.h"
 
 namespace scb::golden {
 namespace {
 
-using scenes::Shard;
-
 std::optional<Shard> shard_of(const ResultPart& part) {
     if (part.result.shard.empty()) return std::nullopt;
     try {
-        return scenes::parse_shard(part.result.shard);
+        return parse_shard(part.result.shard);
     } catch (const InputError& error) {
         throw InputError(part.file + ": shard: " + error.what());
     }
@@ -60,7 +58,7 @@ std::vector<const ResultPart*> in_order(const std::vector<ResultPart>& parts) {
     return order;
 }
 
-/// The shards received cases in turn, see scenes::in_shard.
+/// The shards received cases in turn, see in_shard.
 std::vector<CaseResult> cases_in_turn(const std::vector<const ResultPart*>& order) {
     std::vector<CaseResult> cases;
     std::size_t longest = 0;

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "golden/compare/number_words.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::golden {
 namespace {
@@ -43,7 +43,7 @@ std::string plain_text(std::string_view text) {
     // A command may have any blanks in front, also Unicode blanks.
     bool in_front = true;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = scenes::utf8_length(text.substr(at));
+        const std::size_t length = utf8_length(text.substr(at));
         const std::string_view character = text.substr(at, std::max<std::size_t>(1, length));
         const unsigned code = length == 0 ? '?' : code_point(character);
         const std::string_view rest = text.substr(at);

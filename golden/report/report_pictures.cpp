@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/platform/base64.h"
 #include "golden/compare/id_difference.h"
 #include "golden/report/report_values.h"
-#include "render/files/base64.h"
 #include "render/files/image_file.h"
 #include "scb/error.h"
 
@@ -112,7 +112,7 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
                         result.name + ", " + pane.title;
         // Every version is drawn at one scale, also if the sizes differ.
         if (pane.png) {
-            figure["url"] = "data:image/png;base64," + render::base64(pane.png->bytes);
+            figure["url"] = "data:image/png;base64," + base64(pane.png->bytes);
             figure["width"] = std::to_string(pane.png->width);
             figure["height"] = std::to_string(pane.png->height);
             figure["size"] =

@@ -12,13 +12,14 @@
 #include <thread>
 #include <vector>
 
+#include "core/platform/output_file.h"
 #include "golden/run/failure_lines.h"
 #include "golden/suite/baseline.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "golden/suite/file_replacement.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
     const auto keep = [&](const fs::path& folder, const char* kind) {
         const fs::path from = case_files(folder, result.name).trace;
-        if (!render::is_there(from)) return;
+        if (!is_there(from)) return;
         std::error_code error;
         const std::string name = result.name + "." + kind + ".scbtrace";
         fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
@@ -48,7 +49,7 @@ struct CheckedCase {
 CaseResult compared(const GoldenCase& golden, const ComparisonFolders& folders) {
     try {
         return compare_case(golden, folders);
-    } catch (const render::OutputError&) {
+    } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
         CaseResult result;
@@ -75,8 +76,7 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     }
     result.seconds = run.seconds;
     if (result.verdict == Verdict::different) {
-        const bool before =
-            render::is_there(case_files(check.folders.baselines, golden.name).trace);
+        const bool before = is_there(case_files(check.folders.baselines, golden.name).trace);
         const std::string trouble =
             before || check.traces ? record_trace(golden, check.settings, check.folders.candidates)
                                    : "";
@@ -126,9 +126,8 @@ class CaseOrder {
 
 bool has_run(const GoldenCase& golden, const ComparisonFolders& folders) {
     const CaseFiles made = case_files(folders.candidates, golden.name);
-    return render::is_there(made.meta) && render::is_there(made.counts) &&
-           (!golden.colors || render::is_there(made.image)) &&
-           (!golden.ids || render::is_there(made.ids));
+    return is_there(made.meta) && is_there(made.counts) &&
+           (!golden.colors || is_there(made.image)) && (!golden.ids || is_there(made.ids));
 }
 
 CheckedCases check_cases(const GoldenCheck& check, const std::function<bool()>& step) {
@@ -185,8 +184,8 @@ namespace fs = std::filesystem;
 /// Copies a picture of the run for the report, if it is not there yet.
 void show(std::string& candidate, const fs::path& made, const fs::path& report,
           const std::string& name) {
-    if (!candidate.empty() || report.empty() || !render::is_there(made)) return;
-    render::write_file_whole(report / name, scenes::file_bytes(made.string()));
+    if (!candidate.empty() || report.empty() || !is_there(made)) return;
+    write_file_whole(report / name, file_bytes(made.string()));
     candidate = name;
 }
 
@@ -199,7 +198,7 @@ void add_pictures(CaseResult& result, const CaseFiles& made, const fs::path& rep
 void add_counts(CaseResult& result, const fs::path& made) {
     const std::string file = made.string();
     const std::vector<CountChange> counts = counts_difference(
-        nlohmann::json::object(), scenes::parse_json(scenes::read_text_file(file), file));
+        nlohmann::json::object(), parse_json(read_text_file(file), file));
     result.counts.insert(result.counts.begin(), counts.begin(), counts.end());
 }
 
@@ -228,9 +227,9 @@ void complete_result(CaseResult& result, const GoldenCase& golden,
             "below.";
         return add_pictures(result, made, folders.report, golden.ids, golden.colors);
     }
-    if (golden.counts && !render::is_there(before.counts)) add_counts(result, made.counts);
-    add_pictures(result, made, folders.report, golden.ids && !render::is_there(before.ids),
-                 golden.colors && !render::is_there(before.image));
+    if (golden.counts && !is_there(before.counts)) add_counts(result, made.counts);
+    add_pictures(result, made, folders.report, golden.ids && !is_there(before.ids),
+                 golden.colors && !is_there(before.image));
 }
 
 }  // namespace scb::golden

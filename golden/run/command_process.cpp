@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "core/platform/input_files.h"
 #include "golden/run/run_case.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::golden {
 
@@ -16,9 +16,9 @@ RunningGroup::~RunningGroup() {
     if (work_ != nullptr) work_->has_ended(group_);
 }
 
-void note_inputs_of(const render::UnnamedFile& inputs) {
+void note_inputs_of(const UnnamedFile& inputs) {
     const std::vector<std::uint8_t> noted = inputs.bytes();
-    scenes::note_inputs({reinterpret_cast<const char*>(noted.data()), noted.size()});
+    note_inputs({reinterpret_cast<const char*>(noted.data()), noted.size()});
 }
 
 CommandEnd run_process(const GoldenRunSettings& settings, const std::vector<std::string>& program) {
@@ -26,8 +26,8 @@ CommandEnd run_process(const GoldenRunSettings& settings, const std::vector<std:
     // the process would never be ended.
     std::vector<std::string> words = {"/bin/sh", "-c", "read -r _ && exec \"$@\"", "scb"};
     words.insert(words.end(), program.begin(), program.end());
-    const render::UnnamedFile inputs;
-    render::ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
+    const UnnamedFile inputs;
+    ChildProcess child(words, inputs, std::chrono::seconds(1), settings.folder);
     const RunningGroup running(settings.work, child.id());
     constexpr std::uint8_t go = '\n';
     child.write({&go, 1});

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/platform/child_process.h"
 #include "golden/run/work_folder.h"
-#include "render/files/child_process.h"
 
 namespace scb::golden {
 
@@ -15,7 +15,7 @@ struct GoldenRunSettings;
 
 /// How a command ended, and what it printed.
 struct CommandEnd {
-    std::optional<render::ProcessEnd> end;  ///< nothing if it took too long or was stopped
+    std::optional<ProcessEnd> end;  ///< nothing if it took too long or was stopped
     bool stopped = false;
     std::string printed, last_line;
 };
@@ -33,8 +33,8 @@ class RunningGroup {
     pid_t group_;
 };
 
-/// Notes the files that a command has read: the text of scenes::noted_inputs.
-void note_inputs_of(const render::UnnamedFile& inputs);
+/// Notes the files that a command has read: the text of noted_inputs.
+void note_inputs_of(const UnnamedFile& inputs);
 
 /// Runs a program in the suite's folder, in a process of its own. Throws OutputError.
 CommandEnd run_process(const GoldenRunSettings& settings, const std::vector<std::string>& program);

@@ -13,8 +13,8 @@
 #include <cstring>
 #include <span>
 
+#include "core/platform/input_files.h"
 #include "golden/run/run_case.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::golden {
 namespace {
@@ -66,7 +66,7 @@ int run_commands(const std::function<int(const std::vector<std::string>&)>& run)
     ::dup2(nothing, STDIN_FILENO);
     std::vector<std::string> words;
     while (read_command(socket, words)) {
-        scenes::forget_inputs();
+        forget_inputs();
         const Status status = run(words);
         std::fflush(nullptr);
         if (::send(socket, &status, sizeof status, MSG_NOSIGNAL) < 0) break;

@@ -31,8 +31,8 @@ class CommandWorker {
     std::thread::id user() const { return user_; }
 
   private:
-    render::UnnamedFile inputs_;
-    render::ChildProcess child_;
+    UnnamedFile inputs_;
+    ChildProcess child_;
     RunningGroup group_;
     std::thread::id user_;
 };

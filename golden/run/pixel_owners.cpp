@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/parallel_for.h"
+#include "core/platform/json_reader.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_hierarchies.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -19,8 +19,7 @@ using Json = nlohmann::json;
 Owners::Owners(const GoldenCase& golden, const GoldenRunSettings& settings,
                const std::filesystem::path& index, bool same_meshes)
     : same_meshes_(same_meshes) {
-    const Json document =
-        scenes::parse_json(scenes::read_text_file(index.string()), index.string());
+    const Json document = parse_json(read_text_file(index.string()), index.string());
     try {
         scenes::LoadOptions options;
         options.models_dir = settings.models;

@@ -3,18 +3,20 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/exit_status.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "golden/run/command_process.h"
 #include "golden/run/command_workers.h"
 #include "golden/suite/baseline.h"
 #include "golden/suite/case_command.h"
 #include "golden/suite/case_counts.h"
 #include "golden/suite/case_record.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
+#include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -63,8 +65,8 @@ void move_file(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::rename(from, to, error);
     if (error)
-        throw render::OutputError(to.string() + ": cannot be written (" + error.message() +
-                                  "); see that the disk has room.");
+        throw OutputError(to.string() + ": cannot be written (" + error.message() +
+                          "); see that the disk has room.");
 }
 
 /// The picture of a case among those that index.json has: for `inspect` the summary, which is
@@ -93,19 +95,19 @@ void take_over(const GoldenCase& golden, const CommandEnd& child, const fs::path
     Json document;
     if (has_picture(golden.run)) {
         const fs::path index = made / "index.json";
-        if (!render::is_there(index))
+        if (!is_there(index))
             throw InputError(ended_with(child.end->code) + " and has made no index.json.");
-        document = scenes::parse_json(scenes::read_text_file(index.string()), index.string());
+        document = parse_json(read_text_file(index.string()), index.string());
         const Json& drawn = only_picture(golden, document);
         move_file(made / drawn.at("file").get<std::string>(), files.image);
         if (golden.ids) move_file(made / drawn.at("ids").get<std::string>(), files.ids);
         move_file(index, folder / (golden.name + ".index.json"));
     } else {
-        document = scenes::parse_json(child.printed, "the output of the case");
+        document = parse_json(child.printed, "the output of the case");
     }
-    render::write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
+    write_file_whole(files.counts, case_counts(golden.run, document).dump(2) + "\n");
     const std::string command = typed(in_own_folder(golden), "DIR");
-    render::write_file_whole(files.meta, record_json(command, document).dump(2) + "\n");
+    write_file_whole(files.meta, record_json(command, document).dump(2) + "\n");
 }
 
 /// The option must win over SCB_MODELS, which a run would find in its environment.
@@ -138,7 +140,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
             fs::remove(recording, none);  // of a run that was killed
             const CommandEnd maker = run_process(settings, maker_of(golden, recording));
             std::string why = trouble(maker, settings, false);
-            if (why.empty() && !render::is_there(recording))
+            if (why.empty() && !is_there(recording))
                 why = "It has not written the file that " + std::string(recording_here) +
                       " stands for.";
             if (!why.empty())
@@ -154,7 +156,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
         const CommandEnd child = run_command(settings, command);
         result.message = trouble(child, settings, golden.run == GoldenRun::inspect);
         result.stopped = child.stopped;
-        result.lacked_gl = child.end == render::ProcessEnd{false, exit_no_gl};
+        result.lacked_gl = child.end == ProcessEnd{false, exit_no_gl};
         if (result.message.empty()) take_over(golden, child, made, folder);
         result.ran = result.message.empty();
     } catch (const InputError& error) {
@@ -176,8 +178,7 @@ std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& sett
     if (golden.run == GoldenRun::levels || of_recording(golden)) return "";
     const CaseFiles files = case_files(folder, golden.name);
     const std::string counts = files.counts.string(),
-                      frame =
-                          only_frame(scenes::parse_json(scenes::read_text_file(counts), counts));
+                      frame = only_frame(parse_json(read_text_file(counts), counts));
     if (frame.empty()) return "";
     std::vector<std::string> command =
         trace_command_of(in_own_folder(golden), frame, fs::absolute(files.trace));

@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::golden {
 namespace {
@@ -49,12 +49,12 @@ GoldenWork::GoldenWork() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     if (error)
-        throw render::OutputError("There is no folder for temporary files (" + error.message() +
-                                  "); name one with TMPDIR.");
+        throw OutputError("There is no folder for temporary files (" + error.message() +
+                          "); name one with TMPDIR.");
     std::string name = (folder / "scb-golden-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-        throw render::OutputError(folder.string() + ": no temporary files can be made there (" +
-                                  std::strerror(errno) + "); name another folder with TMPDIR.");
+        throw OutputError(folder.string() + ": no temporary files can be made there (" +
+                          std::strerror(errno) + "); name another folder with TMPDIR.");
     path_ = name;
     start_remover();
     fs::create_directory(candidates());

@@ -7,8 +7,10 @@
 #include <set>
 #include <system_error>
 
+#include "core/platform/output_file.h"
 #include "golden/suite/file_replacement.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
+#include "golden/suite/file_replacement.h"
 #include "scb/error.h"
 
 namespace scb::golden {
@@ -64,7 +66,7 @@ std::vector<fs::path> accepted_images(const fs::path& folder, const std::string&
     std::vector<fs::path> images;
     for (int variant = 1;; ++variant) {
         const fs::path path = folder / variant_name(name, variant);
-        if (!render::is_there(path)) return images;
+        if (!is_there(path)) return images;
         images.push_back(path);
     }
 }
@@ -74,8 +76,8 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
     std::error_code error;
     fs::create_directories(baselines, error);
     if (error)
-        throw render::OutputError(baselines.string() + ": this folder cannot be made (" +
-                                  error.message() + "); name another with --baselines.");
+        throw OutputError(baselines.string() + ": this folder cannot be made (" + error.message() +
+                          "); name another with --baselines.");
     const CaseFiles from = case_files(candidates, name), to = case_files(baselines, name);
     const std::vector<fs::path> accepted = accepted_images(baselines, name);
     const bool picture_is_accepted =
@@ -87,8 +89,8 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
                               &CaseFiles::meta, &CaseFiles::trace}) {
         const bool kept = member == &CaseFiles::trace && old_trace == OldTrace::kept;
         const bool same = member == &CaseFiles::image && picture_is_accepted;
-        if (!render::is_there(from.*member)) {
-            if (render::is_there(to.*member) && !kept) gone.push_back(to.*member);
+        if (!is_there(from.*member)) {
+            if (is_there(to.*member) && !kept) gone.push_back(to.*member);
         } else if (!same && !files_equal(from.*member, to.*member)) {
             changed.emplace_back(from.*member, to.*member);
         }

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "render/files/folder_lock.h"
+#include "core/platform/folder_lock.h"
 
 namespace scb::golden {
 
@@ -14,10 +14,10 @@ class BaselineLock {
     explicit BaselineLock(const std::filesystem::path& baselines);
 
     /// False if the file system has no locks: then there may be other updates.
-    bool held() const { return lock_.state() == render::FolderLock::State::held; }
+    bool held() const { return lock_.state() == FolderLock::State::held; }
 
   private:
-    render::FolderLock lock_;
+    FolderLock lock_;
 };
 
 }  // namespace scb::golden

@@ -9,16 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include "render/files/output_file.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
 
 using Json = nlohmann::json;
-using scenes::JsonPlace;
 
 constexpr std::int64_t most_elements = std::int64_t{1} << 32;
 
@@ -42,9 +41,9 @@ std::string pose_text(const Json& numbers) {
 /// The members of an object at a place.
 template <typename Take>
 void each_member(const JsonPlace& place, Take take) {
-    if (!(*place).is_object()) scenes::refuse_value(place, "an object");
+    if (!(*place).is_object()) refuse_value(place, "an object");
     for (const auto& member : (*place).items())
-        take(member.key(), scenes::field(place, member.key().c_str()));
+        take(member.key(), field(place, member.key().c_str()));
 }
 
 /// The number that is the whole of a word, or nothing.
@@ -57,24 +56,24 @@ std::optional<Number> number_in(std::string_view word) {
 }
 
 Pose pose_at(const JsonPlace& place) {
-    std::istringstream words(scenes::read_text(place));
+    std::istringstream words(read_text(place));
     std::vector<double> numbers;
     for (std::string word; words >> word;)
         if (const auto number = number_in<double>(word); number && std::isfinite(*number))
             numbers.push_back(*number);
         else
-            scenes::refuse_value(place, "twelve numbers");
-    if (numbers.size() != 12) scenes::refuse_value(place, "twelve numbers");
+            refuse_value(place, "twelve numbers");
+    if (numbers.size() != 12) refuse_value(place, "twelve numbers");
     scenes::PoseRows rows{};
     std::copy(numbers.begin(), numbers.end(), rows.begin());
     return scenes::pose_of(rows);
 }
 
 RecordedMesh mesh_at(const JsonPlace& body) {
-    scenes::check_fields(body, {"name", "triangles", "vertices", "hash"});
-    return {scenes::read_integer(scenes::field(body, "triangles"), 0, most_elements),
-            scenes::read_integer(scenes::field(body, "vertices"), 0, most_elements),
-            scenes::read_text(scenes::field(body, "hash"))};
+    check_fields(body, {"name", "triangles", "vertices", "hash"});
+    return {read_integer(field(body, "triangles"), 0, most_elements),
+            read_integer(field(body, "vertices"), 0, most_elements),
+            read_text(field(body, "hash"))};
 }
 
 }  // namespace
@@ -98,33 +97,31 @@ Json record_json(const std::string& command, const Json& document) {
 
 CaseRecord read_record(const std::filesystem::path& file) {
     CaseRecord record;
-    if (!render::is_there(file)) return record;
-    const Json document = scenes::parse_json(scenes::read_text_file(file.string()), file.string());
+    if (!is_there(file)) return record;
+    const Json document = parse_json(read_text_file(file.string()), file.string());
     const JsonPlace all{&document, file.string(), ""};
-    if (!document.is_object()) scenes::refuse_value(all, "an object");
-    if (scenes::has(all, "command"))
-        record.command = scenes::read_text(scenes::field(all, "command"));
-    if (scenes::has(all, "bodies")) {
-        const JsonPlace bodies = scenes::field(all, "bodies");
-        const std::size_t size = scenes::array_size(bodies, "a list of bodies");
+    if (!document.is_object()) refuse_value(all, "an object");
+    if (has(all, "command")) record.command = read_text(field(all, "command"));
+    if (has(all, "bodies")) {
+        const JsonPlace bodies = field(all, "bodies");
+        const std::size_t size = array_size(bodies, "a list of bodies");
         for (std::size_t i = 0; i < size; ++i) {
-            const JsonPlace body = scenes::element(bodies, i);
-            record.meshes[scenes::read_text(scenes::field(body, "name"))] = mesh_at(body);
+            const JsonPlace body = element(bodies, i);
+            record.meshes[read_text(field(body, "name"))] = mesh_at(body);
         }
     }
-    if (scenes::has(all, "poses"))
-        each_member(scenes::field(all, "poses"), [&](const std::string& key, const JsonPlace& at) {
+    if (has(all, "poses"))
+        each_member(field(all, "poses"), [&](const std::string& key, const JsonPlace& at) {
             const std::optional<int> frame = number_in<int>(key);
-            if (!frame) scenes::refuse(at, "its name is not the number of a frame.");
+            if (!frame) refuse(at, "its name is not the number of a frame.");
             each_member(at, [&](const std::string& body, const JsonPlace& pose) {
                 record.poses[*frame][body] = pose_at(pose);
             });
         });
-    if (scenes::has(all, "settings"))
-        each_member(scenes::field(all, "settings"),
-                    [&](const std::string& key, const JsonPlace& value) {
-                        record.settings[key] = scenes::read_text(value);
-                    });
+    if (has(all, "settings"))
+        each_member(field(all, "settings"), [&](const std::string& key, const JsonPlace& value) {
+            record.settings[key] = read_text(value);
+        });
     return record;
 }
 

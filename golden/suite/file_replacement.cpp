@@ -9,9 +9,9 @@
 #include <system_error>
 #include <vector>
 
-#include "render/files/output_file.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
 
 namespace scb::golden {
 namespace {
@@ -24,9 +24,9 @@ class StagingFolder {
     explicit StagingFolder(const fs::path& beside) {
         std::string name = (beside / (std::string(replacement_prefix) + "XXXXXX")).string();
         if (::mkdtemp(name.data()) == nullptr)
-            throw render::OutputError("Cannot write into \"" + beside.string() +
-                                      "\": " + std::strerror(errno) +
-                                      "; choose a folder that may be written, with room.");
+            throw OutputError("Cannot write into \"" + beside.string() +
+                              "\": " + std::strerror(errno) +
+                              "; choose a folder that may be written, with room.");
         path_ = name;
     }
     ~StagingFolder() {
@@ -56,16 +56,16 @@ class Replacement {
     /// OutputError, InputError; then nothing has changed.
     void run(const std::vector<std::pair<fs::path, fs::path>>& changed,
              const std::vector<fs::path>& gone) {
-        for (const auto& [source, target] : changed) scenes::refuse_input(target, "the update");
+        for (const auto& [source, target] : changed) refuse_input(target, "the update");
         for (const auto& [source, target] : changed)
-            render::write_file_whole(staged(target), scenes::file_bytes(source.string()));
+            write_file_whole(staged(target), file_bytes(source.string()));
         try {
             for (const auto& [source, target] : changed) put(target);
             for (const fs::path& target : gone) remove(target);
-        } catch (const render::OutputError& error) {
+        } catch (const OutputError& error) {
             const std::string lost = undo();
             if (lost.empty()) throw;
-            throw render::OutputError(std::string(error.what()) + " " + lost);
+            throw OutputError(std::string(error.what()) + " " + lost);
         }
     }
 
@@ -78,12 +78,12 @@ class Replacement {
     void put(const fs::path& target) {
         std::error_code error;
         // A second name, so that the target is never missing.
-        if (render::is_there(target)) fs::create_hard_link(target, backup(target), error);
+        if (is_there(target)) fs::create_hard_link(target, backup(target), error);
         if (error) fs::copy_file(target, backup(target), error);
         if (!error) fs::rename(staged(target), target, error);
         if (error)
-            throw render::OutputError(target.string() + ": it cannot be replaced (" +
-                                      error.message() + "); see that it may be written.");
+            throw OutputError(target.string() + ": it cannot be replaced (" + error.message() +
+                              "); see that it may be written.");
         done_.push_back(target);
     }
 
@@ -91,8 +91,8 @@ class Replacement {
         std::error_code error;
         fs::rename(target, backup(target), error);
         if (error)
-            throw render::OutputError(target.string() + ": it cannot be removed (" +
-                                      error.message() + "); see that its folder may be written.");
+            throw OutputError(target.string() + ": it cannot be removed (" + error.message() +
+                              "); see that its folder may be written.");
         done_.push_back(target);
     }
 
@@ -102,7 +102,7 @@ class Replacement {
         for (; !done_.empty(); done_.pop_back()) {
             const fs::path& target = done_.back();
             std::error_code error;
-            if (render::is_there(backup(target)))
+            if (is_there(backup(target)))
                 fs::rename(backup(target), target, error);
             else
                 fs::remove(target, error);

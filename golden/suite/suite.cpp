@@ -7,12 +7,12 @@
 #include <set>
 
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
 #include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/scene.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::golden {
 namespace {
@@ -34,80 +34,77 @@ constexpr std::string_view refused_arguments[] = {
     "--quiet",  "--color",    "--gl",   "--models",  "--frame", "--frames",    "--volume",
     "--test",   "--size",     "--top",  "--no-panel"};
 
-GoldenRun read_run(const scenes::JsonPlace& place) {
-    const std::optional<GoldenRun> run = golden_run_names.find(scenes::read_text(place));
+GoldenRun read_run(const JsonPlace& place) {
+    const std::optional<GoldenRun> run = golden_run_names.find(read_text(place));
     if (run) return *run;
-    scenes::refuse_value(place, "one of " + name_list(golden_run_names.names));
+    refuse_value(place, "one of " + name_list(golden_run_names.names));
 }
 
-std::string read_size(const scenes::JsonPlace& place, bool has_panel) {
+std::string read_size(const JsonPlace& place, bool has_panel) {
     const int least_width = has_panel ? 320 : 64, least_height = has_panel ? 240 : 64;
-    const std::string text = scenes::read_text(place);
+    const std::string text = read_text(place);
     int width = 0, height = 0, end = 0;
     if (std::sscanf(text.c_str(), "%4dx%4d%n", &width, &height, &end) != 2 ||
         static_cast<std::size_t>(end) != text.size() || width < least_width ||
         height < least_height || width > largest_side || height > largest_side)
-        scenes::refuse_value(place, format("WIDTHxHEIGHT in pixels from %dx%d to %dx%d",
-                                           least_width, least_height, largest_side, largest_side));
+        refuse_value(place, format("WIDTHxHEIGHT in pixels from %dx%d to %dx%d", least_width,
+                                   least_height, largest_side, largest_side));
     return text;
 }
 
-std::vector<std::string> read_scenes(const scenes::JsonPlace& place) {
-    if (!place.value->is_array()) return {scenes::read_plain_text(place)};
-    const std::size_t count = scenes::array_size(place, "a scene or two mesh files");
-    if (count < 1 || count > 2) scenes::refuse_value(place, "a scene or two mesh files");
+std::vector<std::string> read_scenes(const JsonPlace& place) {
+    if (!place.value->is_array()) return {read_plain_text(place)};
+    const std::size_t count = array_size(place, "a scene or two mesh files");
+    if (count < 1 || count > 2) refuse_value(place, "a scene or two mesh files");
     std::vector<std::string> scenes;
-    for (std::size_t i = 0; i < count; ++i)
-        scenes.push_back(scenes::read_plain_text(scenes::element(place, i)));
+    for (std::size_t i = 0; i < count; ++i) scenes.push_back(read_plain_text(element(place, i)));
     return scenes;
 }
 
-std::string read_volume(const scenes::JsonPlace& place) {
-    const std::string text = scenes::read_plain_text(place);
+std::string read_volume(const JsonPlace& place) {
+    const std::string text = read_plain_text(place);
     if (text.find(',') != std::string::npos)
-        scenes::refuse_value(place, "one volume, since a case is of one");
+        refuse_value(place, "one volume, since a case is of one");
     return text;
 }
 
-std::vector<std::string> read_arguments(const scenes::JsonPlace& place) {
+std::vector<std::string> read_arguments(const JsonPlace& place) {
     std::vector<std::string> arguments;
-    const std::size_t count = scenes::array_size(place, "a list of words of the command line");
+    const std::size_t count = array_size(place, "a list of words of the command line");
     for (std::size_t i = 0; i < count; ++i) {
-        const scenes::JsonPlace at = scenes::element(place, i);
-        const std::string word = scenes::read_plain_text(at),
-                          option = word.substr(0, word.find('='));
+        const JsonPlace at = element(place, i);
+        const std::string word = read_plain_text(at), option = word.substr(0, word.find('='));
         const bool short_output = option.starts_with("-o");  // -oout too
         if (short_output || std::find(std::begin(refused_arguments), std::end(refused_arguments),
                                       option) != std::end(refused_arguments))
-            scenes::refuse(at, word +
-                                   " is not for cases: either they have a field for it, or it says "
-                                   "where and how something is written; leave it out.");
+            refuse(at, word +
+                           " is not for cases: either they have a field for it, or it says "
+                           "where and how something is written; leave it out.");
         arguments.push_back(word);
     }
     return arguments;
 }
 
-std::vector<std::string> read_command(const scenes::JsonPlace& place) {
+std::vector<std::string> read_command(const JsonPlace& place) {
     const char* expected = "a list of a command's words, with {} in place of the recording's file";
     std::vector<std::string> words;
-    const std::size_t count = scenes::array_size(place, expected);
-    for (std::size_t i = 0; i < count; ++i)
-        words.push_back(scenes::read_plain_text(scenes::element(place, i)));
+    const std::size_t count = array_size(place, expected);
+    for (std::size_t i = 0; i < count; ++i) words.push_back(read_plain_text(element(place, i)));
     if (std::none_of(words.begin(), words.end(), [](const std::string& word) {
             return word.find(recording_here) != std::string::npos;
         }))
-        scenes::refuse_value(place, expected);
+        refuse_value(place, expected);
     return words;
 }
 
-void read_compare(const scenes::JsonPlace& place, GoldenCase& golden) {
+void read_compare(const JsonPlace& place, GoldenCase& golden) {
     const char* expected = "a list of some of counts, ids, colors";
     golden.counts = golden.ids = golden.colors = false;
-    const std::size_t count = scenes::array_size(place, expected);
-    if (count == 0) scenes::refuse_value(place, expected);
+    const std::size_t count = array_size(place, expected);
+    if (count == 0) refuse_value(place, expected);
     for (std::size_t i = 0; i < count; ++i) {
-        const scenes::JsonPlace at = scenes::element(place, i);
-        const std::string what = scenes::read_text(at);
+        const JsonPlace at = element(place, i);
+        const std::string what = read_text(at);
         if (what == "counts")
             golden.counts = true;
         else if (what == "ids")
@@ -115,83 +112,75 @@ void read_compare(const scenes::JsonPlace& place, GoldenCase& golden) {
         else if (what == "colors")
             golden.colors = true;
         else
-            scenes::refuse_value(at, "counts, ids or colors");
+            refuse_value(at, "counts, ids or colors");
     }
 }
 
-ColorTolerance read_tolerance(const scenes::JsonPlace& place) {
-    scenes::check_fields(place, {"max_channel_delta", "max_pixels"});
-    return {
-        static_cast<int>(scenes::read_integer(scenes::field(place, "max_channel_delta"), 0, 255)),
-        static_cast<std::size_t>(scenes::read_integer(scenes::field(place, "max_pixels"), 0,
-                                                      largest_side * largest_side))};
+ColorTolerance read_tolerance(const JsonPlace& place) {
+    check_fields(place, {"max_channel_delta", "max_pixels"});
+    return {static_cast<int>(read_integer(field(place, "max_channel_delta"), 0, 255)),
+            static_cast<std::size_t>(
+                read_integer(field(place, "max_pixels"), 0, largest_side * largest_side))};
 }
 
 class Reader {
   public:
     explicit Reader(const std::filesystem::path& file)
-        : json_(scenes::parse_json(scenes::read_text_file(file.string()), file.string())) {
-        const scenes::JsonPlace all{&json_, file.string(), ""};
-        scenes::check_fields(all, {"scb_golden", "presets", "cases"});
-        version_ =
-            scenes::read_integer(scenes::field(all, "scb_golden"), first_version, latest_version);
-        if (scenes::has(all, "presets")) {
-            const scenes::JsonPlace presets = scenes::field(all, "presets");
-            if (!presets.value->is_object())
-                scenes::refuse_value(presets, "an object of presets by name");
+        : json_(parse_json(read_text_file(file.string()), file.string())) {
+        const JsonPlace all{&json_, file.string(), ""};
+        check_fields(all, {"scb_golden", "presets", "cases"});
+        version_ = read_integer(field(all, "scb_golden"), first_version, latest_version);
+        if (has(all, "presets")) {
+            const JsonPlace presets = field(all, "presets");
+            if (!presets.value->is_object()) refuse_value(presets, "an object of presets by name");
             for (const auto& [name, value] : presets.value->items())
                 add_preset(name, {&value, presets.file, presets.path + "." + name});
         }
-        const scenes::JsonPlace cases = scenes::field(all, "cases");
-        const std::size_t count = scenes::array_size(cases, "a list of cases");
-        if (count == 0) scenes::refuse(cases, "there is no case to check; add one.");
+        const JsonPlace cases = field(all, "cases");
+        const std::size_t count = array_size(cases, "a list of cases");
+        if (count == 0) refuse(cases, "there is no case to check; add one.");
         suite_.file = file;
-        for (std::size_t i = 0; i < count; ++i) add(scenes::element(cases, i));
+        for (std::size_t i = 0; i < count; ++i) add(element(cases, i));
     }
 
     Suite take() { return std::move(suite_); }
 
   private:
     /// The fields that a case has, also by its presets, and their places.
-    using Given = std::map<std::string, scenes::JsonPlace>;
+    using Given = std::map<std::string, JsonPlace>;
 
-    void add_preset(const std::string& name, const scenes::JsonPlace& place) {
+    void add_preset(const std::string& name, const JsonPlace& place) {
         check_case_fields(place);
-        if (scenes::has(place, "name"))
-            scenes::refuse(place, "a preset has no name of a case; leave out `name`.");
+        if (has(place, "name")) refuse(place, "a preset has no name of a case; leave out `name`.");
         presets_[name] = place;
     }
 
-    static void check_case_fields(const scenes::JsonPlace& place) {
-        scenes::check_fields(
-            place, {"name", "preset", "note", "run", "scene", "frames", "volume", "test", "size",
-                    "panel", "arguments", "command", "compare", "tolerance"});
+    static void check_case_fields(const JsonPlace& place) {
+        check_fields(place, {"name", "preset", "note", "run", "scene", "frames", "volume", "test",
+                             "size", "panel", "arguments", "command", "compare", "tolerance"});
     }
 
-    void add(const scenes::JsonPlace& place) {
+    void add(const JsonPlace& place) {
         GoldenCase golden;
         std::set<std::string> seen;
         Given given;
         apply(place, golden, seen, given);
         for (const char* needed : {"name", "run"})
-            if (!given.contains(needed)) scenes::field(place, needed);
+            if (!given.contains(needed)) field(place, needed);
         if (given.contains("command") && given.contains("scene"))
-            scenes::refuse(place,
-                           "`command` makes the recording that is the scene; leave out `scene`.");
-        if (!given.contains("command") && !given.contains("scene")) scenes::field(place, "scene");
+            refuse(place, "`command` makes the recording that is the scene; leave out `scene`.");
+        if (!given.contains("command") && !given.contains("scene")) field(place, "scene");
         if (golden.name != scenes::file_name_of(golden.name))
-            scenes::refuse_value(
-                scenes::field(place, "name"),
+            refuse_value(
+                field(place, "name"),
                 "letters, digits, '_' and '-', beginning and ending with a letter, a digit "
                 "or '_'");
         if (golden.name.find('.') != std::string::npos)
-            scenes::refuse_value(
-                scenes::field(place, "name"),
-                "a name without '.', which parts it from the rest of its files' names");
+            refuse_value(field(place, "name"),
+                         "a name without '.', which parts it from the rest of its files' names");
         if (!names_.insert(golden.name).second)
-            scenes::refuse(
-                scenes::field(place, "name"),
-                "there is a case " + golden.name + " already; give each a name of its own.");
+            refuse(field(place, "name"),
+                   "there is a case " + golden.name + " already; give each a name of its own.");
         if (!golden.command.empty()) golden.own_scene = {golden.name + ".scbrec"};
         check_what_is_made(place, golden, given);
         set_size(golden, given);
@@ -200,40 +189,36 @@ class Reader {
     }
 
     /// Outputs that the run cannot make are not compared, and must not be requested.
-    static void check_what_is_made(const scenes::JsonPlace& place, GoldenCase& golden,
-                                   const Given& given) {
+    static void check_what_is_made(const JsonPlace& place, GoldenCase& golden, const Given& given) {
         const std::string run(golden_run_names[golden.run]);
         const bool recording =
             golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
         if (golden.run == GoldenRun::external && !recording)
-            scenes::refuse(place,
-                           "`external` is of a recording, such as engine.scbrec, or of a `command` "
-                           "that makes one; give either.");
+            refuse(place,
+                   "`external` is of a recording, such as engine.scbrec, or of a `command` "
+                   "that makes one; give either.");
         if (golden.run == GoldenRun::inspect && recording)
-            scenes::refuse(place,
+            refuse(place,
                            "`inspect` has no counts of a recording to compare; compare the "
                            "engine's counts with `external`.");
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)
-                scenes::refuse(place,
-                               "`compare` names ids, and " + run + " makes none; leave them out.");
+                refuse(place, "`compare` names ids, and " + run + " makes none; leave them out.");
             if (golden.colors && !colors)
-                scenes::refuse(
-                    place, "`compare` names colors, and " + run + " draws none; leave them out.");
+                refuse(place,
+                       "`compare` names colors, and " + run + " draws none; leave them out.");
         }
         golden.ids &= ids;
         golden.colors &= colors;
         if (given.contains("tolerance") && !golden.colors)
-            scenes::refuse(place,
-                           "there is a tolerance of colors, and none are compared; leave it out.");
+            refuse(place, "there is a tolerance of colors, and none are compared; leave it out.");
         const bool one_frame = golden.frames.find_first_not_of("0123456789") == std::string::npos;
         // A summary of `inspect` is one picture of many frames.
         if (colors && golden.run != GoldenRun::inspect && !one_frame)
-            scenes::refuse(place,
-                           "its frames are " + golden.frames +
-                               ", and a picture is of one; give one number, and each further frame "
-                               "a case of its own.");
+            refuse(place, "its frames are " + golden.frames +
+                              ", and a picture is of one; give one number, and each further frame "
+                              "a case of its own.");
     }
 
     /// The least size of a picture depends on its panel.
@@ -249,51 +234,42 @@ class Reader {
     }
 
     /// First the preset's fields, then its own, which win.
-    void apply(const scenes::JsonPlace& place, GoldenCase& golden, std::set<std::string>& seen,
+    void apply(const JsonPlace& place, GoldenCase& golden, std::set<std::string>& seen,
                Given& given) {
         check_case_fields(place);
-        if (scenes::has(place, "preset")) {
-            const scenes::JsonPlace at = scenes::field(place, "preset");
-            const std::string name = scenes::read_text(at);
+        if (has(place, "preset")) {
+            const JsonPlace at = field(place, "preset");
+            const std::string name = read_text(at);
             const auto preset = presets_.find(name);
             if (preset == presets_.end())
-                scenes::refuse(at, "there is no preset " + name + "; see `presets`.");
-            if (!seen.insert(name).second)
-                scenes::refuse(at, "the preset " + name + " inherits itself.");
+                refuse(at, "there is no preset " + name + "; see `presets`.");
+            if (!seen.insert(name).second) refuse(at, "the preset " + name + " inherits itself.");
             if (seen.size() > most_presets)
-                scenes::refuse(at, "more than " + std::to_string(most_presets) +
-                                       " presets take fields over from each other; make the chain "
-                                       "shorter.");
+                refuse(at, "more than " + std::to_string(most_presets) +
+                               " presets take fields over from each other; make the chain "
+                               "shorter.");
             apply(preset->second, golden, seen, given);
         }
         for (const auto& item : place.value->items())
-            given.insert_or_assign(item.key(), scenes::field(place, item.key().c_str()));
-        if (scenes::has(place, "name"))
-            golden.name = scenes::read_plain_text(scenes::field(place, "name"));
-        if (scenes::has(place, "note")) scenes::read_text(scenes::field(place, "note"));
-        if (scenes::has(place, "run")) golden.run = read_run(scenes::field(place, "run"));
-        if (scenes::has(place, "scene"))
-            golden.own_scene = read_scenes(scenes::field(place, "scene"));
-        if (scenes::has(place, "frames"))
-            golden.frames = scenes::read_plain_text(scenes::field(place, "frames"));
-        if (scenes::has(place, "volume"))
-            golden.volume = read_volume(scenes::field(place, "volume"));
-        if (scenes::has(place, "test"))
-            golden.test = scenes::read_plain_text(scenes::field(place, "test"));
-        if (scenes::has(place, "panel"))
-            golden.panel = scenes::read_bool(scenes::field(place, "panel"));
-        if (scenes::has(place, "arguments"))
-            golden.own_arguments = read_arguments(scenes::field(place, "arguments"));
-        if (scenes::has(place, "command"))
-            golden.command = read_command(scenes::field(place, "command"));
-        if (scenes::has(place, "compare")) read_compare(scenes::field(place, "compare"), golden);
-        if (scenes::has(place, "tolerance"))
-            golden.tolerance = read_tolerance(scenes::field(place, "tolerance"));
+            given.insert_or_assign(item.key(), field(place, item.key().c_str()));
+        if (has(place, "name")) golden.name = read_plain_text(field(place, "name"));
+        if (has(place, "note")) read_text(field(place, "note"));
+        if (has(place, "run")) golden.run = read_run(field(place, "run"));
+        if (has(place, "scene")) golden.own_scene = read_scenes(field(place, "scene"));
+        if (has(place, "frames")) golden.frames = read_plain_text(field(place, "frames"));
+        if (has(place, "volume")) golden.volume = read_volume(field(place, "volume"));
+        if (has(place, "test")) golden.test = read_plain_text(field(place, "test"));
+        if (has(place, "panel")) golden.panel = read_bool(field(place, "panel"));
+        if (has(place, "arguments"))
+            golden.own_arguments = read_arguments(field(place, "arguments"));
+        if (has(place, "command")) golden.command = read_command(field(place, "command"));
+        if (has(place, "compare")) read_compare(field(place, "compare"), golden);
+        if (has(place, "tolerance")) golden.tolerance = read_tolerance(field(place, "tolerance"));
     }
 
     nlohmann::json json_;
     std::int64_t version_ = latest_version;
-    std::map<std::string, scenes::JsonPlace> presets_;
+    std::map<std::string, JsonPlace> presets_;
     std::set<std::string> names_;
     Suite suite_;
 };
@@ -307,7 +283,7 @@ bool has_ids(GoldenRun run) {
 }
 
 Suite load_suite(const std::filesystem::path& file) {
-    scenes::note_input(file);
+    note_input(file);
     std::error_code ignored;
     if (std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found)
         throw InputError(file.string() +

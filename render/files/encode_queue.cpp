@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::render {
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/platform/work_queue.h"
 #include "render/files/image.h"
 #include "render/files/image_file.h"
-#include "render/files/work_queue.h"
 
 namespace scb::render {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/files/base64.h"
+#include "core/platform/base64.h"
 #include "render/files/image_file.h"
 #include "scb/error.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/platform/output_file.h"
 #include "render/files/animation.h"
-#include "render/files/output_file.h"
 #include "render/files/webp_file.h"
 
 namespace scb::render {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "core/platform/child_process.h"
+#include "core/platform/work_queue.h"
 #include "render/files/animation.h"
-#include "render/files/child_process.h"
-#include "render/files/work_queue.h"
 
 namespace scb::render {
 

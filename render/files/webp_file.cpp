@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::render {
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "core/platform/work_queue.h"
 #include "render/files/animation.h"
-#include "render/files/work_queue.h"
 
 struct WebPAnimEncoder;
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/text_format.h"
-#include "render/files/base64.h"
+#include "core/platform/base64.h"
 #include "render/files/image_file.h"
 #include "render/overlay/font_face.h"
 

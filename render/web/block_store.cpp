@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-#include "render/files/base64.h"
+#include "core/platform/base64.h"
 
 namespace scb::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "render/files/base64.h"
+#include "core/platform/base64.h"
 #include "render/gl/embedded.h"
 
 SCB_DECLARE_EMBEDDED(web_html)

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scb/pose.h"
 #include "scenes/meshes/mesh_folder.h"
 #include "scenes/meshes/polygon.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

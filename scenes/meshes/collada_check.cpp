@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 

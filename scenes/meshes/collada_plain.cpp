@@ -7,10 +7,10 @@
 #include <map>
 #include <vector>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/collada_check.h"
 #include "scenes/meshes/xml_reader.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

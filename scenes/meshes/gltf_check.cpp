@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/platform/json_reader.h"
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/gltf_document.h"
 #include "scenes/meshes/little_endian.h"
 #include "scenes/meshes/mesh_folder.h"
-#include "scenes/text/json_reader.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/platform/file_bytes.h"
 #include "scb/error.h"
 #include "scenes/meshes/confinement.h"
 #include "scenes/meshes/little_endian.h"
 #include "scenes/meshes/mesh_folder.h"
-#include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
 namespace {

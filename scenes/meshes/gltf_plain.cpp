@@ -8,10 +8,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/platform/json_reader.h"
 #include "scb/error.h"
 #include "scenes/meshes/gltf_check.h"
 #include "scenes/meshes/gltf_document.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::scenes {
 namespace {

@@ -21,11 +21,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/platform/input_files.h"
 #include "scb/error.h"
 #include "scenes/meshes/confinement.h"
 #include "scenes/meshes/left_out.h"
 #include "scenes/meshes/mesh_answer.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {

@@ -4,14 +4,14 @@
 #include <new>
 #include <string>
 
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/isolated_mesh.h"
 #include "scenes/meshes/obj_mesh.h"
 #include "scenes/meshes/off_mesh.h"
 #include "scenes/meshes/ply_mesh.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {

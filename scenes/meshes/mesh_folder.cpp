@@ -9,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/confinement.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 

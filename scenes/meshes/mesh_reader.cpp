@@ -13,6 +13,7 @@
 #include <span>
 
 #include "core/base/exit_status.h"
+#include "core/platform/file_bytes.h"
 #include "scb/error.h"
 #include "scenes/meshes/assimp_mesh.h"
 #include "scenes/meshes/collada_plain.h"
@@ -21,7 +22,6 @@
 #include "scenes/meshes/mesh_answer.h"
 #include "scenes/meshes/tds_check.h"
 #include "scenes/meshes/three_mf_check.h"
-#include "scenes/text/file_bytes.h"
 
 namespace scb::scenes {
 namespace {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/platform/file_window.h"
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/polygon.h"
-#include "scenes/text/file_window.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/platform/file_bytes.h"
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/polygon.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

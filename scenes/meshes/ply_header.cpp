@@ -3,8 +3,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

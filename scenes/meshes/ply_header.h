@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/text/file_window.h"
+#include "core/platform/file_window.h"
 
 namespace scb::scenes {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/text_format.h"
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/ply_header.h"
 #include "scenes/meshes/polygon.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

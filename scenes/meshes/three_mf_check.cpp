@@ -5,9 +5,9 @@
 #include <array>
 #include <memory>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
 #include "scenes/meshes/xml_reader.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

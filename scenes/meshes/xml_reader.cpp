@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/platform/tokens.h"
 #include "scb/error.h"
-#include "scenes/text/tokens.h"
 
 namespace scb::scenes {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/model/tree.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::scenes {
 

@@ -9,8 +9,8 @@
 #include "core/judge/query_contacts.h"
 #include "core/judge/test_links.h"
 #include "core/model/tree.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/number_list.h"
 
 namespace scb::scenes {
 namespace {

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/platform/input_files.h"
+#include "core/platform/number_list.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/number_list.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::scenes {
 namespace {

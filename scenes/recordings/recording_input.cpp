@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/platform/file_bytes.h"
+#include "core/platform/input_files.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_json.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
+#include "core/platform/json_reader.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_file.h"
-#include "scenes/text/json_reader.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::scenes {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "core/platform/utf8.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::scenes {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {

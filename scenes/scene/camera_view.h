@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/platform/json_reader.h"
 #include "scb/convex.h"
 #include "scb/vec.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::scenes {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/scene/scene_file.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::scenes {
 namespace {

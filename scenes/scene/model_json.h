@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/platform/json_reader.h"
 #include "scenes/scene/scene_file.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::scenes {
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/text_format.h"
+#include "core/platform/input_files.h"
 #include "scb/error.h"
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/model_json.h"
-#include "scenes/text/input_files.h"
 
 namespace scb::scenes {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/platform/input_files.h"
+#include "core/platform/json_reader.h"
 #include "scb/error.h"
-#include "scenes/text/input_files.h"
-#include "scenes/text/json_reader.h"
 
 namespace scb::scenes {
 namespace {

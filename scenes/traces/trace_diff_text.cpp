@@ -4,7 +4,7 @@
 #include <cinttypes>
 
 #include "core/base/text_format.h"
-#include "scenes/text/utf8.h"
+#include "core/platform/utf8.h"
 
 namespace scb::scenes {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/platform/file_bytes.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
-#include "scenes/text/number_list.h"
 #include "scenes/traces/byte_stream.h"
 
 namespace scb::scenes {

@@ -21,8 +21,8 @@
 #include <thread>
 
 #include "app/program.h"
-#include "render/files/output_file.h"
-#include "scenes/text/input_files.h"
+#include "core/platform/input_files.h"
+#include "core/platform/output_file.h"
 
 namespace scb::app {
 
@@ -32,7 +32,7 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
-    render::write_file_whole(path, text);
+    write_file_whole(path, text);
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -187,7 +187,7 @@ ProgramRun run_scb(const std::string& arguments, const Surroundings& surrounding
     const std::vector<std::string> words = words_of(arguments);
     const ChangedEnvironment environment(surroundings.environment);
     const ChangedFolder folder(surroundings.folder);
-    scenes::forget_inputs();
+    forget_inputs();
     ProgramRun run;
     CapturedStream out(stdout), err(stderr);
     const Descriptor nothing(::open("/dev/null", O_RDONLY));

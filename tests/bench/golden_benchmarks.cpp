@@ -6,12 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "core/platform/output_file.h"
 #include "golden/compare/id_difference.h"
 #include "golden/compare/image_difference.h"
 #include "golden/suite/file_replacement.h"
 #include "render/draw/renderer.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "render/view/fit_camera.h"
 #include "render/view/palette.h"
 #include "scb/hierarchy.h"
@@ -67,10 +67,10 @@ struct Pair {
 
     explicit Pair(const benchmark::State& state)
         : a(draw(equal)), b(draw(static_cast<Kind>(state.range(0)))) {
-        render::write_file_whole(folder / "a.png", render::encode_png(a.image));
-        render::write_file_whole(folder / "b.png", render::encode_png(b.image));
-        render::write_file_whole(folder / "a.ids.png", render::encode_png(*a.ids));
-        render::write_file_whole(folder / "b.ids.png", render::encode_png(*b.ids));
+        write_file_whole(folder / "a.png", render::encode_png(a.image));
+        write_file_whole(folder / "b.png", render::encode_png(b.image));
+        write_file_whole(folder / "a.ids.png", render::encode_png(*a.ids));
+        write_file_whole(folder / "b.ids.png", render::encode_png(*b.ids));
     }
 };
 

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/platform/output_file.h"
 #include "golden/report/html_report.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 
 namespace scb {
 namespace {
@@ -165,7 +165,7 @@ class Sample {
   private:
     std::string write(const std::string& name, const std::vector<std::uint8_t>& bytes) {
         fs::create_directories(folder_ / "pictures");
-        render::write_file_whole(folder_ / "pictures" / name, bytes);
+        write_file_whole(folder_ / "pictures" / name, bytes);
         return "pictures/" + name;
     }
 
@@ -318,16 +318,13 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     std::filesystem::create_directories(folder);
     const scb::golden::SuiteResult failing = scb::sample(folder);
-    scb::render::write_file_whole(folder / "report.html",
-                                  scb::golden::report_html(failing, folder));
+    scb::write_file_whole(folder / "report.html", scb::golden::report_html(failing, folder));
     scb::golden::SuiteResult passing = failing;
     std::erase_if(passing.cases, [](const scb::golden::CaseResult& c) {
         return scb::golden::is_failure(c.verdict);
     });
-    scb::render::write_file_whole(folder / "passing.html",
-                                  scb::golden::report_html(passing, folder));
+    scb::write_file_whole(folder / "passing.html", scb::golden::report_html(passing, folder));
     passing.incomplete = "These shards are missing: 2/2.";
-    scb::render::write_file_whole(folder / "incomplete.html",
-                                  scb::golden::report_html(passing, folder));
-    scb::render::write_file_whole(folder / "empty.html", scb::golden::report_html({}, folder));
+    scb::write_file_whole(folder / "incomplete.html", scb::golden::report_html(passing, folder));
+    scb::write_file_whole(folder / "empty.html", scb::golden::report_html({}, folder));
 }

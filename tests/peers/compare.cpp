@@ -9,8 +9,8 @@
 #include <new>
 
 #include "core/base/exit_status.h"
-#include "render/files/child_process.h"
-#include "render/files/output_file.h"
+#include "core/platform/child_process.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_group.h"
@@ -61,16 +61,16 @@ std::vector<int> frames_of(const std::string& text, const scenes::Scene& scene) 
 
 void write_files(const Options& options, std::span<const PeerKind> kinds,
                  std::span<const ComparisonGroup> groups, const std::string& tables) {
-    if (!options.json.empty()) render::write_file_whole(options.json, peer_json(kinds, groups));
+    if (!options.json.empty()) write_file_whole(options.json, peer_json(kinds, groups));
     if (options.output.empty()) return;
     const std::filesystem::path folder = options.output;
-    render::write_file_whole(folder / "peers.md", tables);
-    render::write_file_whole(folder / "peers.json", peer_json(kinds, groups));
+    write_file_whole(folder / "peers.md", tables);
+    write_file_whole(folder / "peers.json", peer_json(kinds, groups));
     if (!find_peer(kinds, baseline_name))
         return note(std::string("there is no plot: it compares with ") + baseline_name +
                     ", which does not take part.");
-    render::write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups));
-    if (render::is_on_path("gnuplot"))
+    write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups));
+    if (is_on_path("gnuplot"))
         run_gnuplot(folder, "peers.gnuplot");
     else
         note("there is no plot: gnuplot is missing; install gnuplot-nox, and run it on " +
@@ -81,8 +81,8 @@ void make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        throw render::OutputError("Cannot make the folder \"" + folder + "\": " + error.message() +
-                                  "; choose another with -o.");
+        throw OutputError("Cannot make the folder \"" + folder + "\": " + error.message() +
+                          "; choose another with -o.");
 }
 
 /// What the program ends with: whether the peers that must find the reference's pairs did.
@@ -186,7 +186,7 @@ int run(int argc, char** argv) {
     } catch (const InputError& error) {
         note(std::string("error: ") + error.what());
         return exit_bad_input;
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         note(std::string("error: ") + error.what());
         return exit_environment;
     } catch (const std::bad_alloc&) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "render/files/child_process.h"
-#include "render/files/output_file.h"
+#include "core/platform/child_process.h"
+#include "core/platform/output_file.h"
 #include "render/view/palette.h"
 #include "scb/any_hierarchy.h"
 #include "tests/peers/peer_tables.h"
@@ -216,13 +216,12 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const Compari
 }
 
 void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
-    const render::UnnamedFile output;
-    render::ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10),
-                                 folder.string());
-    const std::optional<render::ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
-    if (!end || *end != render::ProcessEnd{})
-        throw render::OutputError("gnuplot failed on " + (folder / name).string() + ": " +
-                                  gnuplot.last_line() + "; run it there to see more.");
+    const UnnamedFile output;
+    ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10), folder.string());
+    const std::optional<ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
+    if (!end || *end != ProcessEnd{})
+        throw OutputError("gnuplot failed on " + (folder / name).string() + ": " +
+                          gnuplot.last_line() + "; run it there to see more.");
 }
 
 }  // namespace scb

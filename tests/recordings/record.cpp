@@ -7,10 +7,10 @@
 #include <map>
 
 #include "core/base/exit_status.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/text/number_list.h"
 #include "tests/peers/core_mesh.h"
 #include "tests/recordings/recorded_engine.h"
 
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
         }
         const scb::scenes::Scene loaded = scb::scenes::load_scene(scene, options);
         return scb::record(engines.at(name), loaded,
-                           scb::scenes::parse_frames(frames, loaded.frames, loaded.name), output);
+                           scb::parse_frames(frames, loaded.frames, loaded.name), output);
     } catch (const scb::InputError& error) {
         std::fprintf(stderr, "scb_record_engines: %s\n", error.what());
         return scb::exit_bad_input;

@@ -15,19 +15,20 @@ using Floors = std::vector<std::vector<std::string>>;
 const Floors folders = {{"core"}, {"scenes", "render"}, {"golden"}, {"app"}};
 
 const std::map<std::string, Floors> rooms = {
-    // core/include: scb_record.h alone, which includes no header of core. The headers in
-    // core/include/scb belong to the rooms of public_headers.
+    // core/include: scb_record.h alone, which includes no other header of core. The headers in
+    // core/include/scb belong to the rooms of public_headers. core/platform: see may_include.
     {"core",
      {{"include"},
       {"base"},
       {"geometry", "volumes"},
+      {"platform"},
       {"fit", "overlap"},
       {"hierarchy"},
       {"explain", "traverse"},
       {"collide", "model"},
       {"packed", "analysis"},
       {"judge"}}},
-    {"scenes", {{"text"}, {"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},
+    {"scenes", {{"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},
     {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}, {"web"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",
@@ -102,6 +103,8 @@ bool may_include(const Place& from, const Place& to) {
         return *floor_of(folders, from.folder) > *floor_of(folders, to.folder);
     // What lies in the folder itself, app/main.cpp, may see all of it.
     if (from.room == to.room || from.room.empty()) return true;
+    // Files and processes are for the other folders: the installed library uses neither.
+    if (to.room == "platform") return false;
     const Floors& floors = rooms.at(from.folder);
     const std::optional<std::size_t> above = floor_of(floors, from.room),
                                      below = floor_of(floors, to.room);

@@ -16,8 +16,8 @@ struct SourceFile {
 ///
 /// Of the top folders, core includes none of the others, scenes and render only core, golden all
 /// but app. Inside a folder, includes go from a later line of its table to an earlier one; rooms on
-/// one line do not know each other. A public header, which belongs to a room although it lies in
-/// core/include, includes public headers only.
+/// one line do not know each other. No other room of core includes core/platform. A public header,
+/// which belongs to a room although it lies in core/include, includes public headers only.
 std::vector<std::string> broken_rules(const SourceFile& file);
 
 /// The public headers that belong to no room, and the rooms' headers that are not there.

@@ -3,18 +3,18 @@
 #include <filesystem>
 #include <system_error>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
+#include "core/platform/utf8.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
 #include "scenes/meshes/isolated_mesh.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::python {
 namespace {
 
 void raise(const char* name, const std::string& sentence) {
     // The sentence may contain a file's name, which need not be UTF-8.
-    const std::string text = scenes::as_utf8(sentence);
+    const std::string text = as_utf8(sentence);
     const py::object type = py::module_::import("scb.errors").attr(name);
     PyErr_SetObject(type.ptr(), py::str(text).ptr());
 }
@@ -24,7 +24,7 @@ void translate(std::exception_ptr thrown) {
         if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& error) {
         raise("InputError", error.what());
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         raise("OutputError", error.what());
     } catch (const render::GlError& error) {
         raise("GlError", error.what());

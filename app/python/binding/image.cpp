@@ -2,8 +2,8 @@
 
 #include "app/python/binding/arrays.h"
 #include "app/python/binding/source.h"
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 
 namespace scb::python {
 namespace {
@@ -36,7 +36,7 @@ void add_image(py::module_& module) {
         .def(
             "save",
             [](const SharedImage& i, const py::object& path) {
-                render::write_file_whole(file_of(path), encoded(i));
+                write_file_whole(file_of(path), encoded(i));
             },
             py::arg("path"),
             "Write a PNG file, whole or not at all. Raises OutputError where that fails.")

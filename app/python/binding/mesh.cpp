@@ -5,8 +5,8 @@
 
 #include "app/python/binding/arrays.h"
 #include "app/python/binding/source.h"
+#include "core/platform/utf8.h"
 #include "scenes/meshes/mesh_file.h"
-#include "scenes/text/utf8.h"
 
 namespace scb::python {
 namespace {
@@ -43,7 +43,7 @@ SharedMesh mesh_of(const py::object& vertices, const py::object& triangles,
 SharedMesh read_mesh(const py::object& path) {
     const std::filesystem::path file = file_of(path);
     const py::gil_scoped_release unlocked;
-    return {std::make_shared<Mesh>(scenes::load_mesh(file)), scenes::as_utf8(file.stem().string())};
+    return {std::make_shared<Mesh>(scenes::load_mesh(file)), as_utf8(file.stem().string())};
 }
 
 py::array vertices_of(const SharedMesh& m) {

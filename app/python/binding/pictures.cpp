@@ -164,7 +164,7 @@ Raises InputError; GlError or DrawError where OpenGL cannot draw. One picture is
             options.scene = source_of(source);
             options.hierarchy = hierarchy_options(volume, split, growth, margin);
             options.query = query_options(test, threshold, descent, bodies,
-                                          frame ? frame_text(frame) : scenes::auto_frames);
+                                          frame ? frame_text(frame) : auto_frames);
             options.picture = picture_options(size, samples, background, panel, gl);
             options.camera = camera_options(camera, orthographic, up);
             return draw_pairs(options, leaves, recorded);

@@ -6,7 +6,7 @@
 #include "app/python/binding/source.h"
 #include "app/python/binding/view.h"
 #include "core/base/text_format.h"
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 
 namespace scb::python {
 namespace {
@@ -77,7 +77,7 @@ void add_view(py::module_& module) {
         .def(
             "save",
             [](const Page& p, const py::object& path) {
-                render::write_file_whole(file_of(path), std::string_view(p.html));
+                write_file_whole(file_of(path), std::string_view(p.html));
             },
             py::arg("path"),
             "Write the page, whole or not at all. Raises OutputError where that fails.")

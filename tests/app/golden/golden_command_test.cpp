@@ -1,8 +1,8 @@
 #include "tests/app/golden/golden_command.h"
 
 #include <nlohmann/json.hpp>
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 
 namespace scb::app {
 namespace {
@@ -32,7 +32,7 @@ TEST_F(GoldenCommand, FindsOnePixelThatIsOffByOne) {
     render::Rgba8 color = render::pixel(image, 123, 45);
     color.g = static_cast<std::uint8_t>(color.g ^ 1);
     render::set_pixel(image, 123, 45, color);
-    render::write_file_whole(baseline("rejections.png"), render::encode_png(image));
+    write_file_whole(baseline("rejections.png"), render::encode_png(image));
     EXPECT_EQ(check().status, 1);
     const json found = result("rejections");
     EXPECT_EQ(found["verdict"], "different");
@@ -106,7 +106,7 @@ TEST_F(GoldenCommand, ToldApartAreMissingNewBrokenAndOfAnotherSize) {
     small.width = 160;
     small.height = 120;
     small.rgba.assign(4 * 160 * 120, 255);
-    render::write_file_whole(baseline("inspect.png"), render::encode_png(small));
+    write_file_whole(baseline("inspect.png"), render::encode_png(small));
     const auto before = baselines();
     const ProgramRun run = check("--junit " + (folder / "junit.xml"));
     EXPECT_EQ(run.status, 1);

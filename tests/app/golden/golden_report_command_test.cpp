@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -375,7 +375,7 @@ TEST_F(GoldenReport, SaysWhatPassesOnlyWithinATolerance) {
     render::Rgba8 color = render::pixel(image, 12, 34);
     color.g = static_cast<std::uint8_t>(color.g ^ 1);
     render::set_pixel(image, 12, 34, color);
-    render::write_file_whole(baseline("levels.png"), render::encode_png(image));
+    write_file_whole(baseline("levels.png"), render::encode_png(image));
     change_suite("/presets/small/tolerance", {{"max_channel_delta", 1}, {"max_pixels", 0}}, {});
     const ProgramRun ended = check();
     EXPECT_EQ(ended.status, 0);

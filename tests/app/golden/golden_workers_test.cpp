@@ -103,7 +103,7 @@ TEST_F(GoldenWorkers, AreOneForAllCasesOfAJob) {
 TEST_F(GoldenWorkers, EndWithACommandThatHangs) {
     golden::CommandWorkers workers;
     const std::vector<std::string> hang = {"collide", endless, "--frames", "all"};
-    EXPECT_EQ(workers.run(check.settings, {"--version"}).end, (render::ProcessEnd{false, 0}));
+    EXPECT_EQ(workers.run(check.settings, {"--version"}).end, (ProcessEnd{false, 0}));
     golden::GoldenRunSettings impatient = check.settings;
     impatient.patience = std::chrono::seconds(1);
     const golden::CommandEnd late = workers.run(impatient, hang);
@@ -115,7 +115,7 @@ TEST_F(GoldenWorkers, EndWithACommandThatHangs) {
     EXPECT_TRUE(workers.run(stopped, hang).stopped);
     EXPECT_EQ(children(), std::vector<pid_t>());
     const golden::CommandEnd next = workers.run(check.settings, {"--version"});
-    EXPECT_EQ(next.end, (render::ProcessEnd{false, 0}));
+    EXPECT_EQ(next.end, (ProcessEnd{false, 0}));
     EXPECT_NE(next.printed, "");
 }
 
@@ -124,7 +124,7 @@ TEST_F(GoldenWorkers, GiveACommandNothingOfTheOneBefore) {
     EXPECT_EQ(workers.run(check.settings, {"collide", "nowhere.json"}).last_line,
               "scb: error: nowhere.json: there is no such file; check the path.");
     const golden::CommandEnd next = workers.run(check.settings, {"scenes"});
-    EXPECT_EQ(next.end, (render::ProcessEnd{false, 0}));
+    EXPECT_EQ(next.end, (ProcessEnd{false, 0}));
     EXPECT_EQ(next.printed, run_scb("scenes").out);
     EXPECT_EQ(next.last_line, lines(next.printed).back());  // no error
 }

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/files/base64.h"
+#include "core/platform/base64.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -56,8 +56,8 @@ TEST(PictureCopies, AreShownInTheTerminal) {
     const std::string name = nlohmann::json::parse(
         file_text(std::filesystem::path(folder / "out") / "index.json"))["files"][0]["file"];
     const std::string png = file_text(std::filesystem::path(folder / "out") / name),
-                      base64 = render::base64(
-                          {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+                      base64 =
+                          base64({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
     EXPECT_NE(iterm.out.find("\033]1337;File=inline=1;preserveAspectRatio=1:" + base64 + "\a"),
               std::string::npos);
     // In parts of at most 4096 characters. The last part has the mark of the end.

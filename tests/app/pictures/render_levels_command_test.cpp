@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "tests/app/program.h"
 #include "tests/png_chunks.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "render/files/child_process.h"
+#include "core/platform/child_process.h"
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 
@@ -28,7 +28,7 @@ struct RenderVideo : testing::Test {
     std::string out = folder / "out", file = out + "/v.mp4";
 
     void SetUp() override {
-        if (!render::is_on_path("ffmpeg") || !render::is_on_path("ffprobe"))
+        if (!is_on_path("ffmpeg") || !is_on_path("ffprobe"))
             GTEST_SKIP() << "the package ffmpeg is not installed";
     }
     json index_of(const std::string& arguments) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/files/child_process.h"
+#include "core/platform/child_process.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -48,14 +48,14 @@ std::string complaints(const std::string& program) {
 }
 
 TEST(ManPage, RoffHasNoComplaint) {
-    if (!render::is_on_path("groff"))
+    if (!is_on_path("groff"))
         GTEST_SKIP() << "groff is not installed; install groff-base to check the manual pages.";
     EXPECT_EQ(complaints("groff -ww -man -Tutf8 -z $page"), "");
     EXPECT_EQ(complaints("groff -ww -man -Tutf8 -rLL=60n -z $page"), "");
 }
 
 TEST(ManPage, MandocHasNoComplaint) {
-    if (!render::is_on_path("mandoc"))
+    if (!is_on_path("mandoc"))
         GTEST_SKIP() << "mandoc is not installed; install it to check the manual pages.";
     // Pages have no date, so that they are the same whenever they are made.
     EXPECT_EQ(complaints("mandoc -T lint -W warning $page | grep -v 'missing date' || true"), "");

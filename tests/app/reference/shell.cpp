@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "render/files/child_process.h"
+#include "core/platform/child_process.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -64,7 +64,7 @@ std::set<std::string> words_of_line(const std::string& line, std::size_t from) {
 
 }  // namespace
 
-bool Shell::is_installed(const std::string& name) { return render::is_on_path(name); }
+bool Shell::is_installed(const std::string& name) { return is_on_path(name); }
 
 Shell::Shell(const std::string& name, const std::string& folder) : name_(name), folder_(folder) {
     std::filesystem::create_directory(own_.path / "bin");

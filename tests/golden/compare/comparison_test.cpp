@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/platform/file_bytes.h"
+#include "core/platform/output_file.h"
 #include "golden/suite/baseline.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "render/overlay/figure_layout.h"
-#include "scenes/text/file_bytes.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::golden {
@@ -35,16 +35,15 @@ class CaseComparison : public testing::Test {
         golden.name = "case";
         for (const TemporaryFolder* folder : {&baselines, &candidates}) {
             folder->write("case.counts.json", R"({"frames": {"0": {"n_v": 5, "pairs": 2}}})");
-            render::write_file_whole(folder->path / "case.ids.png",
-                                     render::encode_png(id_picture(8, 6)));
-            render::write_file_whole(folder->path / "case.png", render::encode_png(picture(8, 6)));
+            write_file_whole(folder->path / "case.ids.png", render::encode_png(id_picture(8, 6)));
+            write_file_whole(folder->path / "case.png", render::encode_png(picture(8, 6)));
         }
     }
     CaseResult compare() const {
         return compare_case(golden, {baselines.path, candidates.path, report.path});
     }
     void draw(const TemporaryFolder& folder, const char* name, const render::Image& image) const {
-        render::write_file_whole(folder.path / name, render::encode_png(image));
+        write_file_whole(folder.path / name, render::encode_png(image));
     }
     void expect_said(const CaseResult& result, const std::string& words) const {
         EXPECT_NE(result.message.find(words), std::string::npos) << result.message;
@@ -67,8 +66,7 @@ TEST_F(CaseComparison, FindsNothingWhereNothingDiffers) {
 
 TEST_F(CaseComparison, SaysWhatDiffersInEach) {
     candidates.write("case.counts.json", R"({"frames": {"0": {"n_v": 6, "pairs": 2}}})");
-    render::write_file_whole(candidates.path / "case.ids.png",
-                             render::encode_png(id_picture(8, 6, 9)));
+    write_file_whole(candidates.path / "case.ids.png", render::encode_png(id_picture(8, 6, 9)));
     draw(candidates, "case.png", picture(8, 6, 101));
     const CaseResult result = compare();
     EXPECT_EQ(result.verdict, Verdict::different);

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::golden {
@@ -18,10 +18,10 @@ class HtmlReport : public testing::Test {
         failed.message = "These differ: 2 counts.";
         failed.lines = {"12 pairs only in the baseline."};
         render::Image image{4, 3, std::vector<std::uint8_t>(48, 255)};
-        render::write_file_whole(folder.path / "before.png", render::encode_png(image));
+        write_file_whole(folder.path / "before.png", render::encode_png(image));
         for (const int x : {0, 3})
             render::set_pixel(image, x, 1, {static_cast<std::uint8_t>(100 * x), 0, 0, 255});
-        render::write_file_whole(folder.path / "after.png", render::encode_png(image));
+        write_file_whole(folder.path / "after.png", render::encode_png(image));
         failed.picture = {"before.png", "after.png", ""};
         failed.colors.emplace();
         failed.colors->box = {0, 1, 4, 2};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/files/output_file.h"
+#include "core/platform/output_file.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::golden {
@@ -17,7 +17,7 @@ TEST(BaselineLock, IsOnesAtATime) {
         try {
             const BaselineLock second(baselines);
             FAIL();
-        } catch (const render::OutputError& error) {
+        } catch (const OutputError& error) {
             EXPECT_NE(std::string(error.what()).find("another update"), std::string::npos);
         }
         EXPECT_TRUE(BaselineLock(folder.path).held());
@@ -29,7 +29,7 @@ TEST(BaselineLock, IsOnesAtATime) {
 
 TEST(BaselineLock, NeedsAFolder) {
     const TemporaryFolder folder;
-    EXPECT_THROW(BaselineLock(folder.write("file", "")), render::OutputError);
+    EXPECT_THROW(BaselineLock(folder.write("file", "")), OutputError);
 }
 
 }  // namespace

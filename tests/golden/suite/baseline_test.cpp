@@ -4,8 +4,8 @@
 
 #include <map>
 
-#include "render/files/output_file.h"
-#include "scenes/text/file_bytes.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/output_file.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::golden {
@@ -36,7 +36,7 @@ class Baseline : public testing::Test {
         std::map<std::string, std::string> files;
         for (const fs::directory_entry& entry : fs::directory_iterator(baselines.path))
             files[entry.path().filename().string()] =
-                entry.is_directory() ? "a folder" : scenes::file_bytes(entry.path().string());
+                entry.is_directory() ? "a folder" : file_bytes(entry.path().string());
         return files;
     }
 
@@ -94,7 +94,7 @@ TEST_F(Baseline, ThatCannotBeReplacedStaysWhole) {
     candidates.write("case.ids.png", "new ids");
     candidates.write("case.meta.json", "new meta");
     const auto before = files();
-    EXPECT_THROW(replace(), render::OutputError);
+    EXPECT_THROW(replace(), OutputError);
     EXPECT_EQ(files(), before);
     EXPECT_TRUE(fs::exists(baselines.path / "case.png" / "inside"));
 }

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "render/files/output_file.h"
-#include "scenes/text/file_bytes.h"
+#include "core/platform/file_bytes.h"
+#include "core/platform/output_file.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::golden {
@@ -18,7 +18,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         files[entry.path().lexically_relative(folder).string()] =
-            entry.is_directory() ? "a folder" : scenes::file_bytes(entry.path().string());
+            entry.is_directory() ? "a folder" : file_bytes(entry.path().string());
     return files;
 }
 
@@ -52,7 +52,7 @@ TEST_F(FileReplacement, ThatFailsHalfWayChangesNothing) {
         replace_files(folder.path, {change("a"), change("c"), change("d"), change("b")},
                       {folder.path / "gone"});
         FAIL();
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         EXPECT_NE(std::string(error.what()).find("d: it cannot be replaced"), std::string::npos)
             << error.what();
     }
@@ -65,7 +65,7 @@ TEST_F(FileReplacement, ThatCannotRemoveChangesNothing) {
         replace_files(folder.path, {change("a"), change("c")},
                       {folder.path / "gone", folder.path / "not there"});
         FAIL();
-    } catch (const render::OutputError& error) {
+    } catch (const OutputError& error) {
         EXPECT_NE(std::string(error.what()).find("not there: it cannot be removed"),
                   std::string::npos)
             << error.what();

@@ -1,7 +1,5 @@
 #include "render/files/image_file.h"
-#include "render/files/output_file.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -10,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +15,7 @@
 #include <string>
 #include <thread>
 
+#include "core/platform/output_file.h"
 #include "render/files/encode_queue.h"
 #include "scb/error.h"
 #include "tests/png_chunks.h"
@@ -188,106 +186,6 @@ TEST_F(ImageFile, OfAnotherDepthIsRefused) {
         EXPECT_NE(std::string(error.what()).find("has 16 bits a channel"), std::string::npos)
             << error.what();
     }
-}
-
-TEST_F(ImageFile, AFileIsReplacedWhole) {
-    const std::vector<std::uint8_t> first(1000, 1), second(10, 2);
-    write_file_whole(folder / "file", first);
-    write_file_whole(folder / "file", second);
-    EXPECT_EQ(fs::file_size(folder / "file"), 10u);
-    EXPECT_EQ(file_count(), 1);
-}
-
-TEST_F(ImageFile, AFailureNamesTheFileAndLeavesNothingBehind) {
-    const std::vector<std::uint8_t> bytes(100, 1);
-    std::ofstream(folder / "file") << "kept";
-    fs::create_directory(folder / "folder");
-    std::ofstream(folder / "folder" / "inside") << "kept";
-    for (const fs::path& path :
-         {folder / "missing" / "picture.png", folder / "file" / "picture.png", folder / "folder"}) {
-        try {
-            write_file_whole(path, bytes);
-            ADD_FAILURE() << path;
-        } catch (const OutputError& error) {
-            EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos)
-                << error.what();
-        }
-    }
-    EXPECT_EQ(file_count(), 2);
-    EXPECT_EQ(fs::file_size(folder / "file"), 4u);
-}
-
-TEST_F(ImageFile, AFullDiskIsReported) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    try {
-        write_file_whole("/dev/full", std::vector<std::uint8_t>(100, 1));
-        ADD_FAILURE();
-    } catch (const OutputError& error) {
-        EXPECT_NE(std::string(error.what()).find("make room"), std::string::npos) << error.what();
-    }
-    EXPECT_TRUE(fs::exists("/dev/full"));
-}
-
-TEST_F(ImageFile, AFileHasThePermissionsOfTheOneBeforeOrOfAnyNewFile) {
-    const mode_t before = ::umask(027);
-    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
-    ::umask(before);
-    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0640});
-    fs::permissions(folder / "file", fs::perms{0600});
-    write_file_whole(folder / "file", "other");
-    EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms{0600});
-}
-
-TEST_F(ImageFile, ALinkStaysAndWhatItLeadsToIsReplaced) {
-    std::ofstream(folder / "file") << "replaced";
-    fs::create_symlink("file", folder / "link");
-    write_file_whole(folder / "link", "new");
-    EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_EQ(fs::file_size(folder / "file"), 3u);
-    EXPECT_EQ(file_count(), 2);
-}
-
-TEST_F(ImageFile, NamesMayBeAsLongAsNamesCan) {
-    write_file_whole(folder / std::string(250, 'x'), "text");
-    EXPECT_EQ(file_count(), 1);
-}
-
-// While a file is written it has no name, so that nothing can leave a part of it behind.
-TEST_F(ImageFile, AnUnfinishedFileHasNoName) {
-    const int probe = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
-    if (probe < 0) GTEST_SKIP() << "this file system has no files without a name";
-    ::close(probe);
-    const auto interrupted = [&] {
-        const rlimit most = {4096, 4096};
-        ::setrlimit(RLIMIT_FSIZE, &most);  // the signal comes in the middle of the write
-        std::signal(SIGXFSZ, SIG_DFL);
-        write_file_whole(folder / "file", std::vector<std::uint8_t>(10000, 1));
-    };
-    EXPECT_EXIT(interrupted(), testing::KilledBySignal(SIGXFSZ), "");
-    EXPECT_EQ(file_count(), 0);
-}
-
-TEST_F(ImageFile, NoOtherFileIsTouched) {
-    const fs::path other = folder / ("file.part-" + std::to_string(::getpid()));
-    std::ofstream(other) << "kept";
-    write_file_whole(folder / "file", std::vector<std::uint8_t>(10, 1));
-    EXPECT_EQ(file_count(), 2);
-    EXPECT_EQ(fs::file_size(other), 4u);
-}
-
-TEST_F(ImageFile, ThreadsMayWriteOnePath) {
-    const auto write = [&](std::uint8_t value) {
-        const std::vector<std::uint8_t> bytes(100000, value);
-        for (int i = 0; i < 100; ++i) EXPECT_NO_THROW(write_file_whole(folder / "file", bytes));
-    };
-    std::thread other(write, 1);
-    write(2);
-    other.join();
-    std::ifstream file(folder / "file", std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(file), {});
-    ASSERT_EQ(bytes.size(), 100000u);
-    EXPECT_EQ(bytes.find_first_not_of(bytes[0]), std::string::npos);
-    EXPECT_EQ(file_count(), 1);
 }
 
 TEST_F(ImageFile, TheQueueWritesEverything) {

@@ -11,8 +11,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "render/files/output_file.h"
-#include "tests/render/files/children.h"
+#include "core/platform/output_file.h"
+#include "tests/core/platform/children.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::render {

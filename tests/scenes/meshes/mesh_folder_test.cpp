@@ -2,8 +2,8 @@
 
 #include <sys/stat.h>
 
+#include "core/platform/input_files.h"
 #include "scenes/meshes/mesh_file.h"
-#include "scenes/text/input_files.h"
 #include "tests/scenes/support.h"
 
 namespace scb::scenes {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <thread>
 
+#include "core/platform/file_bytes.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
 #include "tests/scenes/recordings/record_everything.h"
 #include "tests/scenes/recordings/sample_records.h"
 #include "tests/temporary_folder.h"

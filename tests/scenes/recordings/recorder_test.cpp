@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scenes/text/file_bytes.h"
+#include "core/platform/file_bytes.h"
 #include "tests/scenes/recordings/record_everything.h"
 #include "tests/scenes/recordings/sample_records.h"
 #include "tests/temporary_folder.h"

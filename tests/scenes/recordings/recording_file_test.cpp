@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "core/platform/file_bytes.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
 #include "tests/scenes/recordings/record_everything.h"
 #include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/sample_records.h"

@@ -4,9 +4,11 @@
 
 #include <filesystem>
 
+#include "core/platform/file_bytes.h"
 #include "scb/error.h"
-#include "scenes/text/file_bytes.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/traces/byte_stream.h"
+#include "tests/open_file_limit.h"
 #include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/sample_records.h"
 
@@ -166,6 +168,15 @@ TEST(RecordingJson, NamesTheLineThatItRefuses) {
         const std::string sentence = refusal_of_text(text);
         EXPECT_TRUE(sentence.starts_with("x.jsonl: line 1")) << text << ": " << sentence;
     }
+}
+
+TEST(RecordingJson, ThatCannotBeOpenedSaysWhy) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.jsonl", "{\"end\": true}");
+    EXPECT_EQ(refusal_without_files([&] { recording_bytes(file); }),
+              file +
+                  ": cannot be opened (Too many open files); raise the limit of open files (ulimit "
+                  "-n).");
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recorded_bodies.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/text/number_list.h"
 #include "tests/scenes/recordings/sample_records.h"
 #include "tests/scenes/recordings/small_records.h"
 #include "tests/temporary_folder.h"
