@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/platform/process.h"
 #include "core/platform/unnamed_file.h"
 
 namespace scb {
@@ -17,16 +16,8 @@ namespace scb {
 /// Whether PATH has a program of that name.
 bool is_on_path(const std::string& program);
 
-/// How a program ended: with an exit status, or by a signal; `code` is its number.
-struct ProcessEnd {
-    bool by_signal = false;
-    int code = 0;
-
-    bool operator==(const ProcessEnd&) const = default;
-};
-
-/// Another program, which receives bytes through its standard input. It has a process group of its
-/// own, so that Ctrl-C does not reach it, and inherits no files except those named here.
+/// Another program, which receives bytes through its standard input. It has the session and
+/// the signals of start_process, and inherits no files except those named here.
 class ChildProcess {
   public:
     /// The path of `output` for the program.
@@ -87,8 +78,8 @@ class ChildProcess {
     std::optional<ProcessEnd> end_of(const std::function<bool()>& is_over, bool kill_it);
 
     UnnamedFile output_, errors_;
-    int input_ = -1;  ///< one of two sockets: unlike pipes, these can avoid SIGPIPE
-    pid_t id_ = -1;   ///< -1 after it was waited for
+    Descriptor input_;  ///< one of two sockets: unlike pipes, these can avoid SIGPIPE
+    pid_t id_ = -1;     ///< -1 after it was waited for
 };
 
 }  // namespace scb
