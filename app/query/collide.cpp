@@ -60,28 +60,13 @@ struct Sums {
     }
 };
 
-std::string csv_header(const std::vector<Stage>& stages) {
-    std::string line = "frame,pairs,n_v,n_p,n_u,depth,complete";
-    for (const Stage stage : stages) line += "," + std::string(stage_name(stage));
-    return line + "\n";
-}
-
-std::string csv_row(int frame, const Collision& c, const std::vector<Stage>& stages) {
-    const auto wide = [](std::uint64_t value) -> unsigned long long { return value; };
-    std::string line = format("%d,%zu,%llu,%llu,%llu,%d,%d", frame, c.pairs.size(), wide(c.n_v),
-                              wide(c.n_p), wide(c.n_u), c.depth, c.complete ? 1 : 0);
+std::vector<Cell> mean_cells(const Sums& sums, const std::vector<Stage>& stages) {
+    const auto mean = [&](std::uint64_t sum) { return Cell(sums.mean(sum), "%.1f"); };
+    std::vector<Cell> cells = {
+        "mean", mean(sums.pairs), mean(sums.n_v), mean(sums.n_p), mean(sums.n_u), {}, {}};
     for (const Stage stage : stages)
-        line += format(",%llu", wide(c.stages[static_cast<std::size_t>(stage)]));
-    return line + "\n";
-}
-
-std::string mean_row(const Sums& sums, const std::vector<Stage>& stages) {
-    std::string line = format(" mean %8.1f %9.1f %9.1f %9.1f       ", sums.mean(sums.pairs),
-                              sums.mean(sums.n_v), sums.mean(sums.n_p), sums.mean(sums.n_u));
-    for (const Stage stage : stages)
-        line += format("%*.1f", stage_column_width(stage),
-                       sums.mean(sums.stages[static_cast<std::size_t>(stage)]));
-    return line + "\n";
+        cells.push_back(mean(sums.stages[static_cast<std::size_t>(stage)]));
+    return cells;
 }
 
 bool is_of_many(const SceneQuery& query) { return query.pairs.size() > 1; }
@@ -202,21 +187,7 @@ struct RecordedCounts {
         : pairs(results.reported), wrong(results.wrong), grazing(results.grazing) {
         if (knows_missed) missed = results.missed;
     }
-    std::string missed_text() const { return missed ? std::to_string(*missed) : "-"; }
 };
-
-constexpr const char* recorded_header = " recorded   missed    false";
-
-std::string recorded_row(const RecordedCounts& counts) {
-    return format("%9llu %8s %8llu", wide(counts.pairs), counts.missed_text().c_str(),
-                  wide(counts.wrong));
-}
-
-/// Adds columns to the row, before "  stopped".
-std::string with_columns(std::string row, const std::string& columns) {
-    const std::size_t stopped = row.rfind("  stopped\n");
-    return row.insert(stopped != std::string::npos ? stopped : row.rfind('\n'), columns);
-}
 
 /// Output of the command, frame by frame: a table, CSV or JSON, and the pairs of triangles. If the
 /// scene has several pairs of bodies, each row or query names its bodies.
@@ -237,17 +208,17 @@ class CollideReport {
             query.choose(pair);
             inside_.emplace_back(query);
         }
-        const bool is_table = !options.json && !options.csv;
-        // The sixteen stages of boxes are too many for a table.
-        if (is_table && stages_.size() > 8) stages_.clear();
-        if (options.csv)
-            text_ = csv_header(stages_);
-        else if (is_table)
-            text_ = title_of(options, query) + count_table_header(stages_);
-        if (recorded && !options.json)
-            text_ = with_columns(text_, options.csv ? ",recorded,missed,false" : recorded_header);
-        if (is_of_many(query) && !options.json)
-            text_ = with_columns(text_, options.csv ? ",body_a,body_b" : "  bodies");
+        if (!options.json && !options.csv && stages_.size() > most_stage_columns) stages_.clear();
+        std::vector<Column> columns = count_columns(stages_);
+        if (recorded)
+            for (const char* name : {"recorded", "missed", "false"})
+                columns.push_back({name, name, 9});
+        if (is_of_many(query)) {
+            columns.push_back({"", "body_a"});
+            columns.push_back({"", "body_b"});
+            columns.push_back({"bodies", "", 0, Align::left, 2});
+        }
+        table_ = Table(std::move(columns));
     }
 
     /// Makes the queries of a frame.
@@ -274,8 +245,9 @@ class CollideReport {
             if (!not_closed.empty()) json["not_closed"] = not_closed;
             return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
         }
-        if (options_.csv) return text_;
-        return text_ + (sums_.frames > 1 ? mean_row(sums_, stages_) : "") + recorded_words() +
+        if (options_.csv) return table_.csv_header() + table_.csv_rows();
+        if (sums_.frames > 1) table_.add(mean_cells(sums_, stages_));
+        return title_of(options_, query_) + table_.text() + recorded_words() +
                (is_of_many(query_) ? many_words() : apart_words());
     }
 
@@ -296,7 +268,7 @@ class CollideReport {
         if (options_.json)
             add_json(frame, found, there);
         else
-            text_ += row(frame, found, there);
+            add_row(frame, found, there);
         if (!options_.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)
                 pairs_ += format("%d,", frame) +
@@ -324,19 +296,19 @@ class CollideReport {
                 {"within_rounding", there->grazing}};
     }
 
-    std::string row(int frame, const Collision& found,
-                    const std::optional<RecordedCounts>& there) const {
-        const std::string row =
-            options_.csv ? csv_row(frame, found, stages_) : count_table_row(frame, found, stages_);
-        if (is_of_many(query_))
-            return with_columns(row, options_.csv ? "," + csv_field(name_of(query_, query_.a)) +
-                                                        "," + csv_field(name_of(query_, query_.b))
-                                                  : "  " + pair_words(query_));
-        if (!there) return row;
-        return with_columns(row, options_.csv
-                                     ? format(",%llu,%s,%llu", wide(there->pairs),
-                                              there->missed_text().c_str(), wide(there->wrong))
-                                     : recorded_row(*there));
+    void add_row(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
+        std::vector<Cell> cells = count_cells(frame, found, stages_);
+        if (there) {
+            cells.emplace_back(there->pairs);
+            cells.push_back(there->missed ? Cell(*there->missed) : Cell("-"));
+            cells.emplace_back(there->wrong);
+        }
+        if (is_of_many(query_)) {
+            cells.emplace_back(name_of(query_, query_.a));
+            cells.emplace_back(name_of(query_, query_.b));
+            cells.emplace_back(pair_words(query_));
+        }
+        table_.add(std::move(cells), count_note(found));
     }
 
     /// Explains the columns of the recording.
@@ -387,7 +359,8 @@ class CollideReport {
     scenes::RecordedTrace* recorded_;
     std::vector<Stage> stages_;
     Sums sums_;
-    std::string text_, pairs_;
+    Table table_;
+    std::string pairs_;
     Json json_frames_ = Json::array(), json_inside_ = Json::array();
     std::uint64_t grazing_ = 0;        ///< recorded pairs within the tolerance
     std::deque<InsideReport> inside_;  ///< per pair of bodies

@@ -16,22 +16,42 @@ std::uint64_t tests_at(const Collision& found, Stage stage) {
     return found.stages[static_cast<std::size_t>(stage)];
 }
 
-/// The sixteen stages of boxes are too many for a table.
-constexpr std::size_t most_columns = 8;
+using StageTests = std::vector<std::pair<std::string, std::uint64_t>>;
 
-int column_width(const std::string& name) { return std::max(9, static_cast<int>(name.size()) + 1); }
-
-std::string header_line(const std::vector<std::string>& stages) {
-    std::string line = "frame    pairs       N_v       N_p       N_u depth ";
-    for (const std::string& name : stages) line += format("%*s", column_width(name), name.c_str());
-    return line + "\n";
+StageTests stage_tests(const Collision& found, const std::vector<Stage>& stages) {
+    StageTests tests;
+    for (const Stage stage : stages) tests.emplace_back(stage_name(stage), tests_at(found, stage));
+    return tests;
 }
 
-std::string end_of_row(const Collision& c) { return c.complete ? "\n" : "  stopped\n"; }
+/// The tests by stage of a frame of a trace.
+StageTests stage_tests(const TraceHeader& header, const TraceFrame& frame) {
+    if (header.engine) return tests_by_stage(header, frame);
+    return stage_tests(frame.found, counted_stages(header.volume, header.options.overlap));
+}
 
-std::vector<Stage> table_stages(const TraceHeader& header) {
-    std::vector<Stage> stages = counted_stages(header.volume, header.options.overlap);
-    if (stages.size() > most_columns) stages.clear();
+std::vector<Column> columns_of(const StageTests& stages) {
+    std::vector<Column> columns = {
+        {"frame", "frame", 5}, {"pairs", "pairs", 9},  {"N_v", "n_v", 10}, {"N_p", "n_p", 10},
+        {"N_u", "n_u", 10},    {"depth ", "depth", 7}, {"", "complete"}};
+    for (const auto& [name, count] : stages)
+        columns.push_back({name, name, std::max<std::size_t>(9, name.size() + 1)});
+    return columns;
+}
+
+/// `n_u`: other engines have none.
+std::vector<Cell> cells_of(int frame, const Collision& c, Cell n_u, const StageTests& stages) {
+    std::vector<Cell> cells = {frame, c.pairs.size(), c.n_v, c.n_p, std::move(n_u)};
+    cells.push_back({c.depth, std::to_string(c.depth) + " "});
+    cells.emplace_back(c.complete);
+    for (const auto& [name, count] : stages) cells.emplace_back(count);
+    return cells;
+}
+
+/// The stages of a table of a trace.
+StageTests table_stages(const TraceHeader& header, const TraceFrame& frame) {
+    StageTests stages = stage_tests(header, frame);
+    if (stages.size() > most_stage_columns) stages.clear();
     return stages;
 }
 
@@ -43,47 +63,27 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
     return stages;
 }
 
-int stage_column_width(Stage stage) { return column_width(std::string(stage_name(stage))); }
-
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",:\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
+std::vector<Column> count_columns(const std::vector<Stage>& stages) {
+    return columns_of(stage_tests({}, stages));
 }
 
-std::string count_table_header(const std::vector<Stage>& stages) {
-    std::vector<std::string> names;
-    for (const Stage stage : stages) names.emplace_back(stage_name(stage));
-    return header_line(names);
+std::vector<Cell> count_cells(int frame, const Collision& c, const std::vector<Stage>& stages) {
+    return cells_of(frame, c, c.n_u, stage_tests(c, stages));
 }
 
-std::string count_table_row(int frame, const Collision& c, const std::vector<Stage>& stages) {
-    std::string line = format("%5d %8zu %9llu %9llu %9llu %5d ", frame, c.pairs.size(), wide(c.n_v),
-                              wide(c.n_p), wide(c.n_u), c.depth);
-    for (const Stage stage : stages)
-        line += format("%*llu", stage_column_width(stage), wide(tests_at(c, stage)));
-    return line + end_of_row(c);
-}
+std::string count_note(const Collision& c) { return c.complete ? "" : "  stopped"; }
 
 std::string count_table_header(const TraceHeader& header) {
-    if (!header.engine) return count_table_header(table_stages(header));
-    std::vector<std::string> names;
-    for (const auto& [name, count] : tests_by_stage(header, {})) names.push_back(name);
-    if (names.size() > most_columns) names.clear();
-    return header_line(names);
+    return Table(columns_of(table_stages(header, {}))).text_header();
 }
 
 std::string count_table_row(const TraceHeader& header, const TraceFrame& frame) {
+    const StageTests stages = table_stages(header, frame);
     const Collision& c = frame.found;
-    if (!header.engine) return count_table_row(frame.frame, c, table_stages(header));
-    std::string line = format("%5d %8zu %9llu %9llu %9s %5d ", frame.frame, c.pairs.size(),
-                              wide(c.n_v), wide(c.n_p), "-", c.depth);
-    const auto stages = tests_by_stage(header, frame);
-    if (stages.size() <= most_columns)
-        for (const auto& [name, count] : stages)
-            line += format("%*llu", column_width(name), wide(count));
-    return line + end_of_row(c);
+    Table table(columns_of(stages));
+    table.add(cells_of(frame.frame, c, header.engine ? Cell("-") : Cell(c.n_u), stages),
+              count_note(c));
+    return table.text_row(0);
 }
 
 nlohmann::ordered_json count_json(const TraceHeader& header, const TraceFrame& frame) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/report/table.h"
 #include "core/analysis/trace.h"
 #include "scb/any_collide.h"
 
@@ -13,25 +14,24 @@ namespace scb::app {
 /// can reject, in the test's order.
 std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options);
 
-/// Fits the name of the stage and a count.
-int stage_column_width(Stage stage);
+/// The sixteen stages of boxes are too many for a table of text.
+inline constexpr std::size_t most_stage_columns = 8;
 
-/// A field of a line of CSV (RFC 4180). A text with a colon is quoted too, since print_result would
-/// change a name that begins with two.
-std::string csv_field(const std::string& text);
+/// A table of queries: its columns, and the cells and the note of a query's row.
+std::vector<Column> count_columns(const std::vector<Stage>& stages);
+std::vector<Cell> count_cells(int frame, const Collision& found, const std::vector<Stage>& stages);
+std::string count_note(const Collision& found);
 
-/// A table of queries: its header, and the row of a query. Each line has its line end.
-std::string count_table_header(const std::vector<Stage>& stages);
-std::string count_table_row(int frame, const Collision& found, const std::vector<Stage>& stages);
-
-/// The same as JSON, in the paper's notation, with the pose of B in A's frame ([R|t] row by row)
+/// A query as JSON, in the paper's notation, with the pose of B in A's frame ([R|t] row by row)
 /// and the hash of the pairs.
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
 
-// The same for a trace or a recording. Other engines have no N_u and their own stages.
+/// A table of a trace or a recording, line by line, each with its line end. Other engines have no
+/// N_u and their own stages.
 std::string count_table_header(const TraceHeader& header);
 std::string count_table_row(const TraceHeader& header, const TraceFrame& frame);
+/// The same as JSON.
 nlohmann::ordered_json count_json(const TraceHeader& header, const TraceFrame& frame);
 
 }  // namespace scb::app

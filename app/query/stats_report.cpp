@@ -6,6 +6,7 @@
 #include "app/cli/build_text.h"
 #include "app/query/count_table.h"
 #include "app/query/measures_report.h"
+#include "app/report/table.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "scb/any_packed.h"
@@ -85,6 +86,80 @@ Json facts_json(const MeshFacts& f) {
             {"longest_slender_side", f.longest_slender_side}};
 }
 
+/// A level of a hierarchy, or all levels.
+struct LevelRow {
+    Cell level;
+    VolumeStatistics l;
+    Cell cover;
+    const VolumeStatistics* above;   ///< the level above, for the ratios
+    const LevelMeasures* measures;   ///< null if not asked for
+    const HierarchyMeasures* whole;  ///< only of all levels
+    std::string rules;
+};
+
+std::vector<Field<LevelRow>> level_columns(bool with_rules, bool with_measures) {
+    const auto shown = [](double value) { return Cell(value, "%.4g"); };
+    const auto to_above = [](const LevelRow& r, double (VolumeStatistics::*of)() const,
+                             const char* pattern) {
+        return r.above ? Cell(ratio((r.l.*of)(), (r.above->*of)()), pattern) : Cell();
+    };
+    std::vector<Field<LevelRow>> fields = {
+        {{"level", "level", 5}, [](auto& r) { return r.level; }},
+        {{"nodes", "nodes", 9}, [](auto& r) { return r.l.volumes; }},
+        {{"leaves", "leaves", 9}, [](auto& r) { return r.l.leaves; }},
+        {{"cover", "cover", 9}, [](auto& r) { return r.cover; }},
+        {{"mean d", "mean_diameter", 10}, [=](auto& r) { return shown(r.l.mean_diameter()); }},
+        {{"max d", "max_diameter", 10}, [=](auto& r) { return shown(r.l.max_diameter); }},
+        {{"d ratio", "diameter_ratio", 8, Align::right, 0, "", false},
+         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_diameter, "%.3f"); }},
+        {{"mean tau", "mean_thickness", 10}, [=](auto& r) { return shown(r.l.mean_thickness()); }},
+        {{"max tau", "max_thickness", 10}, [=](auto& r) { return shown(r.l.max_thickness); }},
+        {{"tau ratio", "thickness_ratio", 10, Align::right, 0, "", false},
+         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_thickness, "%.3f  "); }},
+        {{"area", "area", 11}, [=](auto& r) { return shown(r.l.area); }},
+        {{"volume", "volume", 11}, [=](auto& r) { return shown(r.l.volume); }}};
+    if (with_measures) {
+        for (const LevelMeasure& field : level_measures())
+            fields.push_back(
+                {{"", field.name}, [=](auto& r) { return shown(field.of(*r.measures)); }});
+        for (const WholeMeasure& field : whole_measures())
+            fields.push_back({{"", field.name}, [=](auto& r) {
+                                  return r.whole ? shown(*r.whole.*field.value) : Cell();
+                              }});
+    }
+    if (with_rules)
+        fields.push_back({{"split by", "", 0, Align::left, 2}, [](auto& r) { return r.rules; }});
+    return fields;
+}
+
+std::vector<LevelRow> level_rows(const HierarchyStats& m) {
+    std::vector<LevelRow> rows;
+    for (std::size_t i = 0; i < m.levels.size(); ++i) {
+        const LevelStatistics& l = m.levels[i];
+        rows.push_back({i, l, l.cover, i == 0 ? nullptr : &m.levels[i - 1],
+                        m.measures ? &m.measures->levels[i] : nullptr, nullptr, rules_text(l)});
+    }
+    return rows;
+}
+
+Table level_table(const HierarchyStats& m) {
+    return table_of(level_columns(m.engine.empty(), m.measures.has_value()), level_rows(m));
+}
+
+Table packed_table(const HierarchyStats& m) {
+    Table table({{"packed layout", "layout", 13, Align::left},
+                 {"", "refused"},
+                 {"", "bytes"},
+                 {"bytes per triangle", "bytes_per_triangle", 20},
+                 {"time here, ms", "ms", 15}});
+    for (const PackedStats& p : m.packed)
+        if (p.refused.empty())
+            table.add({p.layout, {}, p.bytes, {m.per_triangle(p.bytes), "%.1f"}, {p.ms, "%.1f"}});
+        else
+            table.add({p.layout, p.refused, {}, {nullptr, "-"}}, "  " + p.refused);
+    return table;
+}
+
 }  // namespace
 
 std::string stats_table(const HierarchyStats& m) {
@@ -97,25 +172,7 @@ std::string stats_table(const HierarchyStats& m) {
         (m.engine.empty()
              ? std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build)
              : m.volumes + " tree of " + m.engine) +
-        "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" +
-        "level    nodes   leaves    cover    mean d     max d d ratio  mean tau   "
-        "max tau tau ratio  "
-        "     area     volume" +
-        (m.engine.empty() ? "  split by" : "") + "\n";
-    for (std::size_t i = 0; i < m.levels.size(); ++i) {
-        const LevelStatistics& l = m.levels[i];
-        const LevelStatistics& above = m.levels[i == 0 ? 0 : i - 1];
-        const auto ratio_text = [i](double value, double before) {
-            return i == 0 ? std::string("        ") : format(" %7.3f", ratio(value, before));
-        };
-        text += format("%5zu %8u %8u %8u %9.4g %9.4g", i, l.volumes, l.leaves, l.cover,
-                       l.mean_diameter(), l.max_diameter) +
-                ratio_text(l.mean_diameter(), above.mean_diameter()) +
-                format(" %9.4g %9.4g", l.mean_thickness(), l.max_thickness) +
-                ratio_text(l.mean_thickness(), above.mean_thickness()) +
-                format("   %10.4g %10.4g", l.area, l.volume) +
-                (m.engine.empty() ? "  " + rules_text(l) : "") + "\n";
-    }
+        "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" + level_table(m).text();
     if (!m.engine.empty())
         return text + format("\ndepth %zu, %zu nodes\n", m.levels.size() - 1, m.nodes) +
                (m.measures ? "\n" + measures_table(*m.measures) : "");
@@ -128,50 +185,16 @@ std::string stats_table(const HierarchyStats& m) {
             format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
                    m.topology_ms, m.fit_ms);
     if (m.measures) text += "\n" + measures_table(*m.measures);
-    if (!m.packed.empty()) text += "\npacked layout  bytes per triangle  time here, ms\n";
-    for (const PackedStats& packed : m.packed)
-        text += packed.refused.empty()
-                    ? format("%-13s %19.1f %14.1f\n", packed.layout.c_str(),
-                             m.per_triangle(packed.bytes), packed.ms)
-                    : format("%-13s %19s  ", packed.layout.c_str(), "-") + packed.refused + "\n";
+    if (!m.packed.empty()) text += "\n" + packed_table(m).text();
     return text;
 }
 
 Json stats_json(const HierarchyStats& m) {
-    Json levels = Json::array();
-    for (std::size_t i = 0; i < m.levels.size(); ++i) {
-        const LevelStatistics& l = m.levels[i];
-        Json level = {{"level", i},
-                      {"nodes", l.volumes},
-                      {"leaves", l.leaves},
-                      {"cover", l.cover},
-                      {"mean_diameter", l.mean_diameter()},
-                      {"max_diameter", l.max_diameter},
-                      {"mean_thickness", l.mean_thickness()},
-                      {"max_thickness", l.max_thickness},
-                      {"area", l.area},
-                      {"volume", l.volume}};
-        if (i > 0) {
-            level["diameter_ratio"] = ratio(l.mean_diameter(), m.levels[i - 1].mean_diameter());
-            level["thickness_ratio"] = ratio(l.mean_thickness(), m.levels[i - 1].mean_thickness());
-        }
-        if (m.measures)
-            for (const LevelMeasure& field : level_measures())
-                level[field.name] = field.of(m.measures->levels[i]);
-        for (std::size_t r = 0; r < split_rule_count && m.engine.empty(); ++r)
-            level["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] = l.rules[r];
-        levels.push_back(std::move(level));
-    }
-    Json packed = Json::array();
-    for (const PackedStats& p : m.packed) {
-        if (p.refused.empty())
-            packed.push_back({{"layout", p.layout},
-                              {"bytes", p.bytes},
-                              {"bytes_per_triangle", m.per_triangle(p.bytes)},
-                              {"ms", p.ms}});
-        else
-            packed.push_back({{"layout", p.layout}, {"refused", p.refused}});
-    }
+    Json levels = level_table(m).json();
+    for (std::size_t i = 0; i < m.levels.size() && m.engine.empty(); ++i)
+        for (std::size_t r = 0; r < split_rule_count; ++r)
+            levels[i]["rules"][std::string(split_rule_name(static_cast<SplitRule>(r)))] =
+                m.levels[i].rules[r];
     Json result = {{"mesh", m.mesh},
                    {"bodies", m.bodies},
                    {"volume", volume_kind_name(m.kind)},
@@ -197,57 +220,34 @@ Json stats_json(const HierarchyStats& m) {
             result.erase(own);
         return result;
     }
-    if (can_pack(m.kind)) result["packed"] = std::move(packed);
+    if (can_pack(m.kind)) result["packed"] = packed_table(m).json();
     return result;
 }
 
 std::string stats_csv_header(bool with_measures) {
-    std::string text =
-        "mesh,bodies,hierarchy,split,level,nodes,leaves,cover,mean_diameter,max_diameter,mean_"
-        "thickness,"
-        "max_thickness,area,volume";
-    if (with_measures) {
-        for (const LevelMeasure& field : level_measures()) text += std::string(",") + field.name;
-        for (const WholeMeasure& field : whole_measures()) text += std::string(",") + field.name;
-    }
-    return text + "\n";
+    return "mesh,bodies,hierarchy,split," +
+           table_of(level_columns(false, with_measures)).csv_header();
 }
 
 std::string stats_csv(const HierarchyStats& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : " ") + body;
-    const std::string start = csv_field(m.mesh) + "," + csv_field(bodies) + "," +
-                              (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + "," +
-                                                      std::string(split_method_name(m.build.split))
-                                                : csv_field(m.engine + ", " + m.volumes) + ",-") +
-                              ",";
-    const auto row = [](const VolumeStatistics& l) {
-        return format("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", l.mean_diameter(), l.max_diameter,
-                      l.mean_thickness(), l.max_thickness, l.area, l.volume);
-    };
-    const auto measures = [](const LevelMeasures& l) {
-        std::string text;
-        for (const LevelMeasure& field : level_measures()) text += format(",%.17g", field.of(l));
-        return text;
-    };
-    std::string text;
     VolumeStatistics all;
-    for (std::size_t i = 0; i < m.levels.size(); ++i) {
-        const LevelStatistics& l = m.levels[i];
-        all.add(l);
-        text += start + format("%zu,%u,%u,%u,", i, l.volumes, l.leaves, l.cover) + row(l) +
-                (m.measures
-                     ? measures(m.measures->levels[i]) + std::string(whole_measures().size(), ',')
-                     : std::string()) +
-                "\n";
-    }
-    text += start + format("all,%u,%u,,", all.volumes, all.leaves) + row(all);
-    if (m.measures) {
-        text += measures(m.measures->all);
-        for (const WholeMeasure& field : whole_measures())
-            text += format(",%.17g", *m.measures.*field.value);
-    }
-    return text + "\n";
+    for (const LevelStatistics& l : m.levels) all.add(l);
+    std::vector<LevelRow> rows = level_rows(m);
+    rows.push_back({"all",
+                    all,
+                    {},
+                    nullptr,
+                    m.measures ? &m.measures->all : nullptr,
+                    m.measures ? &*m.measures : nullptr,
+                    ""});
+    return table_of(level_columns(false, m.measures.has_value()), rows)
+        .csv_rows(csv_field(m.mesh) + "," + csv_field(bodies) + "," +
+                  (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + "," +
+                                          std::string(split_method_name(m.build.split))
+                                    : csv_field(m.engine + ", " + m.volumes) + ",-") +
+                  ",");
 }
 
 }  // namespace scb::app

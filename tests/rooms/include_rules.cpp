@@ -33,6 +33,7 @@ const std::map<std::string, Floors> rooms = {
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",
      {{"cli"},
+      {"report"},
       {"shards"},
       {"query", "reference"},
       {"pictures", "config"},
