@@ -75,8 +75,8 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     command.get_option("--json").description("Print a list with an object per pair");
     command.get_option("--camera")
         .description(
-            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else "
-            "one that shows the step");
+            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON "
+            "file; default: a camera that shows the step");
 }
 
 void note_given(const Command& command, ExplainOptions& options) {

@@ -135,7 +135,7 @@ void add_golden_init(const Command& golden, Action& action) {
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").required(false);
     add_choice(command, "--ci", options->ci, choices_of(init_ci_names),
-               "Whose files are written: a workflow of GitHub Actions, jobs of GitLab")
+               "CI files to write: a workflow of GitHub Actions, or jobs of GitLab")
         .only_typed();
     command.add_option("-o,--output", options->folder, "The folder of the suite")
         .folder()

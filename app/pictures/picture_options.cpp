@@ -109,8 +109,8 @@ void add_view(const Command& command, PictureOptions& options, CameraOptions& ca
     command
         .add_option(
             "--camera", camera.camera,
-            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; else the "
-            "scene's own")
+            "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, or a JSON file; default: "
+            "the scene's camera")
         .file({".json"})
         .offer({"fit", "orbit:"})
         .type_name("CAMERA")
@@ -147,7 +147,7 @@ void add_drawing(const Command& command, PictureOptions& options) {
 void add_jobs(const Command& command, PictureOptions& options) {
     command
         .add_option("--jobs", options.job_count,
-                    "Threads that compress pictures; 0 is one per core")
+                    "Number of threads that compress pictures; 0 is one per core")
         .check(decimal_number)
         .show_default();
 }

@@ -78,9 +78,8 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         add_panel_option(command, options.picture);
         command.get_option("--camera")
             .description(
-                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows what "
-                "meets), "
-                "or a JSON file; else the scene's own")
+                "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows the "
+                "contact), or a JSON file; default: the scene's camera")
             .offer({"fit", "contact", "orbit:"});
         command
             .add_option(

@@ -140,7 +140,7 @@ void add_rejections_options(const Command& command, RejectionsOptions& options) 
     command.add_option("--depth", options.depths, "Only nodes of these levels: 7 or 0:9")
         .type_name("A:B")
         .shareable();
-    command.add_option("--body", options.body, "Only the nodes of this body")
+    command.add_option("--body", options.body, "Draw only the nodes of this body; counts stay")
         .type_name("NAME")
         .shareable();
     command.add_option("--opacity", options.opacity, "Opacity of the volumes, above 0 to 1")
