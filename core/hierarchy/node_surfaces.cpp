@@ -1,6 +1,6 @@
 #include "core/hierarchy/node_surfaces.h"
 
-#include "core/geometry/surface_moments.h"
+#include "core/geometry/surface.h"
 
 namespace scb {
 
