@@ -9,6 +9,7 @@
 #include "app/inspect/recording_report.h"
 #include "app/query/recording_verdict.h"
 #include "app/query/scene_title.h"
+#include "app/report/table.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
@@ -184,29 +185,25 @@ void set_judgement(data& values, const InspectedRecording& recording,
     values["problems"] = problem_rows(recording);
     values["has_problems"] =
         data(recording.pictures.empty() ? data::type::bool_false : data::type::bool_true);
-    data trees(data::type::list);
-    for (const scenes::TreeJudgement& tree : judged.trees) {
-        data row;
-        row["tree"] = std::to_string(tree.number);
-        row["name"] = printable(tree.name);
-        row["nodes"] = render::count_text(tree.nodes);
-        row["depth"] = std::to_string(tree.depth);
-        row["problems"] = render::count_text(tree.problems.size());
-        trees << row;
-    }
-    values.set("trees", trees);
-    data stages(data::type::list);
-    for (const scenes::StageJudgement& stage : judged.stages) {
-        data row;
-        row["stage"] = printable(stage.name);
-        row["tests"] = render::count_text(stage.tests);
-        row["false"] = render::count_text(stage.false_positives);
-        row["wrong"] = render::count_text(stage.wrong);
-        stages << row;
-    }
+    Table trees({{.title = "tree", .align = Align::left},
+                 {.title = "name", .align = Align::left},
+                 {.title = "nodes"},
+                 {.title = "depth"},
+                 {.title = "problems"}});
+    for (const scenes::TreeJudgement& tree : judged.trees)
+        trees.add({tree.number, printable(tree.name), render::count_text(tree.nodes), tree.depth,
+                   render::count_text(tree.problems.size())});
+    values["trees"] = trees.html();
+    Table stages({{.title = "stage", .align = Align::left},
+                  {.title = "tests"},
+                  {.title = "passed disjoint volumes"},
+                  {.title = "rejected overlapping volumes"}});
+    for (const scenes::StageJudgement& stage : judged.stages)
+        stages.add({printable(stage.name), render::count_text(stage.tests),
+                    render::count_text(stage.false_positives), render::count_text(stage.wrong)});
     values["has_stages"] =
         data(judged.stages.empty() ? data::type::bool_false : data::type::bool_true);
-    values.set("stages", stages);
+    values["stages"] = stages.html();
     values["report"] = recording_text(recording, settings);
 }
 
@@ -286,8 +283,7 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    return scene_title(header) + " · " + printable(render::volume_title(header)) +
-           " · inspect";
+    return scene_title(header) + " · " + printable(render::volume_title(header)) + " · inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {
