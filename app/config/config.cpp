@@ -5,7 +5,6 @@
 
 #include "app/query/query_options.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/traces/trace_input.h"
 
 namespace scb::app {
 namespace {

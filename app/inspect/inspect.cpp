@@ -29,6 +29,8 @@
 #include "scb/error.h"
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
+#include "scenes/recordings/recording_input.h"
+#include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
 namespace {
@@ -121,7 +123,7 @@ void judge(Inspected& inspected, const InspectOptions& options, const Console& c
         QuerySource& source = inspected.sources.front();
         inspected.found.emplace(source.header(), static_cast<std::size_t>(options.top));
         visit = [&](const scenes::RecordedQueries& queries, const QueryJudgement& judged) {
-            const TraceFrame* frame = source.recorded().frame_at(queries);
+            const TraceFrame* frame = source.recorded()->frame_at(queries);
             if (frame == nullptr) return;
             inspected.found->add(source, *frame,
                                  attribution(queries.query(), judged, source.header(), *frame));
@@ -193,7 +195,7 @@ ExplainedPairs report_waste(Inspected& inspected) {
     for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
     // An error may be the cause of the waste of a recording that is wrong.
     if (inspected.file)
-        report.has_waste = source.recorded().tells_results() && !report.recording->judged.wrong() &&
+        report.has_waste = source.recorded()->tells_results() && !report.recording->judged.wrong() &&
                            report.sum.counts.all.volume_tests > 0;
     if (!report.has_waste) return {};
     report.others = found.others;

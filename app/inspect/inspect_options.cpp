@@ -2,7 +2,7 @@
 
 #include "app/query/query_sources.h"
 #include "scb/error.h"
-#include "scenes/traces/trace_input.h"
+#include "scenes/recordings/recording_input.h"
 
 namespace scb::app {
 namespace {

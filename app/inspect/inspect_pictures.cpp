@@ -107,7 +107,7 @@ std::string inspect_name(const InspectReport& report, const NamedOptions& more) 
 ExplainedPairs explain_pairs(InspectReport& report, const QuerySource& source) {
     ExplainedPairs explained;
     const std::unique_ptr<scenes::RecordedTrace> recorded =
-        source.is_recording() ? source.recorded().rewound() : nullptr;
+        source.is_recording() ? source.recorded()->rewound() : nullptr;
     std::set<std::tuple<int, std::uint32_t, std::uint32_t>> keys;
     for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& pair : *pairs)

@@ -77,7 +77,7 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
                                                      const std::vector<InspectedFrame>& frames,
                                                      const Console& console,
                                                      const InterruptWatch& watch) {
-    const scenes::Recording& recording = source.recorded().recording();
+    const scenes::Recording& recording = source.recorded()->recording();
     const std::string& path = recording.file->path;
     if (source.header().engine->objects)
         throw InputError(path + ": its items are objects without triangles.");

@@ -161,7 +161,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"
-        "  scb render pairs spheres.scbtrace --frames all --camera contact -o out/");
+        "  scb render pairs spheres.scbrec --frames all --camera contact -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
         action = [&console, options] { return run(*options, console); };

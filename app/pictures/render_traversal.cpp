@@ -179,7 +179,7 @@ void add_render_traversal(const Command& render_command, const Console& console,
         "Beside the pictures, index.json has their counts, which are those of `scb collide`.\n\n"
         "Examples:\n"
         "  scb render traversal spheres-l1 --frames 250 -o out/\n"
-        "  scb render traversal spheres.scbtrace --frames all --by share --show matrix -o out/");
+        "  scb render traversal spheres.scbrec --frames all --by share --show matrix -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
         action = [&console, options] { return run(*options, console); };

@@ -72,7 +72,7 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
 
 int run(const DiffOptions& options, const Console& console) {
     scenes::TestInput a(options.a, "all", options.bodies), b(options.b, "all", options.bodies);
-    Progress progress(console, a.frame_count());
+    Progress progress(console, a.frames().size());
     const auto next_of_a = [&] {
         const TraceFrame* frame = a.next();
         if (frame) progress.step("frames");
@@ -95,11 +95,11 @@ void add_diff(const Command& program, const Console& console, Action& action) {
     const auto options = std::make_shared<DiffOptions>();
     command.add_option("A", options->a, "A trace, see `scb trace`, or another engine's recording")
         .required()
-        .file({".scbtrace", ".scbrec", ".jsonl"})
+        .file({".scbrec", ".jsonl"})
         .type_name("");
     command.add_option("B", options->b, "Another trace or recording")
         .required()
-        .file({".scbtrace", ".scbrec", ".jsonl"})
+        .file({".scbrec", ".jsonl"})
         .type_name("");
     command.add_option("--bodies", options->bodies, "Two bodies of a recording: A,B");
     command.add_flag("--json", options->json, "Print JSON instead of text");
@@ -110,9 +110,9 @@ void add_diff(const Command& program, const Console& console, Action& action) {
         "1 different, 2 a file is neither a trace nor a recording. The versions of scb and the "
         "names of recordings are not compared.\n\n"
         "Example:\n"
-        "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbtrace\n"
-        "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbtrace\n"
-        "  scb diff corrected.scbtrace printed.scbtrace");
+        "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbrec\n"
+        "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbrec\n"
+        "  scb diff corrected.scbrec printed.scbrec");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });

@@ -84,8 +84,7 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
         return;
     }
     if (recorded && scene.is_recording()) {
-        recorded_ =
-            std::make_unique<scenes::RecordedTrace>(scene.names[0], query.bodies, query.frames);
+        input_ = std::make_unique<scenes::TestInput>(scene.names[0], query.frames, query.bodies);
         return;
     }
     query_ = open_query(scene, hierarchy, query, limits);
@@ -94,21 +93,15 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
 
 QuerySource::QuerySource(std::shared_ptr<const scenes::Recording> recording,
                          const QueryOptions& query)
-    : recorded_(std::make_unique<scenes::RecordedTrace>(std::move(recording), query.bodies,
-                                                        query.frames)) {}
-
-std::vector<int> QuerySource::all_frames() const {
-    return recorded_ ? recorded_->all_frames()
-           : trace_  ? scenes::frames_in_trace(trace_path_, "all")
-                     : query_.frames;
-}
+    : input_(
+          std::make_unique<scenes::TestInput>(std::move(recording), query.frames, query.bodies)) {}
 
 std::size_t QuerySource::body_index(std::size_t side) const {
-    return recorded_ ? recorded_->sides()[side] : side == 0 ? query_.a : query_.b;
+    return is_recording() ? recorded()->sides()[side] : side == 0 ? query_.a : query_.b;
 }
 
 BodyAtFrame QuerySource::body(std::size_t side, int frame) const {
-    if (recorded_) return recorded_->body(side, frame);
+    if (is_recording()) return recorded()->body(side, frame);
     const std::size_t index = body_index(side);
     const scenes::Body& body = query_.scene.bodies[index];
     if (!trees_[side]) trees_[side] = std::make_shared<const Tree>(query_.hierarchy(index));
@@ -131,21 +124,21 @@ std::string minor_version(const std::string& version) {
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
     note_input(path);
-    std::vector<int> wanted = scenes::frames_in_trace(path, frames == auto_frames ? "all" : frames);
-    trace_ = std::make_unique<scenes::TraceInput>(path);
+    input_ = std::make_unique<scenes::TestInput>(path, frames);
+    std::vector<int> wanted = input_->frames();
     trace_path_ = path;
-    header_ = trace_->reader.header();
-    if (minor_version(header_.scb_version) != minor_version(SCB_VERSION))
-        throw InputError(path + " was recorded by scb " + header_.scb_version + ", and this is " +
+    const TraceHeader& header = input_->header();
+    if (minor_version(header.scb_version) != minor_version(SCB_VERSION))
+        throw InputError(path + " was recorded by scb " + header.scb_version + ", and this is " +
                          SCB_VERSION + ", whose nodes may be others; " + record_again + ".");
-    RecordedOptions recorded = recorded_options(header_, scene);
-    if (header_.source.size() == 2) {
+    RecordedOptions recorded = recorded_options(header, scene);
+    if (header.source.size() == 2) {
         // Two meshes: the first has the identity pose, the frame has the pose of the second.
-        scenes::TraceInput first(path);
-        const scenes::PoseRows rows = scenes::rows_of(first.reader.next()->b_to_a);
+        scenes::TestInput all(path, "all");
+        const scenes::PoseRows rows = scenes::rows_of(all.next()->b_to_a);
         recorded.scene.pose.assign(rows.begin(), rows.end());
     } else {
-        recorded.query.bodies = header_.bodies[0].name + "," + header_.bodies[1].name;
+        recorded.query.bodies = header.bodies[0].name + "," + header.bodies[1].name;
     }
     try {
         query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
@@ -155,13 +148,13 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     }
     // A and B are aliases for bodies of other names; a trace has the names themselves.
     const std::vector<scenes::Body>& bodies = query_.scene.bodies;
-    if (header_.source.size() != 2 && (bodies[query_.a].name != header_.bodies[0].name ||
-                                       bodies[query_.b].name != header_.bodies[1].name))
+    if (header.source.size() != 2 && (bodies[query_.a].name != header.bodies[0].name ||
+                                      bodies[query_.b].name != header.bodies[1].name))
         throw InputError(path + ": " + query_.scene.name +
                          " has no bodies of the names that it recorded; " + record_again + ".");
     for (std::size_t side = 0; side < 2; ++side) {
         const MeshFingerprint now = fingerprint(query_.mesh(side == 0 ? query_.a : query_.b));
-        const TraceBody& then = header_.bodies[side];
+        const TraceBody& then = header.bodies[side];
         if (now != then.mesh)
             throw InputError(path + " was recorded " + mesh_words(then, now, query_.scene.name) +
                              "; " + record_again + ".");
@@ -175,12 +168,12 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
 }
 
 std::uint64_t QuerySource::test_count(int frame) const {
-    return recorded_ ? recorded_->test_count(frame) : query_.collide(frame).n_v;
+    return is_recording() ? recorded()->test_count(frame) : query_.collide(frame).n_v;
 }
 
 const TraceFrame& QuerySource::frame(int number) {
-    if (recorded_) return recorded_->frame(number);
-    if (!trace_) {
+    if (is_recording()) return recorded()->frame(number);
+    if (!input_) {
         recorder_.steps = std::move(made_.steps);
         recorder_.steps.volumes.clear();
         recorder_.steps.items.clear();
@@ -190,21 +183,17 @@ const TraceFrame& QuerySource::frame(int number) {
         made_.steps = std::move(recorder_.steps);
         return made_;
     }
-    const TraceFrame* frame = trace_->reader.next();
-    while (frame != nullptr && frame->frame < number) frame = trace_->reader.next();
-    if (frame == nullptr || frame->frame != number)
-        throw InputError(trace_path_ + ": it has no frame " + std::to_string(number) +
-                         " any more.");
+    const TraceFrame& frame = input_->frame(number);
     const Pose now = query_.b_to_a(number);
-    if (now.rotation != frame->b_to_a.rotation || now.translation != frame->b_to_a.translation)
+    if (now.rotation != frame.b_to_a.rotation || now.translation != frame.b_to_a.translation)
         throw InputError(trace_path_ + ": at frame " + std::to_string(number) + " of " +
                          query_.scene.name +
                          " the bodies are elsewhere than when it was recorded; record it again.");
-    return *frame;
+    return frame;
 }
 
 TraceFrame QuerySource::frame_again(int number) const {
-    if (recorded_) return recorded_->rewound()->frame(number);
+    if (is_recording()) return recorded()->rewound()->frame(number);
     StepRecorder recorder;
     TraceFrame frame{number, query_.b_to_a(number), {}, {}};
     frame.found = query_.collide(number, recorder);
@@ -213,19 +202,19 @@ TraceFrame QuerySource::frame_again(int number) const {
 }
 
 Attribution QuerySource::attribution(const TraceFrame& frame) {
-    if (recorded_) return recorded_->attribution();
+    if (is_recording()) return recorded()->attribution();
     const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
     return attribute(
-        a, b, header_, frame,
-        all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header_, frame));
+        a, b, header(), frame,
+        all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header(), frame));
 }
 
 std::vector<std::size_t> QuerySource::level_overlaps(const TraceFrame& frame, std::size_t most) {
-    if (recorded_) return recorded_->level_overlaps(most);
+    if (is_recording()) return recorded()->level_overlaps(most);
     const BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
     return scb::level_overlaps(query_.hierarchy(query_.a), a.tree->shape(),
                                query_.hierarchy(query_.b), b.tree->shape(), frame.b_to_a,
-                               header_.options.overlap, most);
+                               header().options.overlap, most);
 }
 
 }  // namespace scb::app

@@ -4,8 +4,7 @@
 #include <memory>
 
 #include "app/query/scene_query.h"
-#include "scenes/recordings/recorded_trace.h"
-#include "scenes/traces/trace_input.h"
+#include "scenes/recordings/test_input.h"
 
 namespace scb::app {
 
@@ -23,21 +22,25 @@ class QuerySource {
 
     /// The query that this project makes; not for recordings.
     const SceneQuery& query() const { return query_; }
-    bool is_recording() const { return recorded_ != nullptr; }
-    /// The recorded queries; not for other sources.
-    scenes::RecordedTrace& recorded() const { return *recorded_; }
-    const TraceHeader& header() const { return recorded_ ? recorded_->header() : header_; }
-    const scenes::Scene& scene() const { return recorded_ ? recorded_->scene() : query_.scene; }
+    bool is_recording() const { return recorded() != nullptr; }
+    /// The recorded queries; null for other sources.
+    scenes::RecordedTrace* recorded() const { return input_ ? input_->recorded() : nullptr; }
+    const TraceHeader& header() const { return input_ ? input_->header() : header_; }
+    const scenes::Scene& scene() const {
+        return is_recording() ? recorded()->scene() : query_.scene;
+    }
     /// The body A (0) or B (1), as an index of Scene::bodies.
     std::size_t body_index(std::size_t side) const;
     /// The body at one of the frames.
     BodyAtFrame body(std::size_t side, int frame) const;
     /// The frames to show, ascending.
     const std::vector<int>& frames() const {
-        return recorded_ ? recorded_->frames() : query_.frames;
+        return is_recording() ? recorded()->frames() : query_.frames;
     }
     /// All frames that the trace or recording has of these bodies; for a scene, frames().
-    std::vector<int> all_frames() const;
+    const std::vector<int>& all_frames() const {
+        return input_ ? input_->all_frames() : query_.frames;
+    }
 
     /// The number of volume tests in the query of a frame; makes or reads the query.
     std::uint64_t test_count(int frame) const;
@@ -57,14 +60,13 @@ class QuerySource {
     void open_trace(const SceneOptions& scene, const std::string& frames);
 
     SceneQuery query_;
-    TraceHeader header_;
-    std::unique_ptr<scenes::TraceInput> trace_;  ///< null if queries are made now
+    TraceHeader header_;                        ///< of queries made now
+    std::unique_ptr<scenes::TestInput> input_;  ///< null if queries are made now
     std::string trace_path_;
     TraceFrame made_;
     StepRecorder recorder_;
     /// Of the two bodies, built on demand.
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
-    std::unique_ptr<scenes::RecordedTrace> recorded_;  ///< null unless a recording
 };
 
 }  // namespace scb::app

@@ -14,7 +14,8 @@
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/scene/pose_rows.h"
-#include "scenes/traces/trace_input.h"
+#include "core/platform/number_list.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 
@@ -88,8 +89,8 @@ namespace {
 
 /// File endings of scenes, meshes in common formats, traces and recordings.
 std::vector<std::string> scene_endings() {
-    return {".json", ".ply", ".obj", ".stl", ".off",      ".gltf",   ".glb",  ".dae",
-            ".3ds",  ".fbx", ".ac",  ".x",   ".scbtrace", ".scbrec", ".jsonl"};
+    return {".json", ".ply", ".obj", ".stl", ".off", ".gltf",   ".glb",
+            ".dae",  ".3ds", ".fbx", ".ac",  ".x",   ".scbrec", ".jsonl"};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
-#include "scenes/traces/trace_input.h"
+#include "core/platform/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -29,18 +29,21 @@ struct TraceOptions {
     HierarchyOptions hierarchy;
     QueryOptions query;
     QueryLimits limits;
-    bool json = false, events = false;
+    bool json = false, events = false, records = false;
     std::string output;
 };
 
 int record(const TraceOptions& options, const Console& console) {
     if (options.output.empty()) {
         options.scene.load();  // throws if there is no such scene
-        throw InputError("there is nowhere to write the trace; give -o FILE.scbtrace.");
+        throw InputError("there is nowhere to write the trace; give -o FILE.scbrec.");
     }
     if (options.json || options.events)
         throw InputError(std::string(options.json ? "--json" : "--events") +
                          " prints a trace that exists; record it first, then give its file.");
+    if (options.output.ends_with(".scbtrace"))
+        throw InputError("-o " + options.output +
+                         ": only scb 1.0 wrote such files; name a file .scbrec.");
     check_output(options.output, "-o");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o");
@@ -51,7 +54,7 @@ int record(const TraceOptions& options, const Console& console) {
     const TraceHeader header = trace_header(options.scene, query);
     std::optional<scenes::TraceWriter> trace;
     std::optional<scenes::TraceRecording> recording;
-    if (options.output.ends_with(".scbrec"))
+    if (options.records)
         recording.emplace(header, std::array{&query.mesh(query.a), &query.mesh(query.b)},
                           std::array{&query.hierarchy(query.a), &query.hierarchy(query.b)});
     else
@@ -75,12 +78,12 @@ int record(const TraceOptions& options, const Console& console) {
         progress.step("frames");
     }
     if (done > 0) {
-        std::vector<std::uint8_t> bytes;
+        std::string bytes;
         if (recording) {
-            const std::string text = recording->finish();
-            bytes.assign(text.begin(), text.end());
+            bytes = recording->finish();
         } else {
-            bytes = trace->finish();
+            const std::vector<std::uint8_t> compact = trace->finish();
+            bytes.assign(compact.begin(), compact.end());
         }
         write_file_whole(options.output, bytes);
         console.note("scb: " + options.output + ": " + std::to_string(done) +
@@ -100,6 +103,9 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
     if (!options.scene.is_recording() || !asks_for_recorded(given)) refuse_for_trace(given, path);
     if (!options.output.empty())
         throw InputError(path + " is a trace already; give a scene to record, or leave out -o.");
+    if (options.records)
+        throw InputError("--records: " + path +
+                         " is recorded already; give a scene to record, with -o FILE.scbrec.");
     // Reads all frames before printing, so that a bad file gives no partial output.
     scenes::TestInput input(path, options.query.frames, options.query.bodies);
     const TraceHeader& header = input.header();
@@ -151,8 +157,11 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     command.add_option("-o,--output", options->output, "Write the trace to this file")
-        .file({".scbtrace"})
+        .file({".scbrec"})
         .only_typed();
+    command.add_flag(
+        "--records", options->records,
+        "Write meshes, hierarchies and every test as records, as another engine would");
     command.add_flag("--events", options->events, "Print every test of the trace");
     command.add_flag("--json", options->json, "Print the trace as JSON");
     command.footer(
@@ -162,8 +171,8 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         "pair was divided. Ctrl-C keeps\n"
         "the frames that were finished and exits with 130.\n\n"
         "Examples:\n"
-        "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbtrace\n"
-        "  scb trace spheres.scbtrace --frames 250 --events");
+        "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbrec\n"
+        "  scb trace spheres.scbrec --frames 250 --events");
     command.callback([&action, &console, command, options] {
         const std::vector<std::string> given = given_recording_options(command);
         action = [&console, options, given] {

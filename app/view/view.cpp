@@ -77,7 +77,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "  scb view spheres-l1 -o spheres.html\n"
         "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html\n"
         "  scb view spheres-l1 --compare corrected,printed --frames 50 -o tests.html\n"
-        "  scb view before.scbtrace after.scbtrace -o traces.html");
+        "  scb view before.scbrec after.scbrec -o traces.html");
     command.callback([&action, &console, command, options] {
         std::vector<std::string>& recording = options->level.recording;
         recording = given_hierarchy_options(command);

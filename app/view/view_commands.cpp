@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/command_text.h"
-#include "scenes/traces/trace_input.h"
+#include "scenes/recordings/recording_input.h"
 
 namespace scb::app {
 namespace {

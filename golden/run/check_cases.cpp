@@ -29,10 +29,10 @@ namespace fs = std::filesystem;
 /// Keeps both traces beside the report.
 void keep_traces(CaseResult& result, const ComparisonFolders& folders) {
     const auto keep = [&](const fs::path& folder, const char* kind) {
-        const fs::path from = case_files(folder, result.name).trace;
-        if (!is_there(from)) return;
+        const fs::path from = trace_of(case_files(folder, result.name));
+        if (from.empty()) return;
         std::error_code error;
-        const std::string name = result.name + "." + kind + ".scbtrace";
+        const std::string name = result.name + "." + kind + from.extension().string();
         fs::copy_file(from, folders.report / name, fs::copy_options::overwrite_existing, error);
         if (!error) result.traces.push_back(name);
     };
@@ -76,7 +76,7 @@ std::optional<CheckedCase> check_case(const GoldenCase& golden, const GoldenChec
     }
     result.seconds = run.seconds;
     if (result.verdict == Verdict::different) {
-        const bool before = is_there(case_files(check.folders.baselines, golden.name).trace);
+        const bool before = !trace_of(case_files(check.folders.baselines, golden.name)).empty();
         const std::string trouble =
             before || check.traces ? record_trace(golden, check.settings, check.folders.candidates)
                                    : "";

@@ -10,8 +10,8 @@
 #include "golden/suite/baseline.h"
 #include "render/files/image_file.h"
 #include "scb/error.h"
+#include "scenes/recordings/test_input.h"
 #include "scenes/traces/trace_diff_text.h"
-#include "scenes/traces/trace_input.h"
 
 namespace scb::golden {
 namespace {
@@ -135,9 +135,9 @@ const TraceNames trace_names = {"baseline", "new run"};
 
 /// Volume tests by the depth of the pair, frame by frame.
 Json tests_by_depth(const std::filesystem::path& trace) {
-    scenes::TraceInput input(trace.string());
+    scenes::TestInput input(trace.string(), "all");
     Json counts = Json::object();
-    while (const TraceFrame* frame = input.reader.next()) {
+    while (const TraceFrame* frame = input.next()) {
         std::map<int, std::int64_t> tests;
         for (const Step& test : frame->steps.volumes) ++tests[test.depth_a + test.depth_b];
         for (const auto& [depth, count] : tests)
@@ -183,15 +183,12 @@ std::string place_of(const TraceDiff& d) {
 }  // namespace
 
 bool add_trace_lines(CaseResult& result, const ComparisonFolders& folders, const Cause& cause) {
-    const std::filesystem::path before = case_files(folders.baselines, result.name).trace,
-                                after = case_files(folders.candidates, result.name).trace;
-    std::error_code ignored;
-    if (!std::filesystem::exists(before, ignored) || !std::filesystem::exists(after, ignored))
-        return true;
-    scenes::TraceInput a(before.string()), b(after.string());
+    const std::filesystem::path before = trace_of(case_files(folders.baselines, result.name)),
+                                after = trace_of(case_files(folders.candidates, result.name));
+    if (before.empty() || after.empty()) return true;
+    scenes::TestInput a(before.string(), "all"), b(after.string(), "all");
     const TraceDiff d = diff(
-        a.reader.header(), [&] { return a.reader.next(); }, b.reader.header(),
-        [&] { return b.reader.next(); });
+        a.header(), [&] { return a.next(); }, b.header(), [&] { return b.next(); });
     for (CountChange& change : counts_difference(tests_by_depth(before), tests_by_depth(after)))
         result.counts.push_back(std::move(change));
     if (d.equal()) return true;

@@ -85,7 +85,8 @@ const Json& only_picture(const GoldenCase& golden, const Json& index) {
 
 /// Whether it is about another engine's tests, for which this program records no trace.
 bool of_recording(const GoldenCase& golden) {
-    return golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
+    return !golden.command.empty() ||
+           (golden.scene.size() == 1 && scenes::names_recording(golden.scene[0]));
 }
 
 /// Takes over the files that the command has left in `made`.

@@ -26,7 +26,7 @@ std::string variant_name(const std::string& name, int variant) {
 /// baseline.
 std::string case_of(std::string file) {
     for (const std::string_view ending :
-         {".counts.json", ".meta.json", ".ids.png", ".scbtrace", ".png"})
+         {".counts.json", ".meta.json", ".ids.png", ".scbrec", ".scbtrace", ".png"})
         if (file.ends_with(ending)) {
             file.resize(file.size() - ending.size());
             if (ending != ".png") return file;
@@ -45,8 +45,13 @@ std::string case_of(std::string file) {
 
 CaseFiles case_files(const fs::path& folder, const std::string& name) {
     return {folder / (name + ".counts.json"), folder / (name + ".ids.png"),
-            folder / (name + ".png"), folder / (name + ".meta.json"),
-            folder / (name + ".scbtrace")};
+            folder / (name + ".png"),         folder / (name + ".meta.json"),
+            folder / (name + ".scbrec"),      folder / (name + ".scbtrace")};
+}
+
+fs::path trace_of(const CaseFiles& files) {
+    if (is_there(files.trace)) return files.trace;
+    return is_there(files.trace_1_0) ? files.trace_1_0 : fs::path();
 }
 
 void check_readable(const fs::path& baselines) {
@@ -86,8 +91,9 @@ std::vector<std::string> replace_baseline(const fs::path& baselines, const fs::p
     std::vector<std::pair<fs::path, fs::path>> changed;
     std::vector<fs::path> gone;
     for (const auto member : {&CaseFiles::counts, &CaseFiles::ids, &CaseFiles::image,
-                              &CaseFiles::meta, &CaseFiles::trace}) {
-        const bool kept = member == &CaseFiles::trace && old_trace == OldTrace::kept;
+                              &CaseFiles::meta, &CaseFiles::trace, &CaseFiles::trace_1_0}) {
+        const bool kept = (member == &CaseFiles::trace || member == &CaseFiles::trace_1_0) &&
+                          old_trace == OldTrace::kept;
         const bool same = member == &CaseFiles::image && picture_is_accepted;
         if (!is_there(from.*member)) {
             if (is_there(to.*member) && !kept) gone.push_back(to.*member);

@@ -11,8 +11,11 @@ namespace scb::golden {
 /// The files of a case: of its baseline in one folder, of a run in another.
 struct CaseFiles {
     std::filesystem::path counts, ids, image, meta, trace;
+    std::filesystem::path trace_1_0;  ///< a trace that scb 1.0 wrote
 };
 CaseFiles case_files(const std::filesystem::path& folder, const std::string& name);
+/// The trace that exists; empty if there is none.
+std::filesystem::path trace_of(const CaseFiles& files);
 
 /// Throws InputError if the path of the baselines exists, but is not a folder, or its files cannot
 /// be read: they would count as missing.

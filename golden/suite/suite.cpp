@@ -189,10 +189,13 @@ class Reader {
     }
 
     /// Outputs that the run cannot make are not compared, and must not be requested.
-    static void check_what_is_made(const JsonPlace& place, GoldenCase& golden, const Given& given) {
+    void check_what_is_made(const JsonPlace& place, GoldenCase& golden,
+                            const Given& given) const {
         const std::string run(golden_run_names[golden.run]);
         const bool recording =
-            golden.own_scene.size() == 1 && scenes::names_recording(golden.own_scene[0]);
+            !golden.command.empty() ||
+            (golden.own_scene.size() == 1 &&
+             scenes::names_recording((suite_.file.parent_path() / golden.own_scene[0]).string()));
         if (golden.run == GoldenRun::external && !recording)
             refuse(place,
                    "`external` is of a recording, such as engine.scbrec, or of a `command` "

@@ -4,13 +4,10 @@
 #include <cmath>
 
 #include "scb/error.h"
-#include "scenes/traces/trace_block.h"
 
 namespace scb::scenes {
 namespace {
 
-constexpr std::string_view magic = "\x89scbrc\r\n";
-constexpr std::string_view plain_block = "data", packed_block = "pack";
 /// The size of a block; a longer one is a single record.
 constexpr std::size_t block_size = 1 << 20;
 
@@ -243,8 +240,6 @@ struct WriteRecord {
 
 }  // namespace
 
-bool starts_as_recording(std::string_view bytes) { return bytes.starts_with(magic); }
-
 std::vector<std::uint8_t> record_payload(const Record& record) {
     ByteWriter payload;
     std::visit(WriteRecord{payload}, record);
@@ -253,19 +248,7 @@ std::vector<std::uint8_t> record_payload(const Record& record) {
 }
 
 RecordingReader::RecordingReader(std::string_view bytes, std::string_view name)
-    : name_(name), bytes_(as_bytes(bytes)) {
-    if (!starts_as_recording(bytes))
-        throw InputError(name_ +
-                         " is no recording, which scb_record.h writes; name one (.scbrec).");
-    ByteReader in{bytes_.subspan(magic.size())};
-    const std::uint32_t version = in.fixed32();
-    if (!in.ok) throw InputError(name_ + " is truncated before its version; record it again.");
-    if (version > recording_version || version == 0)
-        throw InputError(name_ + " is a recording of version " + std::to_string(version) +
-                         "; this scb reads versions up to " + std::to_string(recording_version) +
-                         ": update it.");
-    left_ = in.bytes;
-}
+    : name_(name), bytes_(as_bytes(bytes)), left_(recording_blocks(bytes, name)) {}
 
 void RecordingReader::contradict(const std::string& what) const {
     throw InputError(name_ + ": " + what + " in the block at byte " + std::to_string(block_at_) +
@@ -276,24 +259,23 @@ bool RecordingReader::next_block() {
     while (!left_.empty() && !damaged_at_) {
         block_at_ = bytes_.size() - left_.size();
         ByteReader in{left_};
-        const std::uint64_t length = in.fixed32();
-        const std::span<const std::uint8_t> checked = in.take(4 + length);
-        const std::uint32_t sum = in.fixed32();
-        if (!in.ok || sum != checksum(checked)) {
+        const std::optional<RecordingBlock> block = take_block(in);
+        if (!block) {
             damaged_at_ = block_at_;
             return false;
         }
         left_ = in.bytes;
-        const std::string_view kind(reinterpret_cast<const char*>(checked.data()), 4);
-        if (kind == packed_block) {
-            ByteReader packed{checked.subspan(4)};
-            const std::uint32_t size = packed.fixed32();
-            auto plain = unpack(packed.bytes, size);
-            if (!packed.ok || !plain) contradict("no data can be unpacked");
+        if (block->kind == head_block)
+            throw InputError(name_ +
+                             " is compact: it has this program's own queries, without the meshes "
+                             "and hierarchies; record it again with `scb trace --records`.");
+        if (block->kind == packed_block) {
+            auto plain = unpacked(*block);
+            if (!plain) contradict("no data can be unpacked");
             unpacked_ = std::move(*plain);
             block_ = {unpacked_};
-        } else if (kind == plain_block) {
-            block_ = {checked.subspan(4)};
+        } else if (block->kind == data_block) {
+            block_ = {block->content};
         } else {
             continue;  // of a newer version, which may be skipped
         }
@@ -334,8 +316,7 @@ std::string RecordingReader::damage() const {
 
 RecordingWriter::RecordingWriter() {
     ByteWriter out;
-    out.append(as_bytes(magic));
-    out.fixed32(recording_version);
+    begin_recording(out);
     bytes_.assign(out.bytes.begin(), out.bytes.end());
 }
 
@@ -359,15 +340,8 @@ void RecordingWriter::add(const Record& record) {
 }
 
 void RecordingWriter::end_block() {
-    ByteWriter checked;
-    const std::vector<std::uint8_t> packed = pack(block_.bytes);
-    checked.append(as_bytes(packed_block));
-    checked.fixed32(static_cast<std::uint32_t>(block_.bytes.size()));
-    checked.append(packed);
     ByteWriter out;
-    out.fixed32(static_cast<std::uint32_t>(checked.bytes.size() - 4));
-    out.append(checked.bytes);
-    out.fixed32(checksum(checked.bytes));
+    add_packed_block(out, packed_block, block_.bytes);
     bytes_.append(out.bytes.begin(), out.bytes.end());
     block_.bytes.clear();
 }

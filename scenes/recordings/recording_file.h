@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "scenes/recordings/record.h"
-#include "scenes/traces/byte_stream.h"
+#include "scenes/recordings/recording_block.h"
 
 namespace scb::scenes {
-
-/// The highest version that is read, and the one that is written.
-inline constexpr std::uint32_t recording_version = 1;
-
-/// Whether the bytes start as a recording does.
-bool starts_as_recording(std::string_view bytes);
 
 /// The bytes behind a record's tag and length. Two records of a kind are equal if their payloads
 /// are, NaN included. Empty for a test.
@@ -26,9 +20,9 @@ std::vector<std::uint8_t> record_payload(const Record& record);
 ///
 /// A file that is cut off or damaged is read up to the last whole block before the damage, and
 /// `damage` reports it. Throws InputError, one sentence that starts with `name`, if the bytes are
-/// no recording or of a newer version, and if a whole block contradicts itself. A file of n bytes
-/// takes O(n) time and memory, except for packed blocks, which unpack to at most 16 times their
-/// size plus 1024 bytes.
+/// no recording, of a newer version or a compact recording, and if a whole block contradicts
+/// itself. A file of n bytes takes O(n) time and memory, except for packed blocks, which unpack to
+/// at most 16 times their size plus 1024 bytes.
 class RecordingReader {
   public:
     /// `bytes` must outlive the reader.

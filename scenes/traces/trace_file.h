@@ -9,29 +9,34 @@
 #include <vector>
 
 #include "core/analysis/trace.h"
+#include "scenes/traces/byte_stream.h"
 
 namespace scb::scenes {
 
-// Trace files (`.scbtrace`), version 1. Numbers as in byte_stream.h; a length stands before each
-// text:
+// A trace has every test of this program's own queries. It names the scene in place of meshes and
+// hierarchies. Its file is a compact recording (`.scbrec`), see recording_block.h:
 //
-//     magic      the eight bytes 89 's' 'c' 'b' 't' 'r' 0d 0a
-//     version    fixed32
-//     header     its length (varint), then the parameters
-//     frames     per frame the length of its block packed and unpacked (varints), and the block,
-//                deflated; a packed length of 0 ends the frames
-//     checksum   fixed32: zlib's CRC-32 of all bytes before it
+//     head       the parameters of the queries
+//     step       per frame, deflated
+//     data       one record, the end, so that a truncated file is noticed
 //
-// A block has one byte per volume test: how the test ended, whether its triangles intersect, and
+// A step has one byte per volume test: how the test ended, whether its triangles intersect, and
 // which of the two nodes was divided to get there. Nodes and depths follow from the order of a
 // traversal, each node's children and each leaf's triangle. The latter two are written where they
 // are first needed, so frames must be read in order. A test takes 0.41 bytes in `spheres-l1` (500
 // frames, symmetric, 8.8 million tests).
+//
+// scb 1.0 wrote trace files (`.scbtrace`), which are still read. Numbers as in byte_stream.h:
+//
+//     magic      the eight bytes 89 's' 'c' 'b' 't' 'r' 0d 0a
+//     version    fixed32, 1
+//     header     its length (varint), then the parameters
+//     frames     per frame the length of its block packed and unpacked (varints), and the block,
+//                deflated; a packed length of 0 ends the frames
+//     checksum   fixed32: zlib's CRC-32 of all bytes before it
 
-/// The highest version that decode_trace reads, and the one that is written.
-inline constexpr std::uint32_t trace_version = 1;
-
-/// Whether the bytes start as a trace file does.
+/// Whether the bytes start as a trace does, of this version or of 1.0. `compact_start` bytes are
+/// enough.
 bool starts_as_trace(std::span<const std::uint8_t> bytes);
 
 /// For one body, the links of the nodes met so far.
@@ -51,7 +56,7 @@ class TraceWriter {
 
     /// Frames must be added ascending by number, each once, as recorded by collide: counts other
     /// than N_u are not stored, since they follow from the tests. Throws InputError if the frame
-    /// has more than 2^31 volume tests.
+    /// has more than 2^31 volume tests, or takes more than 2^31 bytes.
     void add(const TraceFrame& frame);
     /// The whole file. Nothing may be added after it.
     std::vector<std::uint8_t> finish();
@@ -59,7 +64,7 @@ class TraceWriter {
   private:
     TraceHeader header_;
     std::array<TraceNodes, 2> nodes_;
-    std::vector<std::uint8_t> bytes_;
+    ByteWriter out_;
 };
 
 /// Reads a trace from the bytes of a file, frame by frame: memory holds one frame.
@@ -80,11 +85,24 @@ class TraceReader {
     const TraceFrame* next();
 
   private:
+    /// A frame, deflated.
+    struct PackedFrame {
+        std::span<const std::uint8_t> packed;
+        std::uint64_t plain_size = 0;
+    };
+
+    /// Both find the frames, and return the bytes of the header.
+    std::span<const std::uint8_t> read_compact(std::string_view bytes);
+    std::span<const std::uint8_t> read_version_1_0(std::span<const std::uint8_t> bytes);
+    [[noreturn]] void refuse_truncated() const;
+    [[noreturn]] void refuse_damaged() const;
+    [[noreturn]] void refuse_longer(std::size_t bytes) const;
     [[noreturn]] void contradict(const std::string& what) const;
 
     std::string name_;
     TraceHeader header_;
-    std::span<const std::uint8_t> blocks_;
+    std::vector<PackedFrame> frames_;
+    std::size_t next_ = 0;
     std::array<TraceNodes, 2> nodes_;
     TraceFrame frame_;
     int last_frame_ = -1;

@@ -355,7 +355,7 @@ test('commands are copied', () =>
     const commands = await root.locator('.commands code').allTextContents();
     assert.deepEqual(commands, [
       'scb golden check spheres-scb-pairs --trace --report out/golden',
-      'scb diff out/golden/spheres-scb-pairs.baseline.scbtrace out/golden/spheres-scb-pairs.new.scbtrace',
+      'scb diff out/golden/spheres-scb-pairs.baseline.scbrec out/golden/spheres-scb-pairs.new.scbrec',
       'scb golden update spheres-scb-pairs',
     ]);
     const button = root.locator('.copy').last();

@@ -244,10 +244,10 @@ golden::SuiteResult sample(const fs::path& folder) {
             c.owners.push_back("node " + std::to_string(change.id - 1) + " of A, level 7");
         for (int depth = 20; depth < 24; ++depth)
             count(("frames/100/n_v at depth/" + std::to_string(depth)).c_str(), 100, 100 + depth);
-        c.traces = {"spheres-scb-pairs.baseline.scbtrace", "spheres-scb-pairs.new.scbtrace"};
+        c.traces = {"spheres-scb-pairs.baseline.scbrec", "spheres-scb-pairs.new.scbrec"};
         c.diff =
-            "scb diff out/golden/spheres-scb-pairs.baseline.scbtrace "
-            "out/golden/spheres-scb-pairs.new.scbtrace";
+            "scb diff out/golden/spheres-scb-pairs.baseline.scbrec "
+            "out/golden/spheres-scb-pairs.new.scbrec";
     }
     {
         golden::CaseResult& c =

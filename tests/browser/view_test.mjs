@@ -9,7 +9,7 @@ import { chromium } from 'playwright-core';
 import { address, assert_ids_of_picture, chromium_arguments, folder, page_of, read_png, scb, seen, settled, share_of_differences, shot, state, watched } from './pages.mjs';
 
 function traced() {
-  const file = join(folder, 'cone.scbtrace');
+  const file = join(folder, 'cone.scbrec');
   scb('trace', 'cone', '--volume', 'scb', '--frames', '100', '-o', file);
   return execFileSync(process.env.SCB, ['--quiet', 'trace', file, '--json', '--events'], { encoding: 'utf8', maxBuffer: 1 << 28 });
 }
@@ -227,7 +227,7 @@ for (const [scene, ...options] of [['cone', '--volume', 'scb', '--frames', '100'
 
 test('two queries stand beside each other, and what differs is outlined and counted', async () => {
   const traces = ['corrected', 'printed'].map((name) => {
-    const file = join(folder, `${name}.scbtrace`);
+    const file = join(folder, `${name}.scbrec`);
     scb('trace', 'spheres-l1', '--frames', '50', '--test', name, '-o', file);
     return file;
   });
@@ -536,7 +536,7 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
 
 test('another engine\'s recording is a page like any other', async () => {
   const file = join(folder, 'own.scbrec');
-  scb('trace', 'cone', '--frames', '100', '--volume', 'rss', '-o', file);
+  scb('trace', 'cone', '--frames', '100', '--volume', 'rss', '--records', '-o', file);
   await onPage(page_of(file), { hash: '#show=rejections' }, async (page) => {
     const [recorded, own] = [await seen(page), page_of('cone', '--volume', 'rss', '--frames', '100')];
     const view = await page.evaluate(() => location.hash);
@@ -547,7 +547,7 @@ test('another engine\'s recording is a page like any other', async () => {
   });
   // Of boxes the test is exact, so that the levels have the same pairs.
   const boxes = join(folder, 'boxes.scbrec'), overlaps = [];
-  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '-o', boxes);
+  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '--records', '-o', boxes);
   for (const made of [page_of(boxes), page_of('cone', '--volume', 'obb', '--frames', '100')])
     await onPage(made, {}, async (page) => overlaps.push(await page.evaluate(() => document.getElementById('canvas').app.columns[0].query.stored.frames[0].overlaps)));
   assert.ok(overlaps[0].length > 5);

@@ -2,6 +2,7 @@
 
 #include "scenes/traces/trace_file.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/scenes/recordings/recording_block.h"
 
 using namespace scb;
 
@@ -21,7 +22,13 @@ void read_trace(std::span<const std::uint8_t> bytes) {
 
 SCB_FUZZ(input) {
     read_trace(input);
-    // Also with the checksum that these bytes ask for, which chance does not find.
+    // Also with the checksums that these bytes ask for, which chance does not find: behind the
+    // beginning of a compact recording, and as a trace of scb 1.0.
+    std::vector<std::uint8_t> compact;
+    const std::string start = scenes::recording_with_block("");
+    compact.assign(start.begin(), start.begin() + 12);
+    compact.insert(compact.end(), input.begin(), input.end());
+    read_trace(scenes::with_fitting_checksums(compact));
     if (input.size() < 4) return;
     std::vector<std::uint8_t> bytes(input.begin(), input.end());
     const auto sum = static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size() - 4));

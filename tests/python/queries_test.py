@@ -15,10 +15,10 @@ class Queries(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.trace = pathlib.Path(cls.folder.name) / "bracket.scbtrace"
+        cls.trace = pathlib.Path(cls.folder.name) / "bracket-trace.scbrec"
         cls.recording = pathlib.Path(cls.folder.name) / "bracket.scbrec"
-        for file in (cls.trace, cls.recording):
-            run_scb("trace", BRACKET, "--frames", "80:90:5", "--volume", "obb", "-o", file)
+        for file, options in ((cls.trace, ()), (cls.recording, ("--records",))):
+            run_scb("trace", BRACKET, "--frames", "80:90:5", "--volume", "obb", *options, "-o", file)
         cls.scene = scb.load_scene(BRACKET)
 
     @classmethod
@@ -155,7 +155,7 @@ class Queries(unittest.TestCase):
     def test_golden_traces_are_read(self):
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(SOURCE / "golden")  # from where they name their scenes
-        for file in sorted(pathlib.Path("baselines").glob("degenerate-*-pairs.scbtrace")):
+        for file in sorted(pathlib.Path("baselines").glob("degenerate-*-pairs.scbrec")):
             trace = scb.open_queries(file)
             for number in trace.frames:
                 self.assertEqual(len(trace.frame(number).node_a), trace.frame(number).n_v)

@@ -140,7 +140,7 @@ Takes microseconds for each test. Raises InputError as frame does.)")
         py::arg("growth") = "ritter", py::arg("margin") = 0.0, py::arg("test") = "symmetric",
         py::arg("threshold") = 0.7, py::arg("descent") = "radius",
         py::arg("max_pairs") = py::none(), py::arg("stop_level") = py::none(),
-        R"(Open the queries of a scene, a trace (.scbtrace) or a recording (.scbrec).
+        R"(Open the queries of a scene, a trace or a recording (both .scbrec).
 
 source: a Scene, a built-in name, a path, or two mesh files. frames: "all", "auto" or a list such as
 "0:499:10,7". bodies: "A,B", where there are more than two. A trace knows all that follows, and so does

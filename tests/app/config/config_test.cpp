@@ -139,12 +139,12 @@ TEST(Config, AFileOfAStrangerLosesNoCollision) {
 
 TEST(Config, ARecordedQueryStaysAsItWas) {
     const Configured configured;
-    ASSERT_EQ(configured.run("trace cone --frames 80 -o cone.scbtrace").status, 0);
+    ASSERT_EQ(configured.run("trace cone --frames 80 -o cone.scbrec").status, 0);
     configured.here.write("scb.json", R"({"*": {"volume": "obb", "descent": "area"}})");
-    const ProgramRun run = configured.run("trace cone.scbtrace");
+    const ProgramRun run = configured.run("trace cone.scbrec");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    EXPECT_EQ(run.out, configured.run("trace cone.scbtrace --no-config").out);
+    EXPECT_EQ(run.out, configured.run("trace cone.scbrec --no-config").out);
 }
 
 TEST(Config, DefaultsAreNotWhatSomebodyAskedFor) {

@@ -42,7 +42,7 @@ struct ExplainCommand : testing::Test {
 
 // Some pairs of every stage that a query ended at, asked by node, of the scene and of the trace.
 TEST_F(ExplainCommand, EndsAtTheStageThatTheQuerySawInTheSamePair) {
-    const std::string trace = folder / "t.scbtrace";
+    const std::string trace = folder / "t.scbrec";
     for (const char* options : {"", "--test printed", "--test extents", "--volume obb"}) {
         const std::string asked = std::string(options) + " ";
         ASSERT_EQ(run_scb("trace spheres-l1 --frames 50 " + asked + "-o " + trace).status, 0);

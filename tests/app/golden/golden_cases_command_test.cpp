@@ -85,7 +85,7 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
                  {{"name", "pair"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
                  {{"name", "sum"}, {"run", "inspect"}, {"scene", {"a.obj", "b.obj"}}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    const std::string trace = folder / "my/baselines/pair.scbtrace";
+    const std::string trace = folder / "my/baselines/pair.scbrec";
     EXPECT_EQ(run_scb("inspect " + trace + " -o " + (folder / "out"), {folder / "my"}).status, 0);
     // As many triangles and vertices, elsewhere.
     std::string moved = two_triangles(true);
@@ -147,9 +147,9 @@ TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {
                  {{"name", "own"}, {"run", "pairs"}, {"scene", "cone"}},
                  {{"name", "many"}, {"run", "collide"}, {"scene", "cone"}, {"frames", "0,10"}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    EXPECT_NE(baseline("unnamed.scbtrace"), "");
-    EXPECT_NE(baseline("own.scbtrace"), "");
-    EXPECT_EQ(baseline("many.scbtrace"), "");
+    EXPECT_NE(baseline("unnamed.scbrec"), "");
+    EXPECT_NE(baseline("own.scbrec"), "");
+    EXPECT_EQ(baseline("many.scbrec"), "");
 }
 
 TEST_F(GoldenCommandCases, FindMeshesBesideTheSuiteThenAmongTheModels) {
@@ -196,7 +196,7 @@ TEST_F(GoldenCommandCases, GiveTheSameBaselinesFromAnyFolder) {
     write_cases({{{"name", "meshes"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
                  {{"name", "scene"}, {"run", "pairs"}, {"scene", "scene.json"}, {"frames", "1"}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    for (const char* file : {"meshes.meta.json", "scene.meta.json", "scene.scbtrace"}) {
+    for (const char* file : {"meshes.meta.json", "scene.meta.json", "scene.scbrec"}) {
         EXPECT_NE(baseline(file), "") << file;
         EXPECT_EQ(baseline(file).find(folder.path.string()), std::string::npos) << file;
     }

@@ -263,8 +263,7 @@ TEST_F(GoldenReport, TracesAreCalledWhatTheyAre) {
     EXPECT_NE(file_text(home / "out/rejections.view.html").find("\"scb_view\":1"),
               std::string::npos);
     // The command works from the folder of the check. So does the command in a report of reports.
-    EXPECT_EQ(found["diff"],
-              "scb diff out/rejections.baseline.scbtrace out/rejections.new.scbtrace");
+    EXPECT_EQ(found["diff"], "scb diff out/rejections.baseline.scbrec out/rejections.new.scbrec");
     EXPECT_EQ(run(found["diff"].get<std::string>().substr(4)).status, 1);
     EXPECT_EQ(run("golden report --from out/results.json --report all").status, 1);
     results = json::parse(file_text(home / "all/results.json"));

@@ -77,7 +77,7 @@ TEST(InspectCommand, HasNoSettingsOfPartsOfQueries) {
 
 TEST(InspectCommand, NamesTheSceneOfATraceInItsCommand) {
     const TemporaryFolder folder;
-    const std::string trace = folder / "cone.scbtrace";
+    const std::string trace = folder / "cone.scbrec";
     ASSERT_EQ(run_scb("trace cone --frames 80 -o " + trace).status, 0);
     const std::string command = inspect(trace)["settings"]["command"];
     EXPECT_TRUE(command.starts_with("scb collide cone")) << command;
@@ -97,7 +97,7 @@ TEST(InspectCommand, NamesTheSceneOfATraceInItsCommand) {
 
 TEST(InspectCommand, SaysTheSameOfATrace) {
     const TemporaryFolder folder;
-    const std::string trace = folder / "t.scbtrace";
+    const std::string trace = folder / "t.scbrec";
     for (const char* arguments :
          {"spheres-l1 --frames 60,100 --test corrected --threshold 0.8",
           "spheres-l1 --frames 60 --max-pairs 3", "knots-l1 --frames 7 --volume obb --level 4"}) {
@@ -222,13 +222,13 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
         "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})";
     write_text(folder / "m.obj", mesh);
     write_text(folder / "linked.json", scene);
-    ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbtrace").status, 0);
+    ASSERT_EQ(run_scb("trace " + folder / "linked.json -o " + folder / "t.scbrec").status, 0);
     for (const auto& [link, target] : {std::pair<std::string, std::string>{
                                            "linked_scb_inspect_size-320x240_frames.csv", "m.obj"},
                                        {"linked_scb_inspect_size-320x240.html", "linked.json"},
                                        {"linked_scb_inspect_size-320x240.png", "m.obj"},
-                                       {"index.json", "t.scbtrace"}})
-        for (const char* source : {"linked.json", "t.scbtrace"}) {
+                                       {"index.json", "t.scbrec"}})
+        for (const char* source : {"linked.json", "t.scbrec"}) {
             const fs::path out = folder.path / "out";
             fs::remove_all(out);
             fs::create_directory(out);
@@ -237,7 +237,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
             const ProgramRun run =
                 run_scb("inspect " + folder / source + " --size 320x240 -o " + out.string());
             EXPECT_EQ(file_text(folder / target), before) << link << " " << source;
-            if (target != "t.scbtrace" || source == target) {
+            if (target != "t.scbrec" || source == target) {
                 EXPECT_EQ(run.status, 2) << link << " " << source;
             }
         }
@@ -253,7 +253,7 @@ TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
 
 TEST(InspectCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
-    const std::string trace = folder / "t.scbtrace";
+    const std::string trace = folder / "t.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 60 -o " + trace).status, 0);
     for (const auto& [arguments, said] :
          {std::pair<std::string, std::string>{"spheres-l1 --top 0", "1 to 10000"},
@@ -277,13 +277,13 @@ TEST(InspectCommand, RefusesWhatMakesNoSense) {
 TEST(InspectCommand, JudgesARecording) {
     const TemporaryFolder folder;
     const std::string file = folder / "q.scbrec";
-    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + file).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb --records -o " + file).status, 0);
     const ProgramRun sound = run_scb("inspect " + file);
     EXPECT_EQ(sound.status, 0) << sound.err;
     EXPECT_NE(sound.out.find(": sound"), std::string::npos) << sound.out;
     EXPECT_NE(sound.out.find(" 0 missed, 0 false"), std::string::npos) << sound.out;
 
-    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed -o " + file).status, 0);
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed --records -o " + file).status, 0);
     const ProgramRun wrong = run_scb("inspect --json " + file);
     EXPECT_EQ(wrong.status, 1) << wrong.err;
     const auto judged = nlohmann::json::parse(wrong.out);
@@ -312,7 +312,7 @@ TEST(InspectCommand, JudgesARecording) {
 TEST(InspectCommand, DrawsWhatWentWrongInARecording) {
     const TemporaryFolder folder;
     const std::string file = folder / "q.scbrec", out = folder / "out";
-    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed -o " + file).status, 0);
+    ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed --records -o " + file).status, 0);
     const ProgramRun run = run_scb("inspect " + file + " --size 320x240 -o " + out);
     EXPECT_EQ(run.status, 1) << run.err;
     const auto index = nlohmann::json::parse(file_text(out + "/index.json"));
@@ -325,7 +325,7 @@ TEST(InspectCommand, DrawsWhatWentWrongInARecording) {
 TEST(InspectCommand, TellsWhatWouldHaveHelpedARecording) {
     const TemporaryFolder folder;
     const std::string file = folder / "q.scbrec";
-    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb -o " + file).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb --records -o " + file).status, 0);
     const auto judged = nlohmann::json::parse(run_scb("inspect --json " + file).out);
     const auto& settings = judged["settings"];
     EXPECT_EQ(settings["settings"].size(), 12u);

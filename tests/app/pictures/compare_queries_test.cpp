@@ -95,7 +95,7 @@ TEST_F(CompareQueries, NamesTheIdsOfThePairsOfBoth) {
 }
 
 TEST_F(CompareQueries, SamePicturesFromTwoTraces) {
-    const std::string first = folder / "1.scbtrace", second = folder / "2.scbtrace";
+    const std::string first = folder / "1.scbrec", second = folder / "2.scbrec";
     const std::string scene = "spheres-l1 --frames 100,250 ";
     for (const auto& [names, option_a, option_b] :
          {std::tuple{"corrected,printed", "--test corrected ", "--test printed "},
@@ -122,7 +122,7 @@ TEST_F(CompareQueries, SamePicturesFromTwoTraces) {
 }
 
 TEST_F(CompareQueries, TracesNeedNotDifferByTestOrVolume) {
-    const std::string first = folder / "1.scbtrace", second = folder / "2.scbtrace";
+    const std::string first = folder / "1.scbrec", second = folder / "2.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --descent area -o " + first).status, 0);
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --margin 0.5 -o " + second).status, 0);
     const json index = index_of("rejections " + first + " " + second);
@@ -135,7 +135,7 @@ TEST_F(CompareQueries, TracesNeedNotDifferByTestOrVolume) {
 
 // Other splits make other nodes, so that the same number says nothing.
 TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
-    const std::string paper = folder / "1.scbtrace", cost = folder / "2.scbtrace";
+    const std::string paper = folder / "1.scbrec", cost = folder / "2.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + paper).status, 0);
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --split cost -o " + cost).status, 0);
     const std::string both = paper + " " + cost;
@@ -157,8 +157,8 @@ TEST_F(CompareQueries, OfOtherSplitsOnlyTrianglesAreOutlined) {
 }
 
 TEST_F(CompareQueries, RefusesWhatCannotBeCompared) {
-    const std::string trace = folder / "t.scbtrace", other = folder / "o.scbtrace",
-                      level = folder / "l.scbtrace";
+    const std::string trace = folder / "t.scbrec", other = folder / "o.scbrec",
+                      level = folder / "l.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + trace).status, 0);
     ASSERT_EQ(run_scb("trace knots-l1 --frames 100 -o " + other).status, 0);
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 --level 3 -o " + level).status, 0);
@@ -185,7 +185,7 @@ TEST_F(CompareQueries, RefusesWhatCannotBeCompared) {
 }
 
 TEST_F(CompareQueries, ATraversalIsOfOneQuery) {
-    const std::string trace = folder / "t.scbtrace";
+    const std::string trace = folder / "t.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + trace).status, 0);
     const ProgramRun run = run_scb("render traversal " + trace + " " + trace + " -o " + out);
     EXPECT_EQ(run.status, 2);

@@ -84,9 +84,9 @@ TEST_F(FolderIndex, KeepsWhatIsLeftOfAnEarlierRun) {
 // Of one scene there are many: each has the name of its own file in its pictures' names.
 TEST_F(FolderIndex, KeepsThePicturesOfTwoRecordingsApart) {
     const std::string small = " --size 320x240", before = folder / "before.scbrec",
-                      after = folder / "after.scbrec", trace = folder / "own.scbtrace";
-    ASSERT_EQ(run_scb("trace cone --frames 80 -o " + before).status, 0);
-    ASSERT_EQ(run_scb("trace cone --frames 80 --split cost -o " + after).status, 0);
+                      after = folder / "after.scbrec", trace = folder / "own.scbrec";
+    ASSERT_EQ(run_scb("trace cone --records --frames 80 -o " + before).status, 0);
+    ASSERT_EQ(run_scb("trace cone --records --frames 80 --split cost -o " + after).status, 0);
     ASSERT_EQ(run_scb("trace cone --frames 80 -o " + trace).status, 0);
     std::set<std::string> names;
     std::size_t count = 0;

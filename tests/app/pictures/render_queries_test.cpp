@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -7,6 +6,7 @@
 #include "render/files/image_file.h"
 #include "tests/app/program.h"
 #include "tests/png_chunks.h"
+#include "tests/scenes/recordings/recording_block.h"
 
 namespace scb::app {
 namespace {
@@ -15,7 +15,7 @@ using nlohmann::json;
 
 struct RenderQueries : testing::Test {
     TemporaryFolder folder;
-    std::string out = folder / "out", trace_file = folder / "t.scbtrace";
+    std::string out = folder / "out", trace_file = folder / "t.scbrec";
 
     json index_of(const std::string& arguments) {
         const ProgramRun run =
@@ -264,7 +264,7 @@ TEST_F(RenderQueries, ACameraFollowsTheContact) {
 
 TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 0,100 -o " + trace_file).status, 0);
-    const std::string scene = folder / "s.json", of_scene = folder / "s.scbtrace";
+    const std::string scene = folder / "s.json", of_scene = folder / "s.scbrec";
     write_text(scene, endless_scene);
     ASSERT_EQ(run_scb("trace " + scene + " --frames 0 -o " + of_scene).status, 0);
     std::string moved = endless_scene, other = endless_scene;
@@ -273,11 +273,10 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     std::string newer = file_text(of_scene);
     const std::string version = json::parse(run_scb("--version --json").out)["scb"];
     newer[newer.find(version)] = '9';
-    const auto crc = static_cast<std::uint32_t>(
-        crc32_z(0, reinterpret_cast<const unsigned char*>(newer.data()), newer.size() - 4));
-    for (std::size_t i = 0; i < 4; ++i)
-        newer[newer.size() - 4 + i] = static_cast<char>(crc >> (8 * i));
-    write_text(folder / "newer.scbtrace", newer);
+    const std::vector<std::uint8_t> resealed =
+        scenes::with_fitting_checksums({newer.begin(), newer.end()});
+    newer.assign(resealed.begin(), resealed.end());
+    write_text(folder / "newer.scbrec", newer);
     const auto refused = [&](const std::string& arguments, const std::string& part) {
         const ProgramRun run = run_scb("render " + arguments + " -o " + out);
         EXPECT_EQ(run.status, 2) << arguments << run.err;
@@ -317,7 +316,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs spheres-l1 --no-panel --size 63x64", "give 64x64 to");
     refused("rejections spheres-l1 --focus 0", "--focus 0: give a share");
     refused("rejections spheres-l1 --focus 1.5", "--focus 1.5: give a share");
-    refused("pairs " + (folder / "newer.scbtrace"), "was recorded by scb 9.0.0");
+    refused("pairs " + (folder / "newer.scbrec"), "was recorded by scb 9.0.0");
     write_text(scene, moved);
     refused("pairs " + of_scene, of_scene + ": at frame 0 of ");
     const ProgramRun explained = run_scb("explain " + of_scene + " --frame 0 --pair 0,0");

@@ -92,7 +92,7 @@ TEST_F(RenderSheet, HasACellForEveryStep) {
 
 TEST_F(RenderSheet, IsTheSameFromATrace) {
     const std::string scene = "spheres-l1 --volume obb --frames 50,100",
-                      trace = folder / "t.scbtrace";
+                      trace = folder / "t.scbrec";
     ASSERT_EQ(run_scb("trace " + scene + " -o " + trace).status, 0);
     for (const std::string command :
          {"pairs ", "pairs --heat triangles ", "rejections --steps 5000 "}) {

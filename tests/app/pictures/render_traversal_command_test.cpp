@@ -26,7 +26,7 @@ struct RenderTraversal : testing::Test {
 
 TEST_F(RenderTraversal, TheSameFromASceneAndFromATrace) {
     const std::string options = " --frames 0,100,250 --volume obb";
-    const std::string trace = folder / "t.scbtrace";
+    const std::string trace = folder / "t.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1" + options + " -o " + trace).status, 0);
     for (const auto& [how, in_name] :
          {std::pair{std::string(), std::string()},

@@ -13,7 +13,7 @@ struct ConvertCommand : testing::Test {
     TemporaryFolder folder;
 
     std::string record(const std::string& arguments, const std::string& name) const {
-        const ProgramRun run = run_scb("trace " + arguments + " -o " + (folder / name));
+        const ProgramRun run = run_scb("trace --records " + arguments + " -o " + (folder / name));
         EXPECT_EQ(run.status, 0) << run.err;
         return folder / name;
     }

@@ -42,8 +42,8 @@ std::vector<Row> rows() {
     const std::vector<std::string> of_scene = {"scene.json", "wedge.obj", "flat.gltf", "flat.bin"},
                                    with_camera = {"scene.json", "wedge.obj", "flat.gltf",
                                                   "flat.bin", "camera.json"},
-                                   of_trace = {"t.scbtrace", "scene.json", "wedge.obj",
-                                               "flat.gltf",  "flat.bin",   "camera.json"},
+                                   of_trace = {"t.scbrec",  "scene.json", "wedge.obj",
+                                               "flat.gltf", "flat.bin",   "camera.json"},
                                    of_suite = {"suite.json", "scene.json", "wedge.obj", "flat.gltf",
                                                "flat.bin"};
     const std::string picture = " --size 320x240 --samples 1 --camera camera.json";
@@ -52,17 +52,17 @@ std::vector<Row> rows() {
         {"render pairs scene.json --frames 0,1 --ids --sheet" + picture, with_camera, "-o", ""},
         {"render rejections scene.json --ids --sheet" + picture, with_camera, "-o", ""},
         {"render traversal scene.json --size 640x480", of_scene, "-o", ""},
-        {"render pairs t.scbtrace --frames 0" + picture, of_trace, "-o", ""},
+        {"render pairs t.scbrec --frames 0" + picture, of_trace, "-o", ""},
         {"render pairs scene.json -o elsewhere" + picture, with_camera, "--video", "out.mp4"},
         {"inspect scene.json --frames 0 --size 640x480", of_scene, "-o", ""},
         {"explain scene.json --frames 0 --pair 0,0" + picture, with_camera, "-o", ""},
-        {"explain t.scbtrace --frames 0 --pair 0,0" + picture, of_trace, "-o", ""},
+        {"explain t.scbrec --frames 0 --pair 0,0" + picture, of_trace, "-o", ""},
         {"explain --pairs pairs.json" + picture, {"pairs.json", "camera.json"}, "-o", ""},
         {"tune scene.json --frames 0 --no-time", of_scene, "-o", ""},
         {"bench scene.json --frames 0 --repeat 1 --volume scb", of_scene, "-o", ""},
         {"collide scene.json --frames 0", of_scene, "--pairs-out", "out.csv"},
-        {"trace scene.json --frames 0", of_scene, "-o", "out.scbtrace"},
-        {"convert t.scbrec t.jsonl", {"t.scbrec", "t.jsonl"}, "-o", "out.scbrec"},
+        {"trace scene.json --frames 0", of_scene, "-o", "out.scbrec"},
+        {"convert r.scbrec t.jsonl", {"r.scbrec", "t.jsonl"}, "-o", "out.scbrec"},
         {"export scene.json --levels 0", of_scene, "-o", "out.ply"},
         {"golden check --suite suite.json", of_suite, "--json", "out.json"},
         {"golden check --suite suite.json", of_suite, "--junit", "out.xml"},
@@ -85,9 +85,9 @@ struct InputsAndOutputs : testing::Test {
         folder.write("camera.json", R"({"azimuth": 10})");
         folder.write("pairs.json", pairs_text);
         folder.write("suite.json", suite_text);
-        EXPECT_EQ(run("trace scene.json -o t.scbtrace").status, 0);
         EXPECT_EQ(run("trace scene.json -o t.scbrec").status, 0);
-        EXPECT_EQ(run("convert t.scbrec -o t.jsonl").status, 0);
+        EXPECT_EQ(run("trace scene.json --records -o r.scbrec").status, 0);
+        EXPECT_EQ(run("convert r.scbrec -o t.jsonl").status, 0);
         run("golden check --suite suite.json --json results.json");
     }
 

@@ -19,7 +19,7 @@ struct RecordingCommands : testing::Test {
     std::string file = folder / "own.scbrec";
 
     void record(const std::string& what) {
-        const ProgramRun run = run_scb("trace " + what + " -o " + file);
+        const ProgramRun run = run_scb("trace --records " + what + " -o " + file);
         ASSERT_EQ(run.status, 0) << run.err;
     }
     json printed(const std::string& arguments) {
@@ -104,7 +104,7 @@ TEST_F(RecordingCommands, CollideCountsWhatTheEngineMissed) {
 
 TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     record("cone --frames 60,100 --volume obb");
-    const std::string trace = folder / "own.scbtrace";
+    const std::string trace = folder / "trace.scbrec";
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + trace).status, 0);
     const json of_trace = printed("trace --json --events " + trace),
                of_recording = printed("trace --json --events " + file);
@@ -146,7 +146,7 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
 
 TEST_F(RecordingCommands, DiffSaysFirstWhichPairsWereMissed) {
     record("line-8 --frames 40 --test printed");
-    const std::string trace = folder / "own.scbtrace";
+    const std::string trace = folder / "trace.scbrec";
     ASSERT_EQ(run_scb("trace line-8 --frames 40 -o " + trace).status, 0);
     const ProgramRun run = run_scb("diff " + file + " " + trace);
     EXPECT_EQ(run.status, 1);
@@ -159,7 +159,7 @@ TEST_F(RecordingCommands, DiffSaysFirstWhichPairsWereMissed) {
 
 TEST_F(RecordingCommands, WhatIsAboutOwnHierarchiesAsksForTheirVolume) {
     record("cone --frames 100 --volume obb");
-    const std::string out = " -o " + folder / "own.scbtrace";
+    const std::string out = " -o " + folder / "trace.scbrec";
     EXPECT_EQ(run_scb("trace " + file + out).status, 2);
     EXPECT_EQ(run_scb("trace " + file + " --volume obb" + out).status, 0);
     EXPECT_EQ(run_scb("explain " + file + " --volume obb --pair 0,0").status, 0);

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/app/program.h"
+#include "tests/scenes/recordings/recording_block.h"
 
 namespace scb::app {
 namespace {
@@ -15,7 +15,7 @@ using nlohmann::json;
 /// Traces of one scene that differ in the overlap test.
 struct TraceCommand : testing::Test {
     TemporaryFolder folder;
-    std::string corrected = folder / "corrected.scbtrace", printed = folder / "printed.scbtrace";
+    std::string corrected = folder / "corrected.scbrec", printed = folder / "printed.scbrec";
 
     std::string record(const std::string& arguments, const std::string& file) {
         const ProgramRun run = run_scb("trace spheres-l1 " + arguments + " -o " + file);
@@ -52,7 +52,7 @@ TEST_F(TraceCommand, PrintsTheCountsThatCollideDoes) {
 }
 
 TEST_F(TraceCommand, PrintsEveryTest) {
-    const std::string file = record("--frames 100,250", folder / "t.scbtrace");
+    const std::string file = record("--frames 100,250", folder / "t.scbrec");
     const json trace = json::parse(run_scb("trace " + file + " --json --events").out);
     ASSERT_EQ(trace["frames"].size(), 2u);
     for (const json& frame : trace["frames"]) {
@@ -181,8 +181,8 @@ TEST_F(TraceCommand, DiffOfEqualTracesAndOfOtherFrames) {
 TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     record("--frames 0:20:5", corrected);
     const std::string bytes = file_text(corrected);
-    write_text(folder / "cut.scbtrace", bytes.substr(0, bytes.size() / 2));
-    write_text(folder / "text.scbtrace", "not a trace");
+    write_text(folder / "cut.scbrec", bytes.substr(0, bytes.size() / 2));
+    write_text(folder / "text.scbrec", "not a trace");
     std::string flipped = bytes;
     flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 1);
     write_text(folder / "damaged", flipped);
@@ -193,12 +193,17 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     const std::size_t files = files_in(folder.path);
     const std::string out = " -o " + (folder / "new");
     const std::vector<std::pair<std::string, std::string>> refusals = {
-        {"trace " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
-        {"trace " + (folder / "text.scbtrace"), "text.scbtrace is not a trace of scb"},
+        {"trace " + (folder / "cut.scbrec"), "cut.scbrec is truncated"},
+        {"trace " + (folder / "text.scbrec"), "text.scbrec is no recording"},
         {"trace " + (folder / "damaged"), "checksum"},
-        {"trace " + (folder / "newer"), "newer scb (version 2; this one reads up to 1)"},
-        {"trace " + (folder / "none.scbtrace"), "there is no such file"},
+        {"trace " + (folder / "newer"),
+         "is a recording of version 2; this scb reads versions up to 1"},
+        {"trace " + (folder / "none.scbrec"), "there is no such file"},
         {"trace " + corrected + out, "is a trace already"},
+        {"trace " + corrected + " --records", "is recorded already"},
+        {"trace spheres-l1 -o " + (folder / "new.scbtrace"), "name a file .scbrec"},
+        {"render levels " + corrected + " -o " + (folder / "out"), "this is a trace"},
+        {"convert " + corrected + " -o " + (folder / "new.jsonl"), "scb trace --records"},
         {"trace " + corrected + " --frames 7", "has no frame 7"},
         {"trace " + corrected + " --frames all,7", "has no frame 7"},
         {"trace " + corrected + " --test printed", "--test"},
@@ -222,7 +227,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace spheres-l1 --test fast" + out, "'fast' is not an overlap test"},
         {"trace " + (folder / "one.off") + out, "one body"},
         {"diff " + corrected, "B"},
-        {"diff " + corrected + " " + (folder / "cut.scbtrace"), "cut.scbtrace is truncated"},
+        {"diff " + corrected + " " + (folder / "cut.scbrec"), "cut.scbrec is truncated"},
         {"diff " + (folder / "damaged") + " " + corrected, "checksum"},
         {"diff spheres-l1 " + corrected, "spheres-l1: there is no such file"},
     };
@@ -239,7 +244,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
 TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
     write_text(folder / "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     write_text(folder / "b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0 1\n3 0 1 2\n");
-    const std::string trace = folder / "two.scbtrace";
+    const std::string trace = folder / "two.scbrec";
     ASSERT_EQ(
         run_scb("trace " + (folder / "a.off") + " " + (folder / "b.off") + " -o " + trace).status,
         0);
@@ -266,7 +271,7 @@ TEST_F(TraceCommand, TellsNothingOfWhatUnrelatedFilesHold) {
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    const std::string of_scene_trace = folder / "s.scbtrace", of_mesh_trace = folder / "m.scbtrace";
+    const std::string of_scene_trace = folder / "s.scbrec", of_mesh_trace = folder / "m.scbrec";
     ASSERT_EQ(run_scb("trace " + scene + " -o " + of_scene_trace).status, 0);
     ASSERT_EQ(run_scb("trace " + mesh + " " + mesh + " -o " + of_mesh_trace).status, 0);
     const auto tells_nothing = [](const std::string& trace, const std::string& what) {
@@ -329,11 +334,9 @@ TEST_F(TraceCommand, PrintsNoControlCharacters) {
         "ft");
     ASSERT_NE(at, std::string::npos);
     bytes.replace(at, 5, "l\033[31");
-    // The checksum is zlib's CRC-32 over all bytes before it.
-    const auto crc = static_cast<std::uint32_t>(
-        crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size() - 4));
-    for (std::size_t i = 0; i < 4; ++i)
-        bytes[bytes.size() - 4 + i] = static_cast<char>(crc >> (8 * i));
+    const std::vector<std::uint8_t> resealed =
+        scenes::with_fitting_checksums({bytes.begin(), bytes.end()});
+    bytes.assign(resealed.begin(), resealed.end());
     write_text(corrected, bytes);
     ASSERT_EQ(run_scb("trace " + scene + " --frames 0 --level 0 -o " + printed).status, 0);
     for (const std::string& arguments :

@@ -18,8 +18,8 @@ class Completion : public testing::TestWithParam<const char*> {
     void SetUp() override {
         if (!Shell::is_installed(GetParam()))
             GTEST_SKIP() << GetParam() << " is not installed; install it to test its completion.";
-        for (const char* name : {"part.stl", "part.txt", "part.json", "pump.scbtrace",
-                                 "pump.scbrec", "my gear.ply", "page.html"})
+        for (const char* name : {"part.stl", "part.txt", "part.json", "lift.scbrec", "pump.scbrec",
+                                 "my gear.ply", "page.html"})
             folder.write(name, "");
         std::filesystem::create_directory(folder.path / "parts");
         shell.emplace(GetParam(), folder.path.string());
@@ -74,8 +74,8 @@ TEST_P(Completion, OffersScenesAndFilesOfTheirKind) {
     check({{"scb stats spheres-l", {"spheres-l1", "spheres-l2"}},
            {"scb stats par", {"part.stl", "part.json", "parts"}},
            {"scb scenes cone", {"cone"}},
-           {"scb diff p", {"pump.scbtrace", "pump.scbrec", "parts"}},
-           {"scb diff pump.scbtrace pum", {"pump.scbtrace", "pump.scbrec"}},
+           {"scb diff p", {"pump.scbrec", "parts"}},
+           {"scb diff lift.scbrec pum", {"pump.scbrec"}},
            {"scb stats cone --models p", {"parts"}},
            {"scb explain --pairs pa", {"part.json", "parts"}},
            {"scb view cone -o pag", {"page.html"}},

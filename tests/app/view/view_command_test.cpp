@@ -48,11 +48,11 @@ std::vector<std::pair<std::string, std::size_t>> columns_of(const std::string& f
 TEST(ViewCommand, ComparesTestsTracesRecordingsAndScenes) {
     using Columns = std::vector<std::pair<std::string, std::size_t>>;
     const TemporaryFolder folder;
-    const std::string a = folder / "a.scbtrace", b = folder / "b.scbtrace",
+    const std::string a = folder / "a.scbrec", b = folder / "b.scbrec",
                       recording = folder / "own.scbrec", file = folder / "a.html";
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --test corrected -o " + a).status, 0);
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + b).status, 0);
-    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb -o " + recording).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 100 --volume obb --records -o " + recording).status, 0);
     const auto view = [&](const std::string& what) {
         const ProgramRun run = run_scb("view " + what + " --steps 0 -o " + file);
         EXPECT_EQ(run.status, 0) << run.err;
@@ -92,7 +92,8 @@ TEST(ViewCommand, TakesTwoOfSeveralBodies) {
 TEST(ViewCommand, TakesRecordings) {
     const TemporaryFolder folder;
     const std::string recording = folder / "own.scbrec", file = folder / "a.html";
-    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + recording).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb --records -o " + recording).status,
+              0);
     ASSERT_EQ(run_scb("view " + recording + " --frames 100 -o " + file).status, 0);
     EXPECT_EQ(run_scb("view " + recording + " --queries all -o " + file).status, 2);
     const nlohmann::json manifest = manifest_of(file_text(file));
@@ -103,7 +104,7 @@ TEST(ViewCommand, TakesRecordings) {
 TEST(ViewCommand, GivesTheVerdictOnTheRecordedFrame) {
     const TemporaryFolder folder;
     const std::string whole = folder / "own.scbrec", file = folder / "a.html";
-    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb -o " + whole).status, 0);
+    ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb --records -o " + whole).status, 0);
     const auto verdict = [&](const std::string& recording) {
         EXPECT_EQ(run_scb("view " + recording + " --frames 100 -o " + file).status, 0);
         return manifest_of(file_text(file))["columns"][0]["verdict"][0];
@@ -123,9 +124,10 @@ TEST(ViewCommand, GivesTheVerdictOnTheRecordedFrame) {
 // By default a recording shows the frame with the most pairs, and a trace the first.
 TEST(ViewCommand, ShowsAFrameThatTwoFilesHave) {
     const TemporaryFolder folder;
-    const std::string recording = folder / "own.scbrec", trace = folder / "own.scbtrace",
+    const std::string recording = folder / "own.scbrec", trace = folder / "trace.scbrec",
                       file = folder / "a.html", out = folder / "out";
-    ASSERT_EQ(run_scb("trace cone --frames 60,100,140 --volume obb -o " + recording).status, 0);
+    ASSERT_EQ(
+        run_scb("trace cone --frames 60,100,140 --volume obb --records -o " + recording).status, 0);
     const nlohmann::json counts =
         nlohmann::json::parse(run_scb("trace --json " + recording).out)["frames"];
     ASSERT_GT(counts[1]["pairs"], counts[0]["pairs"]);

@@ -60,9 +60,9 @@ TEST(CaseCommand, DrawsOnePictureWithIdsOrPrintsJson) {
 
 TEST(CaseCommand, ATraceIsOfTheQueryAlone) {
     EXPECT_EQ(
-        trace_command_of(in_own_folder(sample()), "7", "t.scbtrace"),
+        trace_command_of(in_own_folder(sample()), "7", "t.scbrec"),
         (Words{"trace", "a.ply", "b.ply", "--frames", "7", "--volume", "scb", "--test", "extents",
-               "--margin=0.5", "--pose", "1,0,0,0,0,1,0,0,0,0,1,0", "-o", "t.scbtrace"}));
+               "--margin=0.5", "--pose", "1,0,0,0,0,1,0,0,0,0,1,0", "-o", "t.scbrec"}));
 }
 
 TEST(CaseCommand, FilesAreBesideTheSuiteOrElseAmongTheModels) {

@@ -13,12 +13,15 @@
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
+#include "core/platform/number_list.h"
 #include "scenes/traces/trace_file.h"
 #include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/scenes/recordings/sample_records.h"
 #include "tests/scenes/recordings/small_records.h"
+#include "tests/scenes/support.h"
+#include "tests/scenes/traces/trace_1_0.h"
 #include "tests/temporary_folder.h"
 #include "tests/unless_sanitized.h"
 
@@ -417,12 +420,26 @@ TEST(RecordedTrace, HasTheSettingsOfTheQueriesAlone) {
     EXPECT_EQ(engine.settings[0].value, "0.5");
 }
 
-TEST(TestInput, GivesTheFramesOfEither) {
+TEST(TestInput, GivesTheFramesOfEachKindOfFile) {
     const RecordedAndOwn both(VolumeKind::obb);
     const std::vector<std::uint8_t> bytes = encode_trace(both.trace);
-    for (const std::string& path :
-         {both.path, both.folder.write("own.scbtrace", {bytes.begin(), bytes.end()})}) {
+    const std::vector<std::uint8_t> of_1_0 =
+        trace_file_1_0(both.trace.header, plain_frames(both.trace));
+    const std::string trace = both.folder.write("trace.scbrec", {bytes.begin(), bytes.end()}),
+                      trace_1_0 = both.folder.write("trace", {of_1_0.begin(), of_1_0.end()});
+    for (const std::string& path : {trace, trace_1_0}) {
+        EXPECT_TRUE(names_trace(path));
+        EXPECT_FALSE(names_recording(path));
+    }
+    EXPECT_FALSE(names_trace(both.path));
+    EXPECT_TRUE(names_recording(both.path));
+    EXPECT_NE(scenes::refusal([&] { read_recording(trace); }).find("scb trace --records"),
+              std::string::npos);
+    for (const std::string& path : {both.path, trace, trace_1_0}) {
         TestInput input(path, "3,6");
+        EXPECT_EQ(input.frames(), (std::vector{3, 6}));
+        EXPECT_EQ(input.all_frames(), (std::vector{0, 3, 6}));
+        EXPECT_EQ(input.recorded() != nullptr, path == both.path);
         for (const std::size_t i : {1u, 2u}) {
             const TraceFrame* frame = input.next();
             ASSERT_NE(frame, nullptr);

@@ -1,45 +1,70 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "scenes/traces/trace_block.h"
+#include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/traces/trace_bytes.h"
 
 namespace scb::scenes {
 namespace {
 
+/// A small trace, and the same as a file of scb 1.0.
+std::array<Bytes, 2> both_files() {
+    const Trace trace = small_trace();
+    return {encode_trace(trace), trace_file_1_0(trace.header, plain_frames(trace))};
+}
+
 TEST(DamagedTrace, TruncatedAtEveryByte) {
-    const Bytes bytes = encode_trace(small_trace());
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-        const std::string sentence = refusal_of(part);
-        expect_in(size == 0 ? "file.scbtrace is not a trace of scb" : "file.scbtrace is truncated",
-                  sentence);
-    }
+    for (const Bytes& bytes : both_files())
+        for (std::size_t size = 0; size < bytes.size(); ++size) {
+            const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+            const std::string sentence = refusal_of(part);
+            expect_in(size == 0 ? "file.scbrec is not a trace of scb" : "file.scbrec is truncated",
+                      sentence);
+        }
 }
 
 TEST(DamagedTrace, ForeignNewerLongerDamaged) {
-    const Bytes bytes = encode_trace(small_trace());
     const std::string text = "solid cube\nfacet normal 0 0 1\n";
     expect_in("is not a trace of scb", refusal_of(Bytes(text.begin(), text.end())));
-    Bytes newer = bytes;
-    newer[8] = 7;
-    expect_in("was written by a newer scb (version 7; this one reads up to 1)", refusal_of(newer));
-    Bytes longer = bytes;
-    longer.insert(longer.end(), 3, 0);
-    expect_in("3 bytes after its end", refusal_of(longer));
-    Bytes damaged = bytes;
-    damaged[bytes.size() / 2] ^= 4;
-    expect_in("checksum", refusal_of(damaged));
+    const std::string recording = recording_with_block("\xcb\x01");
+    expect_in("is not a trace of scb, but a recording of another engine",
+              refusal_of(Bytes(recording.begin(), recording.end())));
+    for (const Bytes& bytes : both_files()) {
+        Bytes newer = bytes;
+        newer[8] = 7;
+        expect_in("of version 7", refusal_of(newer));
+        Bytes longer = bytes;
+        longer.insert(longer.end(), 3, 0);
+        expect_in("3 bytes after its end", refusal_of(longer));
+        Bytes damaged = bytes;
+        damaged[bytes.size() / 2] ^= 4;
+        expect_in("checksum", refusal_of(damaged));
+    }
+}
+
+TEST(DamagedTrace, BlocksOfNewerVersionsAreSkippedAndRecordsAreRefused) {
+    const Trace trace = small_trace();
+    const Bytes bytes = encode_trace(trace);
+    constexpr std::size_t end_size = 17;
+    for (const std::string_view kind : {"news", "data"}) {
+        ByteWriter out{Bytes(bytes.begin(), bytes.end() - end_size)};
+        add_block(out, kind, as_bytes("anything"));
+        out.append(std::span(bytes).last(end_size));
+        if (kind == "news")
+            expect_same(trace, decode_trace(out.bytes, "file"));
+        else
+            expect_in("it has records", refusal_of(out.bytes));
+    }
 }
 
 TEST(DamagedTrace, EveryFlippedBitIsNoticed) {
-    const Bytes bytes = encode_trace(small_trace());
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-        for (int bit = 0; bit < 8; ++bit) {
-            Bytes flipped = bytes;
-            flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
-            EXPECT_THROW(decode_trace(flipped, "file"), InputError) << i << " " << bit;
-        }
+    for (const Bytes& bytes : both_files())
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            for (int bit = 0; bit < 8; ++bit) {
+                Bytes flipped = bytes;
+                flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
+                EXPECT_THROW(decode_trace(flipped, "file"), InputError) << i << " " << bit;
+            }
 }
 
 /// Reads bytes that somebody made up: they are refused, or are a trace that keeps every promise.
@@ -77,29 +102,15 @@ bool survives(const Bytes& bytes) {
 }
 
 TEST(DamagedTrace, MadeUpFilesAreRefusedOrRead) {
-    const Bytes bytes = encode_trace(small_trace());
-    for (std::size_t i = 0; i + 4 < bytes.size(); ++i)
-        for (int bit = 0; bit < 8; ++bit) {
-            Bytes flipped = bytes;
-            flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
-            survives(resealed(flipped));
-        }
-}
-
-/// A file with these frames, as plain blocks.
-Bytes file_of(const TraceHeader& header, const std::vector<Bytes>& blocks) {
-    Bytes bytes = TraceWriter(header).finish();
-    bytes.resize(bytes.size() - 5);
-    ByteWriter out{bytes};
-    for (const Bytes& block : blocks) {
-        const Bytes packed = pack(block);
-        out.varint(packed.size());
-        out.varint(block.size());
-        out.append(packed);
-    }
-    out.varint(0);
-    out.fixed32(0);
-    return resealed(out.bytes);
+    const auto [compact, of_1_0] = both_files();
+    for (const Bytes& bytes : {compact, of_1_0})
+        for (std::size_t i = 0; i + 4 < bytes.size(); ++i)
+            for (int bit = 0; bit < 8; ++bit) {
+                Bytes flipped = bytes;
+                flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
+                survives(bytes == compact ? with_fitting_checksums(flipped)
+                                          : resealed_1_0(flipped));
+            }
 }
 
 TEST(DamagedTrace, MadeUpFramesAreRefusedOrRead) {
@@ -107,10 +118,7 @@ TEST(DamagedTrace, MadeUpFramesAreRefusedOrRead) {
         TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
         header.options.stop_level = level;
         const Trace trace = small_trace(header);
-        std::array<TraceNodes, 2> nodes;
-        std::vector<Bytes> blocks;
-        for (const TraceFrame& frame : trace.frames)
-            blocks.push_back(frame_bytes(trace.header, frame, nodes));
+        const std::vector<Bytes> blocks = plain_frames(trace);
         ASSERT_EQ(file_of(trace.header, blocks), encode_trace(trace));
         Random random(5);
         int accepted = 0, refused = 0;
@@ -136,26 +144,38 @@ TEST(DamagedTrace, MadeUpFramesAreRefusedOrRead) {
 
 TEST(DamagedTrace, LengthsThatNobodyWroteAreRefusedAtOnce) {
     const Trace trace = small_trace();
-    const Bytes empty = TraceWriter(trace.header).finish();
-    const Bytes start(empty.begin(), empty.end() - 5);
     const Bytes packed = pack(Bytes(500, 1));
     for (const std::uint64_t length : {std::uint64_t{1} << 20, std::uint64_t{1} << 34,
                                        ~std::uint64_t{0} >> 1, ~std::uint64_t{0}}) {
-        ByteWriter unpacked{start};
-        unpacked.varint(packed.size());
-        unpacked.varint(length);
-        unpacked.append(packed);
-        unpacked.varint(0);
-        unpacked.fixed32(0);
-        expect_in("is not a valid trace", refusal_of(resealed(unpacked.bytes)));
+        ByteWriter start;
+        begin_recording(start);
+        add_block(start, head_block, header_bytes(trace.header));
 
-        ByteWriter block{start};
-        block.varint(length);
-        block.varint(500);
-        block.append(packed);
-        block.varint(0);
-        block.fixed32(0);
-        expect_in("is truncated", refusal_of(resealed(block.bytes)));
+        ByteWriter content;
+        content.fixed32(static_cast<std::uint32_t>(std::min<std::uint64_t>(length, UINT32_MAX)));
+        content.append(packed);
+        ByteWriter too_large = start;
+        add_block(too_large, step_block, content.bytes);
+        add_block(too_large, data_block, Bytes{203, 0, 0, 0, 0});
+        expect_in("is not a valid trace", refusal_of(too_large.bytes));
+
+        ByteWriter block = start;
+        block.fixed32(static_cast<std::uint32_t>(std::min<std::uint64_t>(length, UINT32_MAX)));
+        block.append(as_bytes(step_block));
+        block.append(content.bytes);
+        expect_in("is truncated", refusal_of(block.bytes));
+
+        const Bytes empty = trace_file_1_0(trace.header, {});
+        for (const bool of_unpacked : {true, false}) {
+            ByteWriter old{Bytes(empty.begin(), empty.end() - 5)};
+            old.varint(of_unpacked ? packed.size() : length);
+            old.varint(of_unpacked ? length : 500);
+            old.append(packed);
+            old.varint(0);
+            old.fixed32(0);
+            expect_in(of_unpacked ? "is not a valid trace" : "is truncated",
+                      refusal_of(resealed_1_0(old.bytes)));
+        }
 
         ByteWriter tests;
         tests.varint(1);

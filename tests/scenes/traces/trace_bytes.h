@@ -1,13 +1,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
+#include "scenes/recordings/recording_block.h"
 #include "scenes/shapes/procedural.h"
-#include "scenes/traces/byte_stream.h"
-#include "scenes/traces/trace_file.h"
+#include "scenes/traces/trace_block.h"
 #include "tests/core/analysis/traces.h"
 #include "tests/scenes/support.h"
+#include "tests/scenes/traces/trace_1_0.h"
 
 namespace scb::scenes {
 
@@ -49,14 +49,24 @@ inline void expect_same(const Trace& a, const Trace& b) {
 }
 
 inline std::string refusal_of(const Bytes& bytes) {
-    return refusal([&] { decode_trace(bytes, "file.scbtrace"); });
+    return refusal([&] { decode_trace(bytes, "file.scbrec"); });
 }
 
-/// The bytes with the checksum that fits them.
-inline Bytes resealed(Bytes bytes) {
+/// A trace of these frames, as plain bytes.
+inline Bytes file_of(const TraceHeader& header, const std::vector<Bytes>& frames) {
+    ByteWriter out;
+    begin_recording(out);
+    add_block(out, head_block, header_bytes(header));
+    for (const Bytes& frame : frames) add_packed_block(out, step_block, frame);
+    add_block(out, data_block, Bytes{203, 0, 0, 0, 0});
+    return out.bytes;
+}
+
+/// The bytes of a file of scb 1.0 with the checksum that fits them.
+inline Bytes resealed_1_0(Bytes bytes) {
     bytes.resize(bytes.size() - 4);
     ByteWriter out{bytes};
-    out.fixed32(static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size())));
+    out.fixed32(checksum(bytes));
     return out.bytes;
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "scenes/scene/load_scene.h"
-#include "scenes/traces/trace_block.h"
 #include "tests/scenes/traces/trace_bytes.h"
 
 namespace scb::scenes {
@@ -48,6 +47,9 @@ TEST(TraceFile, GivesBackWhatItWasGiven) {
         EXPECT_TRUE(starts_as_trace(bytes));
         const Trace again = decode_trace(bytes, "file");
         expect_same(trace, again);
+        const Bytes of_1_0 = trace_file_1_0(trace.header, plain_frames(trace));
+        EXPECT_TRUE(starts_as_trace(of_1_0));
+        expect_same(trace, decode_trace(of_1_0, "file"));
         EXPECT_EQ(encode_trace(again), bytes);
     }
 }
@@ -111,8 +113,6 @@ TEST(TraceFile, TracesThatRepeatThemselvesStayReadable) {
     EXPECT_FALSE(unpack(packed, zeros.size() - 1));
     EXPECT_FALSE(unpack(packed, zeros.size() + 1));
 }
-
-// -------------------------------------------------------------------------------------- refusals
 
 }  // namespace
 }  // namespace scb::scenes
