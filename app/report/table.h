@@ -34,7 +34,7 @@ enum class Align { right, left };
 /// A column of a table. Without a title it is not shown to readers; without a key it is neither in
 /// CSV nor in JSON.
 struct Column {
-    std::string title, key;
+    std::string title{}, key{};
     std::size_t width = 0;  ///< in characters, in the text
     Align align = Align::right;
     std::size_t before = 0;  ///< blanks before the cell, in the text
