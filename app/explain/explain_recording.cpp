@@ -28,7 +28,8 @@ using scenes::RecordedTrace;
 std::unique_ptr<RecordedTrace> open_trace(const ExplainOptions& options, IndexPair numbers) {
     const std::string& path = options.scene.names[0];
     const auto open = [&](const std::string& frames) {
-        return std::make_unique<RecordedTrace>(path, options.query.bodies, frames);
+        return std::make_unique<RecordedTrace>(path, options.query.bodies, frames,
+                                               options.scene.selection);
     };
     if (!options.scene.frames.empty()) {
         std::unique_ptr<RecordedTrace> trace = open(options.scene.frames);

@@ -26,9 +26,9 @@
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/judge/query_attribution.h"
-#include "scb/error.h"
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
+#include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 
@@ -51,9 +51,9 @@ struct Inspected {
 /// Opens the recorded queries in the options. Without two chosen bodies, only the recording.
 void open_recording(Inspected& result, const InspectOptions& options) {
     const std::string& path = options.scene.names[0];
-    result.file = std::make_shared<const scenes::RecordingFile>(path);
+    result.file = std::make_shared<const scenes::RecordingFile>(path, options.scene.selection);
     result.frames = frames_among(result.file->summary.frames, options.query.frames, path,
-                                         "a recording may have");
+                                 "a recording may have");
     TraceHeader& header = result.report.header;
     header.scene = header.engine.emplace().name = std::filesystem::path(path).stem().string();
     try {
@@ -195,7 +195,8 @@ ExplainedPairs report_waste(Inspected& inspected) {
     for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
     // An error may be the cause of the waste of a recording that is wrong.
     if (inspected.file)
-        report.has_waste = source.recorded()->tells_results() && !report.recording->judged.wrong() &&
+        report.has_waste = source.recorded()->tells_results() &&
+                           !report.recording->judged.wrong() &&
                            report.sum.counts.all.volume_tests > 0;
     if (!report.has_waste) return {};
     report.others = found.others;
@@ -331,6 +332,7 @@ std::string explain_command(const scenes::RecordingJudgement& judged, const std:
             const bool several = judged.summary.body_names.size() > 2;
             return "scb explain " + file_word(path) +
                    (several ? " --bodies " + file_word(first.query.a + "," + first.query.b) : "") +
+                   (first.query.name.empty() ? "" : " --query " + file_word(first.query.name)) +
                    " --frames " + std::to_string(first.query.frame) +
                    format(" --pair %u,%u", first.nodes.a, first.nodes.b);
         }
@@ -488,10 +490,10 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         for (const char* option : {"--size", "--background", "--gl", "--jobs"})
             if (command.count(option) > 0) options->of_pictures.emplace_back(option);
         const std::vector<std::string> of_queries = {
-            "SCENE",    "--pose",  "--models", "--volume",    "--growth",
-            "--margin", "--split", "--test",   "--threshold", "--bodies"};
-        options->of_scene = given_text(
-            command, {"SCENE", "--pose", "--models", "--bodies", "--frames", "--margin"});
+            "SCENE",   "--pose", "--models",    "--volume", "--growth", "--margin",
+            "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
+        options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
+                                                 "--query", "--tag", "--frames", "--margin"});
         options->view.note_given(command);
         options->view.descent = given_text(command, {"--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);

@@ -22,6 +22,7 @@ const char* verdict_name(scenes::Verdict verdict) {
 Json case_json(const scenes::ProblemCase& one) {
     Json json = {
         {"frame", one.query.frame}, {"bodies", {one.query.a, one.query.b}}, {"words", one.words}};
+    if (!one.query.name.empty()) json["query"] = one.query.name;
     if (one.nodes.a != no_index) json["nodes"] = {one.nodes.a, one.nodes.b};
     if (one.items.a != no_index) json["triangles"] = {one.items.a, one.items.b};
     if (one.test != no_index) json["test"] = one.test;
@@ -113,19 +114,22 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["unjudged_results"] = judged.unknown_items;
     json["grazing"] = judged.grazing;
     json["frames"] = Json::array();
-    for (const FrameJudgement& f : judged.frames)
-        json["frames"].push_back({{"frame", f.frame},
-                                  {"queries", f.queries},
-                                  {"volume_tests", f.volume_tests},
-                                  {"triangle_tests", f.item_tests},
-                                  {"wasted", f.wasted},
-                                  {"wrong", f.wrong},
-                                  {"missed", f.missed},
-                                  {"false_pairs", f.false_pairs},
-                                  {"pairs", f.pairs},
-                                  {"tolerance", f.tolerance.volumes},
-                                  {"triangle_tolerance", f.tolerance.triangles},
-                                  {"from_origin", f.tolerance.away}});
+    for (const FrameJudgement& f : judged.frames) {
+        Json frame = {{"frame", f.frame},
+                      {"queries", f.queries},
+                      {"volume_tests", f.volume_tests},
+                      {"triangle_tests", f.item_tests},
+                      {"wasted", f.wasted},
+                      {"wrong", f.wrong},
+                      {"missed", f.missed},
+                      {"false_pairs", f.false_pairs},
+                      {"pairs", f.pairs},
+                      {"tolerance", f.tolerance.volumes},
+                      {"triangle_tolerance", f.tolerance.triangles},
+                      {"from_origin", f.tolerance.away}};
+        if (!f.log.empty()) frame["log"] = f.log;
+        json["frames"].push_back(std::move(frame));
+    }
     json["stretches"] = judged.stretches;
     json["odd"] = judged.odd.first;
     for (const std::string& words : judged.unusable.first) json["odd"].push_back(words);

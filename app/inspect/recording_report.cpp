@@ -157,6 +157,21 @@ std::string groups_text(const char* title, const std::vector<ProblemGroup>& grou
     return text.empty() ? text : text + "\n";
 }
 
+/// The engine's log of the frames with errors.
+std::string log_text(const RecordingJudgement& judged, std::size_t top) {
+    std::string text;
+    std::size_t frames = 0;
+    for (const FrameJudgement& frame : judged.frames) {
+        if (frame.log.empty() || frames++ >= top) continue;
+        const std::string place = "  frame " + std::to_string(frame.frame) + ": ";
+        for (const std::string& line : frame.log) text += place + line + "\n";
+        if (frame.log_lines > frame.log.size())
+            text += place + "and " +
+                    counted(frame.log_lines - frame.log.size(), "more line", "more lines") + "\n";
+    }
+    return text.empty() ? text : "Log of frames with errors\n" + text + "\n";
+}
+
 /// The share of volume tests that this project's hierarchies need, for findings on the engine's
 /// cost.
 std::string own_words(const std::optional<InspectSettings>& settings) {
@@ -296,8 +311,8 @@ std::string recording_text(const InspectedRecording& recording,
             groups_text("Tests that went wrong", judged.test_problems, cases) +
             tolerance_text(judged) + results_text(judged) +
             groups_text("Missed pairs, by cause", judged.missed, cases) +
-            groups_text("False pairs, by cause", judged.false_pairs, cases) + waste_text(judged) +
-            frames_text(judged, top);
+            groups_text("False pairs, by cause", judged.false_pairs, cases) +
+            log_text(judged, top) + waste_text(judged) + frames_text(judged, top);
     text += odd_text(judged.odd) + odd_text(judged.unusable);
     for (const std::string& note : judged.notes) text += "Note: " + note + ".\n";
     return text;

@@ -92,6 +92,11 @@ void name_query(NamedOptions& named, const QuerySource& query, const QuerySource
     const std::size_t a = query.body_index(0), b = query.body_index(1);
     if (scene.bodies.size() > 2 || a > b)
         named.add("bodies", scene.bodies[a].name + "-" + scene.bodies[b].name);
+    if (query.is_recording()) {
+        const scenes::QuerySelection& selection = query.recorded()->recording().file->selection;
+        named.add_if(!selection.name.empty(), "query", scenes::file_name_of(selection.name));
+        named.add_if(!selection.tag.empty(), "tag", scenes::file_name_of(selection.tag));
+    }
     if (query.is_recording() || other.is_recording()) return;
     if (query.header().source.size() == 2) {
         const scenes::PoseRows rows = scenes::rows_of(query.query().b_to_a(0));

@@ -7,6 +7,7 @@
 #include "app/query/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/traces/trace_diff_text.h"
 
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct DiffOptions {
     std::string a, b, bodies;
+    scenes::QuerySelection selection;  ///< of the recordings; traces have no names
     bool json = false;
 };
 
@@ -71,7 +73,12 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
 }
 
 int run(const DiffOptions& options, const Console& console) {
-    scenes::TestInput a(options.a, "all", options.bodies), b(options.b, "all", options.bodies);
+    const auto selection = [&](const std::string& file, const std::string& other) {
+        const bool selects = scenes::names_recording(file) || !scenes::names_recording(other);
+        return selects ? options.selection : scenes::QuerySelection{};
+    };
+    scenes::TestInput a(options.a, "all", options.bodies, selection(options.a, options.b)),
+        b(options.b, "all", options.bodies, selection(options.b, options.a));
     Progress progress(console, a.frames().size());
     const auto next_of_a = [&] {
         const TraceFrame* frame = a.next();
@@ -102,6 +109,13 @@ void add_diff(const Command& program, const Console& console, Action& action) {
         .file({".scbrec", ".jsonl"})
         .type_name("");
     command.add_option("--bodies", options->bodies, "Two bodies of a recording: A,B");
+    command
+        .add_option("--query", options->selection.name,
+                    "Of recordings only the queries of this name")
+        .type_name("NAME");
+    command
+        .add_option("--tag", options->selection.tag, "Of recordings only the queries with this tag")
+        .type_name("TAG");
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(
         "Compares what was asked, then the frames that are in both, in the order of the tests. "

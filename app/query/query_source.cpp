@@ -84,7 +84,8 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
         return;
     }
     if (recorded && scene.is_recording()) {
-        input_ = std::make_unique<scenes::TestInput>(scene.names[0], query.frames, query.bodies);
+        input_ = std::make_unique<scenes::TestInput>(scene.names[0], query.frames, query.bodies,
+                                                     scene.selection);
         return;
     }
     query_ = open_query(scene, hierarchy, query, limits);
@@ -124,7 +125,7 @@ std::string minor_version(const std::string& version) {
 void QuerySource::open_trace(const SceneOptions& scene, const std::string& frames) {
     const std::string& path = scene.names[0];
     note_input(path);
-    input_ = std::make_unique<scenes::TestInput>(path, frames);
+    input_ = std::make_unique<scenes::TestInput>(path, frames, "", scene.selection);
     std::vector<int> wanted = input_->frames();
     trace_path_ = path;
     const TraceHeader& header = input_->header();

@@ -14,8 +14,6 @@
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"
 #include "scenes/scene/pose_rows.h"
-#include "core/platform/number_list.h"
-#include "core/platform/utf8.h"
 
 namespace scb::app {
 
@@ -32,8 +30,12 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
         if (!pose.empty())
             throw InputError("--pose: " + names[0] +
                              " is recorded, and has its poses; leave out --pose.");
-        return scenes::scene_of_recording(names[0], list_of_frames);
+        return scenes::scene_of_recording(names[0], list_of_frames, selection);
     }
+    if (!selection.empty())
+        throw InputError(selection.words() +
+                         ": queries of a recording have names and tags, and this is a scene; leave "
+                         "it out.");
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
     if (!pose.empty()) {
@@ -125,6 +127,15 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
                     "Folder to search for meshes that are missing at their given path")
         .envname("SCB_MODELS")
         .folder()
+        .shareable();
+    command
+        .add_option("--query", options.selection.name,
+                    "Of a recording only the queries of this name")
+        .type_name("NAME")
+        .shareable();
+    command
+        .add_option("--tag", options.selection.tag, "Of a recording only the queries with this tag")
+        .type_name("TAG")
         .shareable();
     if (with_frame)
         command

@@ -8,6 +8,7 @@
 #include "app/cli/console.h"
 #include "app/query/mutation.h"
 #include "scb/any_hierarchy.h"
+#include "scenes/recordings/recording_summary.h"
 #include "scenes/scene/load_scene.h"
 
 namespace scb::app {
@@ -18,6 +19,7 @@ struct SceneOptions {
     std::vector<double> pose;
     std::string models_dir;
     std::string frames;  ///< for commands that take frames here; empty: the scene's own
+    scenes::QuerySelection selection{};  ///< of a recording's queries
     /// A scene in memory. Then the one name is only its title.
     std::shared_ptr<const scenes::Scene> given{};
 

@@ -19,7 +19,6 @@
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_recording.h"
-#include "core/platform/number_list.h"
 
 namespace scb::app {
 namespace {
@@ -107,7 +106,8 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
         throw InputError("--records: " + path +
                          " is recorded already; give a scene to record, with -o FILE.scbrec.");
     // Reads all frames before printing, so that a bad file gives no partial output.
-    scenes::TestInput input(path, options.query.frames, options.query.bodies);
+    scenes::TestInput input(path, options.query.frames, options.query.bodies,
+                            options.scene.selection);
     const TraceHeader& header = input.header();
     if (options.json) {
         std::string start = trace_header_json(header).dump(

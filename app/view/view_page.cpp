@@ -70,9 +70,10 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubjec
 }
 
 /// The verdict on one frame of a recording, with the frame's number.
-std::vector<std::string> verdict_of(const std::string& path, int frame) {
+std::vector<std::string> verdict_of(const std::string& path,
+                                    const scenes::QuerySelection& selection, int frame) {
     std::vector<std::string> lines = verdict_lines(scenes::judge_recording(
-        scenes::RecordingFile(path), [frame](int number) { return number == frame; },
+        scenes::RecordingFile(path, selection), [frame](int number) { return number == frame; },
         [](bool) { return true; }));
     lines.front() = "Frame " + std::to_string(frame) + ": " + lines.front();
     return lines;
@@ -82,7 +83,7 @@ std::vector<std::string> verdict_of(const std::string& path, int frame) {
 
 void ViewOptions::note_given(const Command& command) {
     scene = given_text(command, {"--pose", "--models"});
-    bodies = given_text(command, {"--bodies"});
+    bodies = given_text(command, {"--bodies", "--query", "--tag"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});
     has_theme = !given_text(command, {"--background"}).empty();
@@ -145,7 +146,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     for (ViewColumn& column : subject.columns) {
         column.explain = explain_command(options, column);
         if (column.is_recorded() && scenes::names_recording(column.scene->file))
-            column.verdict = verdict_of(column.scene->file, subject.frame);
+            column.verdict = verdict_of(column.scene->file, asked.scene.selection, subject.frame);
     }
 
     std::string scene, titles;

@@ -470,6 +470,30 @@ static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t b
     scb_rec_end(r);
 }
 
+/** The same with a name and tags of your own, by which commands select queries: `--query NAME`,
+ * `--tag TAG`. Both may be NULL. */
+static inline void scb_record_named_query(scb_recorder* r, uint32_t body_a, uint32_t body_b,
+                                          const char* name, const char* const* tags,
+                                          uint32_t tag_count) {
+    uint64_t length = 12 + (uint64_t)scb_rec_text_size(name);
+    uint32_t i;
+    for (i = 0; i < tag_count; ++i) length += scb_rec_text_size(tags[i]);
+    scb_rec_begin(r, 201, length);
+    scb_rec_put32(r, body_a);
+    scb_rec_put32(r, body_b);
+    scb_rec_text(r, name);
+    scb_rec_put32(r, tag_count);
+    for (i = 0; i < tag_count; ++i) scb_rec_text(r, tags[i]);
+    scb_rec_end(r);
+}
+
+/** A line of your engine's log, in the current frame. Reports show it if the frame has an error. */
+static inline void scb_record_log(scb_recorder* r, const char* text) {
+    scb_rec_begin(r, 205, scb_rec_text_size(text));
+    scb_rec_text(r, text);
+    scb_rec_end(r);
+}
+
 /** A test of two volumes, of a node of A and one of B. `stage`: 0 if they overlap, else the part of
  * the test that rejected them, 1 to 127, see scb_record_stage; larger numbers count as 127. */
 static inline void scb_record_test(scb_recorder* r, uint32_t node_a, uint32_t node_b,

@@ -17,7 +17,7 @@ using StageNames = std::map<std::uint8_t, std::string>;
 std::string fault_words(TreeFault fault);
 /// "nodes 3 of A and 4 of B".
 std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b);
-/// "frame 3, left and right".
+/// "frame 3, left and right", and the query's name in quotes: "frame 3, arm and shelf ("lift")".
 std::string query_words(const QueryName& query);
 /// ", test 12"; empty for no_index.
 std::string test_words(std::uint32_t number);

@@ -11,7 +11,8 @@ namespace scb::scenes {
 /// A query of a recording.
 struct QueryName {
     int frame = 0;
-    std::string a, b;  ///< bodies
+    std::string a, b;    ///< bodies
+    std::string name{};  ///< of the query itself; mostly empty
 };
 
 /// A query whose tests fit another pose.

@@ -35,6 +35,7 @@ enum class RecordTag : std::uint8_t {
     query_end,
     end,
     object,
+    log,
 };
 /// Records from this tag on have a length; all others have 9 bytes.
 inline constexpr std::uint8_t first_long_tag = 192;
@@ -153,6 +154,9 @@ struct RecordedPose {
 /// A query of two bodies begins; events follow.
 struct RecordedQuery {
     std::uint32_t body_a = 0, body_b = 0;
+    bool has_label = false;  ///< the record has a name and tags, which may be empty
+    std::string name{};      ///< the engine's own
+    std::vector<std::string> tags{};
 
     bool operator==(const RecordedQuery&) const = default;
 };
@@ -162,6 +166,13 @@ struct RecordedQueryEnd {
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
 
     bool operator==(const RecordedQueryEnd&) const = default;
+};
+
+/// A line of the engine's log, in the current frame.
+struct RecordedLog {
+    std::string text;
+
+    bool operator==(const RecordedLog&) const = default;
 };
 
 /// The recorder was closed.
@@ -177,10 +188,10 @@ struct RecordedUnknown {
     bool operator==(const RecordedUnknown&) const = default;
 };
 
-struct Record
-    : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
-                   RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
-                   RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedUnknown> {
+struct Record : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh,
+                             RecordedTree, RecordedNode, RecordedRefit, RecordedBody, RecordedFrame,
+                             RecordedPose, RecordedQuery, RecordedQueryEnd, RecordedEnd,
+                             RecordedObject, RecordedLog, RecordedUnknown> {
     using variant::variant;
 
     /// Bytes that a newer version appended to the record.

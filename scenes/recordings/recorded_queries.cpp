@@ -37,7 +37,7 @@ std::optional<std::uint32_t> tree_told_by(const Record& record) {
 }  // namespace
 
 RecordedQueries::RecordedQueries(const RecordingFile& file)
-    : name_(file.path), reader_(file.bytes, file.path) {
+    : name_(file.path), selection_(file.selection), reader_(file.bytes, file.path) {
     query_.tells_items = file.summary.item_tests > 0;
     query_.tells_pairs = file.summary.tells_pairs || file.summary.pairs > 0;
 }
@@ -47,6 +47,7 @@ RecordedQueries::Ended RecordedQueries::next() {
     if (next_frame_) {
         frame_ = *next_frame_;
         next_frame_.reset();
+        log_.clear();
         for (auto& [number, body] : bodies_) body.last = body.pose;
     }
     query_done_ = false;
@@ -58,7 +59,7 @@ RecordedQueries::Ended RecordedQueries::next() {
     }
     ended_ = true;
     // If a program crashed, its last query counts as ended early.
-    if (!in_query_) return Ended::frame;
+    if (!in_query_ || !is_selected_) return Ended::frame;
     broke_off_ = true;
     take(RecordedQueryEnd{false, 0});
     ended_ = false;
@@ -79,6 +80,7 @@ void RecordedQueries::take(const RecordedEvent& event) {
         note(unusable_, "a test or pair stands outside of queries");
         return;
     }
+    if (!is_selected_) return;
     EngineEvent taken{EngineEvent::Kind::volumes, 0, event.a, event.b};
     const auto tag = static_cast<RecordTag>(event.tag);
     if (tag == RecordTag::parent) {
@@ -191,6 +193,8 @@ void RecordedQueries::take(const RecordedQuery& query) {
     if (in_query_)
         fail("a query begins within a query; call scb_record_query_end where a query ends");
     in_query_ = true;
+    is_selected_ = selection_.has(query);
+    query_name_ = shown(query.name);
     bodies_of_query_ = {query.body_a, query.body_b};
     for (const std::uint32_t number : bodies_of_query_) {
         const std::uint32_t of = known(bodies_, number, "body").tree;
@@ -239,6 +243,7 @@ void RecordedQueries::check_parents() {
 void RecordedQueries::take(const RecordedQueryEnd& end) {
     if (!in_query_) fail("a query ends that did not begin");
     in_query_ = false;
+    if (!is_selected_) return;
     query_done_ = true;
     query_.frame = frame_;
     query_.self = bodies_of_query_[0] == bodies_of_query_[1];

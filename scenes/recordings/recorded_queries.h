@@ -74,6 +74,10 @@ class RecordedQueries {
     }
     /// The query that ended last, valid until the next step.
     const EngineQuery& query() const { return query_; }
+    /// The name of the query; mostly empty.
+    const std::string& query_name() const { return query_name_; }
+    /// The lines of the engine's log in the current frame.
+    const std::vector<std::string>& log() const { return log_; }
     /// The numbers of the query's bodies.
     std::array<std::uint32_t, 2> query_bodies() const { return bodies_of_query_; }
 
@@ -125,6 +129,7 @@ class RecordedQueries {
     void take(const RecordedQueryEnd& end);
     /// Removes the recorded parents that are not valid.
     void check_parents();
+    void take(const RecordedLog& log) { log_.push_back(shown(log.text)); }
     void take(const RecordedEnd&) {}
     void take(const RecordedUnknown&) { ++unknown_records_; }
 
@@ -141,6 +146,7 @@ class RecordedQueries {
     [[noreturn]] void fail(const std::string& what) const;
 
     std::string name_;
+    QuerySelection selection_;
     RecordingReader reader_;
     std::uint32_t next_parent_ = no_index;  ///< of the test of volumes that follows
     std::map<std::uint32_t, MeshState> meshes_;
@@ -153,6 +159,9 @@ class RecordedQueries {
     std::optional<double> told_tolerance_;
     EngineQuery query_;
     std::array<std::uint32_t, 2> bodies_of_query_{};
+    std::string query_name_;
+    bool is_selected_ = true;  ///< the current query
+    std::vector<std::string> log_;
     OddRecords contradictions_, unusable_;
     std::uint64_t unknown_records_ = 0;
     bool exact_tests_ = false, broke_off_ = false;

@@ -28,8 +28,10 @@ class RecordedTrace {
     /// Throws InputError.
     RecordedTrace(std::shared_ptr<const Recording> recording, const std::string& bodies,
                   const std::string& frames);
-    RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames)
-        : RecordedTrace(std::make_shared<const Recording>(read_recording(path)), bodies, frames) {}
+    RecordedTrace(const std::string& path, const std::string& bodies, const std::string& frames,
+                  const QuerySelection& selection = {})
+        : RecordedTrace(std::make_shared<const Recording>(read_recording(path, selection)), bodies,
+                        frames) {}
     /// The same queries, to be read again from the first frame.
     std::unique_ptr<RecordedTrace> rewound() const;
 

@@ -40,13 +40,14 @@ struct Recording {
 
 /// Throws InputError as RecordedQueries does, and if there is no tree.
 Recording read_recording(std::shared_ptr<const RecordingFile> file);
-Recording read_recording(const std::string& path);
+Recording read_recording(const std::string& path, const QuerySelection& selection = {});
 
 /// The scene for hierarchies of this project, which need one mesh and poses. If meshes change, they
 /// are taken at the one frame that `frames` names: the first frame if it is empty, the frame with
 /// the most pairs for auto_frames. Throws InputError also if it names several frames and a mesh
 /// changes, or if a pose is unusable.
-Scene scene_of_recording(const std::string& path, const std::string& frames);
+Scene scene_of_recording(const std::string& path, const std::string& frames,
+                         const QuerySelection& selection = {});
 /// The scene with its meshes at that frame, which becomes the default frame.
 Scene scene_at(const Recording& recording, int frame);
 

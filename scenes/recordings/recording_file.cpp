@@ -83,6 +83,18 @@ RecordedMesh read_mesh(ByteReader& in) {
     return mesh;
 }
 
+RecordedQuery read_query(ByteReader& in) {
+    RecordedQuery query{in.fixed32(), in.fixed32()};
+    // Recorders of scb 1.0 wrote no more.
+    query.has_label = !in.bytes.empty();
+    if (!query.has_label) return query;
+    query.name = read_text(in);
+    // A tag has at least the bytes of its length.
+    const std::size_t tags = counted(in, in.fixed32(), 4);
+    for (std::size_t i = 0; i < tags && in.ok; ++i) query.tags.push_back(read_text(in));
+    return query;
+}
+
 // Initializers in braces run in their order, which is the order of the members and of the file.
 Record read_record(RecordTag tag, ByteReader& in) {
     switch (tag) {
@@ -118,11 +130,13 @@ Record read_record(RecordTag tag, ByteReader& in) {
             return r;
         }
         case RecordTag::query:
-            return RecordedQuery{in.fixed32(), in.fixed32()};
+            return read_query(in);
         case RecordTag::query_end:
             return RecordedQueryEnd{in.byte(), in.fixed64()};
         case RecordTag::end:
             return RecordedEnd{};
+        case RecordTag::log:
+            return RecordedLog{read_text(in)};
         default:
             break;
     }
@@ -224,6 +238,10 @@ struct WriteRecord {
     RecordTag operator()(const RecordedQuery& r) {
         out.fixed32(r.body_a);
         out.fixed32(r.body_b);
+        if (!r.has_label) return RecordTag::query;
+        write_text(out, r.name);
+        out.fixed32(static_cast<std::uint32_t>(r.tags.size()));
+        for (const std::string& tag : r.tags) write_text(out, tag);
         return RecordTag::query;
     }
     RecordTag operator()(const RecordedQueryEnd& r) {
@@ -232,6 +250,10 @@ struct WriteRecord {
         return RecordTag::query_end;
     }
     RecordTag operator()(const RecordedEnd&) { return RecordTag::end; }
+    RecordTag operator()(const RecordedLog& r) {
+        write_text(out, r.text);
+        return RecordTag::log;
+    }
     RecordTag operator()(const RecordedUnknown& r) {
         out.append(r.bytes);
         return static_cast<RecordTag>(r.tag);

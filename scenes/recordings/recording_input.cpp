@@ -7,8 +7,6 @@
 #include "core/platform/input_files.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_json.h"
-#include "core/platform/file_bytes.h"
-#include "core/platform/input_files.h"
 #include "scenes/traces/trace_file.h"
 
 namespace scb::scenes {

@@ -122,13 +122,19 @@ struct LineOf {
         return {{"pose", r.body}, {"rows", reals_json(r.rows)}};
     }
     Json operator()(const RecordedQuery& r) {
-        return {{"query", Json::array({r.body_a, r.body_b})}};
+        Json line = {{"query", Json::array({r.body_a, r.body_b})}};
+        if (!r.has_label) return line;
+        line["name"] = text_json(r.name);
+        line["tags"] = Json::array();
+        for (const std::string& tag : r.tags) line["tags"].push_back(text_json(tag));
+        return line;
     }
     Json operator()(const RecordedQueryEnd& r) {
         const Json complete = r.complete > 1 ? Json(r.complete) : Json(r.complete == 1);
         return {{"complete", complete}, {"nanoseconds", r.nanoseconds}};
     }
     Json operator()(const RecordedEnd&) { return {{"end", true}}; }
+    Json operator()(const RecordedLog& r) { return {{"log", text_json(r.text)}}; }
     Json operator()(const RecordedUnknown& r) {
         return {{"unknown", r.tag}, {"hex", hex_of(r.bytes)}};
     }
@@ -155,13 +161,16 @@ std::vector<std::uint8_t> bytes_of_hex(const JsonPlace& place) {
     return bytes;
 }
 
-std::string text_of(const JsonPlace& object, const char* name) {
-    const JsonPlace place = optional_field(object, name);
+std::string text_at(const JsonPlace& place) {
     if (place.value->is_null()) return {};
     if (!place.value->is_object()) return read_text(place);
     check_fields(place, {"hex"});
     const std::vector<std::uint8_t> bytes = bytes_of_hex(field(place, "hex"));
     return {bytes.begin(), bytes.end()};
+}
+
+std::string text_of(const JsonPlace& object, const char* name) {
+    return text_at(optional_field(object, name));
 }
 
 std::uint32_t number_of(const JsonPlace& place, std::int64_t most = UINT32_MAX) {
@@ -261,6 +270,19 @@ std::uint8_t complete_of(const JsonPlace& place) {
     return place.value->get<std::uint8_t>();
 }
 
+RecordedQuery query_of(const JsonPlace& line) {
+    const JsonPlace bodies = field(line, "query");
+    if (array_size(bodies, "two bodies") != 2) refuse_value(bodies, "two bodies");
+    RecordedQuery query{number_of(element(bodies, 0)), number_of(element(bodies, 1))};
+    query.has_label = has(line, "name") || has(line, "tags");
+    query.name = text_of(line, "name");
+    if (!has(line, "tags")) return query;
+    const JsonPlace tags = field(line, "tags");
+    const std::size_t count = array_size(tags, "a list of tags");
+    for (std::size_t i = 0; i < count; ++i) query.tags.push_back(text_at(element(tags, i)));
+    return query;
+}
+
 /// Whether a coordinate fits into 4 bytes. Finite ones are rounded.
 bool fits_float(double value) {
     if (std::isinf(value)) return true;
@@ -342,21 +364,22 @@ void add_line(RecordingWriter& writer, const JsonPlace& line,
         std::copy(rows.begin(), rows.end(), r.rows.begin());
         add(r);
     } else if (has(line, "query")) {
-        check_fields(line, {"query"});
-        const JsonPlace bodies = field(line, "query");
-        if (array_size(bodies, "two bodies") != 2) refuse_value(bodies, "two bodies");
-        add(RecordedQuery{number_of(element(bodies, 0)), number_of(element(bodies, 1))});
+        check_fields(line, {"query", "name", "tags"});
+        add(query_of(line));
     } else if (has(line, "complete")) {
         check_fields(line, {"complete", "nanoseconds"});
         add(RecordedQueryEnd{complete_of(field(line, "complete")),
                              long_number_of(line, "nanoseconds")});
+    } else if (has(line, "log")) {
+        check_fields(line, {"log"});
+        add(RecordedLog{text_of(line, "log")});
     } else if (has(line, "end")) {
         check_fields(line, {"end"});
         add(RecordedEnd{});
     } else if (has(line, "unknown")) {
         check_fields(line, {"unknown", "hex"});
         const std::uint32_t tag = number_of(field(line, "unknown"), 255);
-        if (tag <= static_cast<std::uint32_t>(RecordTag::end))
+        if (tag <= static_cast<std::uint32_t>(RecordTag::log))
             refuse_value(field(line, "unknown"),
                          "a kind of record that this version does not know");
         add(RecordedUnknown{static_cast<std::uint8_t>(tag), bytes_of_hex(field(line, "hex"))});

@@ -44,6 +44,7 @@ class RecordingJudge {
             for (const auto& [number, tree] : recording_.trees())
                 trees_.look(number, result_.summary.body_names);
             tolerances_.take_trees(recording_, frame().tolerance);
+            take_log();
             if (!done(true)) {
                 note_left(wanted, recording_.frame() + 1);
                 break;
@@ -60,6 +61,17 @@ class RecordingJudge {
             if (wanted(frame)) ++(frame < from ? frames_judged_ : result_.frames_left);
     }
 
+    /// Keeps the engine's log of the frame if something is wrong in it.
+    void take_log() {
+        constexpr std::size_t most = 5;
+        FrameJudgement& row = frame();
+        if (row.wrong + row.missed + row.false_pairs == 0) return;
+        const std::vector<std::string>& log = recording_.log();
+        row.log.assign(log.begin(),
+                       log.begin() + static_cast<std::ptrdiff_t>(std::min(most, log.size())));
+        row.log_lines = log.size();
+    }
+
     FrameJudgement& frame() {
         if (result_.frames.empty() || result_.frames.back().frame != recording_.frame())
             result_.frames.emplace_back().frame = recording_.frame();
@@ -70,7 +82,8 @@ class RecordingJudge {
         const auto bodies = recording_.query_bodies();
         for (const std::uint32_t body : bodies)
             trees_.look(recording_.bodies().at(body).tree, result_.summary.body_names);
-        const QueryName name{query.frame, name_of(bodies[0]), name_of(bodies[1])};
+        const QueryName name{query.frame, name_of(bodies[0]), name_of(bodies[1]),
+                             recording_.query_name()};
         FrameJudgement& row = frame();
         ++row.queries;
         ++queries_;

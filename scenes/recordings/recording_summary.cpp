@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/platform/utf8.h"
+#include "scb/error.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_input.h"
 
@@ -20,7 +21,33 @@ void tell_apart(std::map<std::uint32_t, std::string>& names) {
     }
 }
 
+/// The selection matches no query: names what there is.
+[[noreturn]] void refuse_selection(std::string_view name, const QuerySelection& selection,
+                                   const std::set<std::string>& known, const char* what) {
+    constexpr std::size_t most = 5;
+    std::string list;
+    std::size_t count = 0;
+    for (const std::string& each : known)
+        if (count++ < most) list += (list.empty() ? "" : ", ") + shown(each);
+    if (count > most) list += ", and " + std::to_string(count - most) + " more";
+    throw InputError(selection.words() + ": " + std::string(name) + " has no such query; its " +
+                     (list.empty() ? std::string("queries have no ") + what
+                                   : std::string(what) + " are " + list) +
+                     ".");
+}
+
 }  // namespace
+
+bool QuerySelection::has(const RecordedQuery& query) const {
+    return (name.empty() || query.name == name) &&
+           (tag.empty() ||
+            std::find(query.tags.begin(), query.tags.end(), tag) != query.tags.end());
+}
+
+std::string QuerySelection::words() const {
+    const std::string of_name = name.empty() ? "" : "--query " + name;
+    return of_name + (tag.empty() ? "" : (of_name.empty() ? "--tag " : " --tag ") + tag);
+}
 
 std::string shown(std::string text) {
     constexpr std::size_t most = 500;
@@ -29,12 +56,16 @@ std::string shown(std::string text) {
     return printable(std::move(text)) + (cut ? "..." : "");
 }
 
-RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
+RecordingSummary summary_of(std::string_view bytes, std::string_view name,
+                            const QuerySelection& selection) {
     RecordingSummary summary;
+    std::set<std::string> names, tags;  // of all queries
+    bool is_selected = true;
     std::array<bool, 128> is_stage{};
     RecordingReader reader(bytes, name);
     while (const Record* record = reader.next()) {
         if (const auto* event = std::get_if<RecordedEvent>(record)) {
+            if (!is_selected) continue;
             const auto tag = static_cast<RecordTag>(event->tag);
             summary.volume_tests += tag < RecordTag::items_apart;
             summary.item_tests += tag == RecordTag::items_apart || tag == RecordTag::items_meet;
@@ -50,7 +81,16 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
         }
         if (const auto* setting = std::get_if<RecordedSetting>(record))
             summary.tells_pairs |= setting->key == "results" && setting->value == "pairs";
-        summary.queries += std::holds_alternative<RecordedQuery>(*record);
+        if (const auto* query = std::get_if<RecordedQuery>(record)) {
+            is_selected = selection.has(*query);
+            summary.queries += is_selected;
+            if (!query->name.empty()) names.insert(query->name);
+            tags.insert(query->tags.begin(), query->tags.end());
+        }
+    }
+    if (!selection.empty() && summary.queries == 0) {
+        const bool by_name = !selection.name.empty();
+        refuse_selection(name, selection, by_name ? names : tags, by_name ? "names" : "tags");
     }
     if (summary.frames.empty()) summary.frames.push_back(0);
     tell_apart(summary.body_names);
@@ -59,10 +99,13 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name) {
     return summary;
 }
 
-RecordingFile::RecordingFile(const std::string& name)
-    : RecordingFile(recording_bytes(name), name) {}
+RecordingFile::RecordingFile(const std::string& name, QuerySelection selected)
+    : RecordingFile(recording_bytes(name), name, std::move(selected)) {}
 
-RecordingFile::RecordingFile(std::string of_file, std::string name)
-    : path(std::move(name)), bytes(std::move(of_file)), summary(summary_of(bytes, path)) {}
+RecordingFile::RecordingFile(std::string of_file, std::string name, QuerySelection selected)
+    : path(std::move(name)),
+      bytes(std::move(of_file)),
+      selection(std::move(selected)),
+      summary(summary_of(bytes, path, selection)) {}
 
 }  // namespace scb::scenes

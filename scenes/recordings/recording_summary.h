@@ -7,9 +7,21 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/recordings/record.h"
+
 namespace scb::scenes {
 
-/// Frames, stages, names of bodies and counts of a whole recording.
+/// The queries of a recording that a command reads: with this name, and with this tag. Empty: any.
+struct QuerySelection {
+    std::string name, tag;
+
+    bool empty() const { return name.empty() && tag.empty(); }
+    bool has(const RecordedQuery& query) const;
+    /// "--query lift --tag grasp".
+    std::string words() const;
+};
+
+/// Frames, stages, names of bodies and counts of a whole recording, of the selected queries.
 struct RecordingSummary {
     std::vector<int> frames;        ///< the recorded frames, ascending; only 0 if there is none
     std::set<std::uint8_t> stages;  ///< stages at which tests rejected
@@ -22,18 +34,21 @@ struct RecordingSummary {
     std::map<std::uint32_t, std::string> body_names;
 };
 
-/// Reads the whole recording once. Throws InputError as RecordingReader does.
-RecordingSummary summary_of(std::string_view bytes, std::string_view name);
+/// Reads the whole recording once. Throws InputError as RecordingReader does, and if a selection
+/// has no query.
+RecordingSummary summary_of(std::string_view bytes, std::string_view name,
+                            const QuerySelection& selection = {});
 
 /// The bytes of a recording with its summary, shared by all that read the recording.
 struct RecordingFile {
     std::string path;   ///< begins each error
     std::string bytes;  ///< of a `.scbrec`
+    QuerySelection selection;
     RecordingSummary summary;
 
     /// Reads the file. Throws InputError as recording_bytes and summary_of do.
-    explicit RecordingFile(const std::string& name);
-    RecordingFile(std::string of_file, std::string name);
+    explicit RecordingFile(const std::string& name, QuerySelection selected = {});
+    RecordingFile(std::string of_file, std::string name, QuerySelection selected = {});
 };
 
 /// Text of a recording as reports show it: printable, and not longer than 500 characters.

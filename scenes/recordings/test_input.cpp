@@ -1,17 +1,21 @@
 #include "scenes/recordings/test_input.h"
 
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "core/platform/number_list.h"
 
 namespace scb::scenes {
 
-TestInput::TestInput(const std::string& path, const std::string& frames, const std::string& bodies)
+TestInput::TestInput(const std::string& path, const std::string& frames, const std::string& bodies,
+                     const QuerySelection& selection)
     : path_(path) {
     if (names_recording(path)) {
-        recorded_ = std::make_unique<RecordedTrace>(path, bodies, frames);
+        recorded_ = std::make_unique<RecordedTrace>(path, bodies, frames, selection);
         return;
     }
+    if (!selection.empty())
+        throw InputError(selection.words() + ": " + path +
+                         " is a trace, whose queries have no names and tags; leave it out.");
     bytes_ = trace_bytes(path);
     TraceReader whole(as_bytes(bytes_), path);
     while (const TraceFrame* frame = whole.next()) all_frames_.push_back(frame->frame);

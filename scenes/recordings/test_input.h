@@ -15,7 +15,8 @@ class TestInput {
     /// `frames`: a list, see frames_among; auto_frames is a recording's frame with the most pairs,
     /// and all frames of a trace. `bodies`: as in RecordedTrace. Reads the whole file once, so that
     /// an invalid file gives no partial answer. Throws InputError.
-    TestInput(const std::string& path, const std::string& frames, const std::string& bodies = {});
+    TestInput(const std::string& path, const std::string& frames, const std::string& bodies = {},
+              const QuerySelection& selection = {});
     TestInput(std::shared_ptr<const Recording> recording, const std::string& frames,
               const std::string& bodies);
     TestInput(const TestInput&) = delete;

@@ -17,6 +17,7 @@ static inline int record_everything(const char* path) {
     static const double pose[12] = {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0};
     static const uint32_t children[] = {1, 2};
     static const uint32_t first[] = {0}, second[] = {1};
+    static const char* const tags[] = {"grasp", "slow"};
     const scb_record_volume in_box = {SCB_RECORD_AABB, 6, box};
     const scb_record_volume in_ball = {SCB_RECORD_BALL, 4, ball};
     const scb_record_volume in_slabs = {SCB_RECORD_KDOP, 6, slabs};
@@ -62,7 +63,12 @@ static inline int record_everything(const char* path) {
         scb_record_frame(&r, i);
         scb_record_pose(&r, 1, pose);
         scb_record_refit(&r, 7, 1, &in_box);
-        scb_record_query(&r, 0, 1);
+        if (i == 0) {
+            scb_record_query(&r, 0, 1);
+        } else {
+            scb_record_log(&r, "gripper closed");
+            scb_record_named_query(&r, 0, 1, "lift", tags, 2);
+        }
         scb_record_test(&r, 0, 0, 0);
         /* More than a block of them. */
         for (k = 0; k < 10000; ++k) scb_record_test(&r, k, 2, (uint8_t)(k % 2));

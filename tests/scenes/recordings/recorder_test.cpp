@@ -62,7 +62,9 @@ TEST(Recorder, IsReadBackAsItWasCalled) {
     EXPECT_EQ(all_of<RecordedPose>(records), (std::vector<RecordedPose>{pose, pose}));
     EXPECT_EQ(all_of<RecordedRefit>(records),
               (std::vector<RecordedRefit>{{7, 1, box}, {7, 1, box}}));
-    EXPECT_EQ(all_of<RecordedQuery>(records), (std::vector<RecordedQuery>{{0, 1}, {0, 1}}));
+    EXPECT_EQ(all_of<RecordedQuery>(records),
+              (std::vector<RecordedQuery>{{0, 1}, {0, 1, true, "lift", {"grasp", "slow"}}}));
+    EXPECT_EQ(all_of<RecordedLog>(records), (std::vector<RecordedLog>{{"gripper closed"}}));
     EXPECT_EQ(all_of<RecordedQueryEnd>(records),
               (std::vector<RecordedQueryEnd>{{true, 123456789012345}, {true, 123456789012345}}));
     EXPECT_EQ(all_of<RecordedEnd>(records).size(), 1u);
