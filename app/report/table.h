@@ -58,8 +58,9 @@ class Table {
     std::string text_row(std::size_t row) const;
     std::string text() const;
 
-    /// The line of the keys, and those of all rows, as RFC 4180 says, but with a line feed at their
-    /// ends. Truth values are 1 and 0; a cell without a value is empty. `start`: before each row.
+    /// The line of the keys, and the lines of all rows, as RFC 4180 says, but with a line feed at
+    /// their ends. Truth values are 1 and 0; a cell without a value is empty. `start`: before each
+    /// row.
     std::string csv_header() const;
     std::string csv_rows(const std::string& start = {}) const;
 

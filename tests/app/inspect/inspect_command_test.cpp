@@ -125,7 +125,8 @@ TEST(InspectCommand, FindsTheSameWasteInARecordingOfTheSameQueries) {
         ASSERT_EQ(run_scb("trace " + std::string(arguments) + " -o " + recording).status, 0);
         const json own = inspect(arguments), recorded = inspect(recording),
                    waste = recorded["waste"];
-        EXPECT_EQ(recorded["verdict"], "sound");
+        EXPECT_FALSE(recorded["wrong"].get<bool>());
+        EXPECT_EQ(recorded["not_judged"].size(), 0u);
         for (const char* key : {"pairs", "n_v", "n_p", "passed", "inner", "leaves",
                                 "wrongly_rejected", "missed_pairs"})
             EXPECT_EQ(waste["sum"][key], own["sum"][key]) << arguments << " " << key;
