@@ -9,7 +9,7 @@
 #include "core/platform/utf8.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
-#include "scenes/traces/trace_diff_text.h"
+#include "scenes/recordings/trace_diff_text.h"
 
 namespace scb::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "render/files/image_file.h"
 #include "scb/error.h"
 #include "scenes/recordings/test_input.h"
-#include "scenes/traces/trace_diff_text.h"
+#include "scenes/recordings/trace_diff_text.h"
 
 namespace scb::golden {
 namespace {

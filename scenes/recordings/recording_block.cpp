@@ -3,7 +3,7 @@
 #include <string>
 
 #include "scb/error.h"
-#include "scenes/traces/trace_block.h"
+#include "scenes/recordings/trace_block.h"
 
 namespace scb::scenes {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "scenes/traces/byte_stream.h"
+#include "scenes/recordings/byte_stream.h"
 
 namespace scb::scenes {
 

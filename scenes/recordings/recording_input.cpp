@@ -7,7 +7,7 @@
 #include "core/platform/input_files.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_json.h"
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 
 namespace scb::scenes {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenes/recordings/recorded_trace.h"
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 
 namespace scb::scenes {
 

@@ -1,4 +1,4 @@
-#include "scenes/traces/trace_block.h"
+#include "scenes/recordings/trace_block.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace scb;

@@ -1,6 +1,6 @@
 #include <zlib.h>
 
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/scenes/recordings/recording_block.h"
 

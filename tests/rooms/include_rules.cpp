@@ -28,7 +28,7 @@ const std::map<std::string, Floors> rooms = {
       {"collide", "model"},
       {"packed", "analysis"},
       {"judge"}}},
-    {"scenes", {{"shapes"}, {"meshes"}, {"scene"}, {"traces"}, {"recordings"}}},
+    {"scenes", {{"shapes"}, {"meshes"}, {"scene"}, {"recordings"}}},
     {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}, {"web"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",

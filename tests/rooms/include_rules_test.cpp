@@ -108,7 +108,7 @@ TEST(IncludeRules, AreSeenToBreak) {
         {"core/platform/utf8.cpp", "core/fit/fit.h"},
         {"core/platform/utf8.cpp", "render/files/image_file.h"},
         {"scenes/meshes/polygon.cpp", "scenes/scene/scene.h"},
-        {"scenes/scene/scene.cpp", "scenes/traces/trace_file.h"},
+        {"scenes/scene/scene.cpp", "scenes/recordings/trace_file.h"},
         {"render/files/image_file.cpp", "render/gl/context.h"},
         {"render/view/camera.cpp", "render/overlay/overlay.h"},
         {"render/overlay/overlay.cpp", "render/plots/bar_plot.h"},

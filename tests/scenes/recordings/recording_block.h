@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scenes/recordings/recording_file.h"
-#include "scenes/traces/trace_block.h"
+#include "scenes/recordings/trace_block.h"
 
 namespace scb::scenes {
 

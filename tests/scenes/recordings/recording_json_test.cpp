@@ -6,8 +6,8 @@
 
 #include "core/platform/file_bytes.h"
 #include "scb/error.h"
+#include "scenes/recordings/byte_stream.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/traces/byte_stream.h"
 #include "tests/open_file_limit.h"
 #include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/sample_records.h"

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "scenes/recordings/recording_block.h"
+#include "scenes/recordings/trace_block.h"
 #include "scenes/shapes/procedural.h"
-#include "scenes/traces/trace_block.h"
 #include "tests/core/analysis/traces.h"
+#include "tests/scenes/recordings/trace_1_0.h"
 #include "tests/scenes/support.h"
-#include "tests/scenes/traces/trace_1_0.h"
 
 namespace scb::scenes {
 

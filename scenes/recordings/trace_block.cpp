@@ -1,4 +1,4 @@
-#include "scenes/traces/trace_block.h"
+#include "scenes/recordings/trace_block.h"
 
 #include <zlib.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <new>
 
+#include "scenes/recordings/byte_stream.h"
 #include "scenes/scene/scene.h"
-#include "scenes/traces/byte_stream.h"
 
 namespace scb::scenes {
 namespace {

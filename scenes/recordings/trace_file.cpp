@@ -1,15 +1,15 @@
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "scb/error.h"
+#include "scenes/recordings/byte_stream.h"
 #include "scenes/recordings/record.h"
 #include "scenes/recordings/recording_block.h"
+#include "scenes/recordings/trace_block.h"
 #include "scenes/scene/scene.h"
-#include "scenes/traces/byte_stream.h"
-#include "scenes/traces/trace_block.h"
 
 namespace scb::scenes {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 
 namespace scb::scenes {
 

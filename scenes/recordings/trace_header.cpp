@@ -1,7 +1,7 @@
 #include "scb/mesh.h"
+#include "scenes/recordings/byte_stream.h"
+#include "scenes/recordings/trace_block.h"
 #include "scenes/scene/scene.h"
-#include "scenes/traces/byte_stream.h"
-#include "scenes/traces/trace_block.h"
 
 namespace scb::scenes {
 namespace {

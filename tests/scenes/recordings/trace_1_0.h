@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "scenes/traces/trace_block.h"
+#include "scenes/recordings/trace_block.h"
 
 namespace scb::scenes {
 

@@ -1,9 +1,9 @@
-#include "scenes/traces/trace_file.h"
+#include "scenes/recordings/trace_file.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes/scene/load_scene.h"
-#include "tests/scenes/traces/trace_bytes.h"
+#include "tests/scenes/recordings/trace_bytes.h"
 
 namespace scb::scenes {
 namespace {

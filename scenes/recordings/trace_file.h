@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/analysis/trace.h"
-#include "scenes/traces/byte_stream.h"
+#include "scenes/recordings/byte_stream.h"
 
 namespace scb::scenes {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/random.h"
 #include "tests/scenes/recordings/recording_block.h"
-#include "tests/scenes/traces/trace_bytes.h"
+#include "tests/scenes/recordings/trace_bytes.h"
 
 namespace scb::scenes {
 namespace {

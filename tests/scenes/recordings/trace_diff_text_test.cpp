@@ -1,4 +1,4 @@
-#include "scenes/traces/trace_diff_text.h"
+#include "scenes/recordings/trace_diff_text.h"
 
 #include <gtest/gtest.h>
 
