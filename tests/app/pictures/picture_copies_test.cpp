@@ -56,9 +56,9 @@ TEST(PictureCopies, AreShownInTheTerminal) {
     const std::string name = nlohmann::json::parse(
         file_text(std::filesystem::path(folder / "out") / "index.json"))["files"][0]["file"];
     const std::string png = file_text(std::filesystem::path(folder / "out") / name),
-                      base64 =
+                      coded =
                           base64({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
-    EXPECT_NE(iterm.out.find("\033]1337;File=inline=1;preserveAspectRatio=1:" + base64 + "\a"),
+    EXPECT_NE(iterm.out.find("\033]1337;File=inline=1;preserveAspectRatio=1:" + coded + "\a"),
               std::string::npos);
     // In parts of at most 4096 characters. The last part has the mark of the end.
     std::string joined;
@@ -70,7 +70,7 @@ TEST(PictureCopies, AreShownInTheTerminal) {
         at = kitty.out.find("\033_G", end);
         EXPECT_NE(keys.find(at == std::string::npos ? "m=0" : "m=1"), std::string::npos);
     }
-    EXPECT_EQ(joined, base64);
+    EXPECT_EQ(joined, coded);
     EXPECT_NE(sixel.out.find("\033P"), std::string::npos);
     EXPECT_NE(sixel.out.find("\033\\"), std::string::npos);
     EXPECT_NE(none.err.find("SCB_IMAGES"), std::string::npos) << none.err;

@@ -13,18 +13,18 @@ namespace scb::scenes {
 
 using Bytes = std::vector<std::uint8_t>;
 
-inline const BuiltMesh& mesh_a() {
+inline const BuiltMesh& soup_a() {
     static const BuiltMesh mesh(soup_mesh({120, 0.6, 0.15, 1}));
     return mesh;
 }
-inline const BuiltMesh& mesh_b() {
+inline const BuiltMesh& soup_b() {
     static const BuiltMesh mesh(soup_mesh({90, 0.6, 0.15, 2}));
     return mesh;
 }
 
 inline Trace small_trace(const TraceHeader& header = asking(VolumeKind::scb,
                                                             OverlapTest::symmetric)) {
-    return record_trace(mesh_a(), mesh_b(), header, {4, 7, 12});
+    return record_trace(soup_a(), soup_b(), header, {4, 7, 12});
 }
 
 inline void expect_same(const Trace& a, const Trace& b) {
