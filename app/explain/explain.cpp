@@ -11,7 +11,6 @@
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
-#include "core/platform/utf8.h"
 #include "scenes/recordings/recording_input.h"
 
 namespace scb::app {

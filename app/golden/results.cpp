@@ -15,9 +15,6 @@
 #include "golden/report/html_report.h"
 #include "golden/report/junit.h"
 #include "golden/report/plain_text.h"
-#include "core/platform/output_file.h"
-#include "golden/report/html_report.h"
-#include "golden/report/plain_text.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
 

@@ -75,6 +75,9 @@ FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top)
 void FrameFindings::add(const QuerySource& source, const TraceFrame& frame,
                         const Attribution& attribution) {
     frames.push_back({frame.frame, inspection(frame, attribution)});
+    // Without results, tests are not attributed, but counted.
+    Work& all = frames.back().found.counts.all;
+    if (all.volume_tests == 0) all = {frame.found.n_v, frame.found.n_p, 0};
     complete &= frame.found.complete;
     vain += vain_tests(*source.body(0, frame.frame).mesh, *source.body(1, frame.frame).mesh, frame);
     wrong.add(frame, attribution);

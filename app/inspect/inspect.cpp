@@ -28,6 +28,7 @@
 #include "core/judge/query_attribution.h"
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
@@ -237,7 +238,8 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.query = options.query;
     view.level.recording = options.recording;
     if (report.recording) {
-        // The page has one frame of a recording.
+        // The page has one frame of a recording, and one pair of bodies.
+        view.query.bodies = report.header.bodies[0].name + "," + report.header.bodies[1].name;
         view.level.scene.frames = std::to_string(report.frames.front().frame);
         return view_page(view, console);
     }
@@ -324,30 +326,38 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 }
 
 /// The command that explains the first faulty test; empty if there is none.
-std::string explain_command(const scenes::RecordingJudgement& judged, const std::string& path) {
+std::string explain_command(const scenes::RecordingJudgement& judged,
+                            const InspectOptions& options) {
     for (const auto* groups : {&judged.test_problems, &judged.missed})
         for (const scenes::ProblemGroup& group : *groups) {
             const scenes::ProblemCase& first = group.cases.front();
             if (first.nodes.a == no_index || first.nodes.b == no_index) continue;
-            const bool several = judged.summary.body_names.size() > 2;
-            return "scb explain " + file_word(path) +
+            const bool several =
+                options.query.bodies.empty() && judged.summary.body_names.size() > 2;
+            const std::string& name = first.query.name;
+            // A name is part of the command if it can be typed.
+            const bool named =
+                options.scene.selection.name.empty() && !name.empty() && printable(name) == name;
+            return options.explain +
                    (several ? " --bodies " + file_word(first.query.a + "," + first.query.b) : "") +
-                   (first.query.name.empty() ? "" : " --query " + file_word(first.query.name)) +
-                   " --frames " + std::to_string(first.query.frame) +
+                   (named ? " --query " + file_word(name) : "") + " --frames " +
+                   std::to_string(first.query.frame) +
                    format(" --pair %u,%u", first.nodes.a, first.nodes.b);
         }
     return {};
 }
 
 /// Notes on a recording: what the report lacks, and the next commands.
-void note_next(const Inspected& inspected, const Console& console) {
+void note_next(const Inspected& inspected, const InspectOptions& options, const Console& console) {
     const scenes::RecordingJudgement& judged = inspected.report.recording->judged;
-    const std::string& path = inspected.file->path;
     if (judged.wrong() && !inspected.pictures)
-        console.note("scb: `scb inspect " + file_word(path) +
+        console.note("scb: `scb inspect" + options.of_scene +
                      " -o out` draws the first of each kind of what is wrong.");
-    if (const std::string next = explain_command(judged, path); !next.empty())
-        console.note("scb: `" + next + "` explains the first test at fault, step by step.");
+    if (const std::string next = explain_command(judged, options); !next.empty())
+        console.note("scb: `" + next + "` explains " +
+                     (judged.test_problems.empty()
+                          ? "the test at which the first missed pair was lost."
+                          : "the first test at fault, step by step."));
 }
 
 int status_of(scenes::Verdict verdict) {
@@ -415,7 +425,7 @@ int run(InspectOptions& options, const Console& console) {
     if (!whole) print_report(options, report);
     if (!no_settings.empty())
         console.note("scb: there is no comparison with this project's hierarchies: " + no_settings);
-    if (recorded) note_next(inspected, console);
+    if (recorded) note_next(inspected, options, console);
     if (watch.signal() != 0) {
         console.note(draws
                          ? "scb: interrupted; not all pictures are drawn, and there is no page."
@@ -494,6 +504,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
         options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
                                                  "--query", "--tag", "--frames", "--margin"});
+        options->of_recording = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
         options->view.note_given(command);
         options->view.descent = given_text(command, {"--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);

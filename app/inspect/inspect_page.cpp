@@ -156,7 +156,7 @@ data setting_rows(const InspectSettings& settings) {
     return rows;
 }
 
-/// A row of a problem: text, and the picture if there is one.
+/// The problems with their pictures.
 data problem_rows(const InspectedRecording& recording) {
     data rows(data::type::list);
     for (const ProblemPicture& picture : recording.pictures) {
@@ -228,7 +228,9 @@ class Group {
                           printable(bodies[1].name) + " " + std::to_string(test.nodes.b);
         pair["detail"] =
             format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
-        if (!page_.view.empty())
+        // The page of a recording has one frame.
+        const bool in_view = !report_.recording || frame == report_.frames.front().frame;
+        if (!page_.view.empty() && in_view)
             pair["view"] = page_.view + "#frame=" + std::to_string(frame) + "&nodes=" + nodes;
         pair["command"] = page_.explain + " --frames " + std::to_string(frame) + " --pair " + nodes;
         pairs_ << pair;
@@ -344,7 +346,7 @@ void set_settings(data& values, const InspectSettings& settings, std::size_t fra
     values["settings_words"] = settings_words(tuning, frames, "sums over");
     values["cost_words"] = cost_words;
     values["best_words"] = settings.recorded
-                               ? "The changes are against the recorded tests."
+                               ? "Changes are relative to the recorded tests."
                                : best_sentences(tuning, "the present setting").front();
     values["use"] = settings.command;
     const std::string packed = layout_sentence(tuning);

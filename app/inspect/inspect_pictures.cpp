@@ -11,10 +11,10 @@
 #include "app/inspect/inspect_page.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
+#include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
-#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {

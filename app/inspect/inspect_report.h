@@ -36,7 +36,7 @@ struct InspectReport {
     std::optional<InspectedRecording> recording;
     TraceHeader header;
     std::string stem;  ///< the beginning of file names
-    /// False: nothing is known about waste, and the members from `frames` to `settings` are unused.
+    /// False: nothing is known about waste, and the members from `others` to `causes` are not set.
     /// A recording may be wrong, have no results, or have queries of several pairs of bodies.
     bool has_waste = true;
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first

@@ -14,6 +14,7 @@
 #include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
@@ -115,11 +116,11 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     if (!tuning) return std::nullopt;
     InspectSettings result{
         std::move(*tuning), {}, {}, render::volume_title(source.header()), recorded};
-    const std::string& bodies = options.query.bodies;
-    result.command = "scb collide " + file_word(path) +
-                     (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : "") +
-                     (bodies.empty() ? "" : " --bodies " + file_word(bodies)) +
-                     setting_options(result.tuning.rows[result.tuning.recommended()].setting);
+    result.command =
+        "scb collide" +
+        (recording.changes_meshes ? options.of_recording + " --frames " + std::to_string(counted[0])
+                                  : options.of_scene) +
+        setting_options(result.tuning.rows[result.tuning.recommended()].setting);
     return result;
 }
 
@@ -154,7 +155,8 @@ std::string recorded_text(const InspectSettings& settings) {
         text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
                 counts_text(tuning.rows[row].counts, *settings.recorded) +
                 format("  %6.2f\n", cost_of(row) / cost_of(rows.front()));
-    return text + "cost, of the least: " + cost_words + "\n  " + settings.command + "\n";
+    return text + "cost, relative to the lowest cost: " + cost_words + "\n  " + settings.command +
+           "\n";
 }
 
 }  // namespace

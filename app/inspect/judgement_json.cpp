@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/query/recording_verdict.h"
+#include "core/platform/utf8.h"
 
 namespace scb::app {
 namespace {
@@ -22,7 +23,7 @@ const char* verdict_name(scenes::Verdict verdict) {
 Json case_json(const scenes::ProblemCase& one) {
     Json json = {
         {"frame", one.query.frame}, {"bodies", {one.query.a, one.query.b}}, {"words", one.words}};
-    if (!one.query.name.empty()) json["query"] = one.query.name;
+    if (!one.query.name.empty()) json["query"] = as_utf8(one.query.name);
     if (one.nodes.a != no_index) json["nodes"] = {one.nodes.a, one.nodes.b};
     if (one.items.a != no_index) json["triangles"] = {one.items.a, one.items.b};
     if (one.test != no_index) json["test"] = one.test;

@@ -138,6 +138,8 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
     SceneOptions of_file;
     of_file.names = {recording.file->path};
     const std::string stem = of_file.file_stem(recording.scene.name);
+    NamedOptions named;
+    name_selection(named, recording.file->selection);
     std::vector<ProblemPicture> drawn;
     std::optional<scenes::RecordedBodies> at_frame;
     for (const Problem& problem : problems) {
@@ -189,7 +191,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
             picture_name(stem,
                          scenes::file_name_of(recording.engine) + "_problem-" +
                              std::to_string(drawn.size() + 1) + "-" + problem.name,
-                         {}, frame_part(problem.frame));
+                         named, frame_part(problem.frame));
         const render::Picture picture =
             render::compose(std::move(figure), options.width(), options.height(), options.samples,
                             pictures.overlay());

@@ -12,7 +12,6 @@
 #include "core/platform/input_files.h"
 #include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "core/platform/output_file.h"
 #include "render/overlay/overlay_shape.h"
 #include "scb/error.h"
 

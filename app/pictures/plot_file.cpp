@@ -3,7 +3,6 @@
 #include "app/pictures/picture_texts.h"
 #include "core/platform/output_file.h"
 #include "render/files/image_file.h"
-#include "core/platform/output_file.h"
 #include "render/overlay/overlay_shape.h"
 
 namespace scb::app {

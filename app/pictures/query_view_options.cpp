@@ -3,7 +3,6 @@
 #include "app/query/output_guard.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
-#include "core/platform/number_list.h"
 #include "scenes/recordings/recording_input.h"
 
 namespace scb::app {

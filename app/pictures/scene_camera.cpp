@@ -6,7 +6,6 @@
 
 #include "core/base/portable_math.h"
 #include "core/base/text_format.h"
-#include "core/base/portable_math.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 

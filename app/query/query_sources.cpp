@@ -143,7 +143,9 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
     for (const int frame : sources[0].frames())
         of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
     of_both.bodies = sources[0].header().bodies[0].name + "," + sources[0].header().bodies[1].name;
-    sources.emplace_back(scene, own, of_both, limits, false);
+    SceneOptions of_own = scene;
+    of_own.selection = {};  // the frames are those of the recorded queries
+    sources.emplace_back(of_own, own, of_both, limits, false);
     if (names[1] == recorded_name) std::swap(sources[0], sources[1]);
     return sources;
 }

@@ -103,7 +103,7 @@ Table table_of(const std::vector<Field<Row>>& fields, const std::vector<Row>& ro
 }
 
 /// A field of a line of CSV (RFC 4180). A text with a colon is quoted too, since print_result would
-/// change a name that begins with two.
+/// change a name that begins with two colons.
 std::string csv_field(const std::string& text);
 
 }  // namespace scb::app

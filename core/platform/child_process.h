@@ -16,8 +16,9 @@ namespace scb {
 /// Whether PATH has a program of that name.
 bool is_on_path(const std::string& program);
 
-/// Another program, which receives bytes through its standard input. It has the session and
-/// the signals of start_process, and inherits no files except those named here.
+/// Another program, which receives bytes through its standard input. It is started by
+/// start_process, in its own session and with default signals. It inherits no files except those
+/// named here.
 class ChildProcess {
   public:
     /// The path of `output` for the program.

@@ -10,14 +10,14 @@
 #include <string_view>
 
 #include "core/base/text_format.h"
-#include "golden/report/report_values.h"
-#include "golden/suite/case_command.h"
-#include "core/platform/output_file.h"
-#include "render/gl/embedded.h"
-#include "scb/error.h"
 #include "core/platform/file_bytes.h"
 #include "core/platform/input_files.h"
 #include "core/platform/json_reader.h"
+#include "core/platform/output_file.h"
+#include "golden/report/report_values.h"
+#include "golden/suite/case_command.h"
+#include "render/gl/embedded.h"
+#include "scb/error.h"
 
 SCB_DECLARE_EMBEDDED(report_html)
 SCB_DECLARE_EMBEDDED(report_css)
@@ -252,8 +252,7 @@ void clear_report(const fs::path& folder) {
     if (!fs::exists(list, ignored)) return;
     SuiteResult old;
     try {
-        old = result_of(
-            parse_json(read_text_file(list, std::size_t{1} << 30), list), list);
+        old = result_of(parse_json(read_text_file(list, std::size_t{1} << 30), list), list);
     } catch (const InputError&) {
         return;  // it is not a list of a report's files
     }
@@ -270,12 +269,12 @@ void write_report_folder(const SuiteResult& result, const fs::path& folder, cons
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-        throw OutputError(folder.string() + ": this folder cannot be made (" +
-                                  error.message() + "); name another with --report.");
+        throw OutputError(folder.string() + ": this folder cannot be made (" + error.message() +
+                          "); name another with --report.");
     clear_report(folder);
     for (const fs::directory_entry& entry : fs::directory_iterator(work))
         write_file_whole(place_of(folder, entry.path().filename()),
-                                 file_bytes(entry.path().string()));
+                         file_bytes(entry.path().string()));
     write_file_whole(place_of(folder, "report.html"), report_html(result, work));
     write_file_whole(place_of(folder, "results.json"), results_json(result));
 }

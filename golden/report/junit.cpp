@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <kainjow/mustache.hpp>
 
+#include "core/platform/utf8.h"
 #include "golden/report/plain_text.h"
 #include "render/gl/embedded.h"
-#include "core/platform/utf8.h"
 
 SCB_DECLARE_EMBEDDED(junit_xml)
 

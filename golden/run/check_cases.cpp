@@ -12,12 +12,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/platform/output_file.h"
-#include "golden/run/failure_lines.h"
-#include "golden/suite/baseline.h"
 #include "core/platform/file_bytes.h"
 #include "core/platform/json_reader.h"
 #include "core/platform/output_file.h"
+#include "golden/run/failure_lines.h"
+#include "golden/suite/baseline.h"
 #include "golden/suite/file_replacement.h"
 #include "render/files/image_file.h"
 
@@ -197,8 +196,8 @@ void add_pictures(CaseResult& result, const CaseFiles& made, const fs::path& rep
 
 void add_counts(CaseResult& result, const fs::path& made) {
     const std::string file = made.string();
-    const std::vector<CountChange> counts = counts_difference(
-        nlohmann::json::object(), parse_json(read_text_file(file), file));
+    const std::vector<CountChange> counts =
+        counts_difference(nlohmann::json::object(), parse_json(read_text_file(file), file));
     result.counts.insert(result.counts.begin(), counts.begin(), counts.end());
 }
 

@@ -12,8 +12,6 @@
 #include "golden/suite/case_command.h"
 #include "golden/suite/case_counts.h"
 #include "golden/suite/case_record.h"
-#include "core/platform/output_file.h"
-#include "golden/suite/case_command.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/scene/builtin.h"

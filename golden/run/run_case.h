@@ -52,9 +52,9 @@ struct GoldenRunEnd {
 GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& settings,
                       const std::filesystem::path& folder);
 
-/// Records the trace of the case's query as NAME.scbrec in `folder`, where run_case has left its
-/// counts. Does nothing if the counts are not of a query, or of several frames, whose traces are
-/// too large to keep. Returns why it could not be recorded, a sentence; else nothing.
+/// Records the trace of the case's query as NAME.trace.scbrec in `folder`, where run_case has left
+/// its counts. Does nothing if the counts are not of a query, or of several frames, whose traces
+/// are too large to keep. Returns why it could not be recorded, a sentence; else nothing.
 std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
                          const std::filesystem::path& folder);
 

@@ -9,8 +9,6 @@
 
 #include "core/platform/output_file.h"
 #include "golden/suite/file_replacement.h"
-#include "core/platform/output_file.h"
-#include "golden/suite/file_replacement.h"
 #include "scb/error.h"
 
 namespace scb::golden {
@@ -26,7 +24,7 @@ std::string variant_name(const std::string& name, int variant) {
 /// baseline.
 std::string case_of(std::string file) {
     for (const std::string_view ending :
-         {".counts.json", ".meta.json", ".ids.png", ".scbrec", ".scbtrace", ".png"})
+         {".counts.json", ".meta.json", ".ids.png", ".trace.scbrec", ".scbtrace", ".png"})
         if (file.ends_with(ending)) {
             file.resize(file.size() - ending.size());
             if (ending != ".png") return file;
@@ -44,9 +42,9 @@ std::string case_of(std::string file) {
 }  // namespace
 
 CaseFiles case_files(const fs::path& folder, const std::string& name) {
-    return {folder / (name + ".counts.json"), folder / (name + ".ids.png"),
-            folder / (name + ".png"),         folder / (name + ".meta.json"),
-            folder / (name + ".scbrec"),      folder / (name + ".scbtrace")};
+    return {folder / (name + ".counts.json"),  folder / (name + ".ids.png"),
+            folder / (name + ".png"),          folder / (name + ".meta.json"),
+            folder / (name + ".trace.scbrec"), folder / (name + ".scbtrace")};
 }
 
 fs::path trace_of(const CaseFiles& files) {

@@ -189,8 +189,7 @@ class Reader {
     }
 
     /// Outputs that the run cannot make are not compared, and must not be requested.
-    void check_what_is_made(const JsonPlace& place, GoldenCase& golden,
-                            const Given& given) const {
+    void check_what_is_made(const JsonPlace& place, GoldenCase& golden, const Given& given) const {
         const std::string run(golden_run_names[golden.run]);
         const bool recording =
             !golden.command.empty() ||
@@ -202,8 +201,8 @@ class Reader {
                    "that makes one; give either.");
         if (golden.run == GoldenRun::inspect && recording)
             refuse(place,
-                           "`inspect` has no counts of a recording to compare; compare the "
-                           "engine's counts with `external`.");
+                   "`inspect` has no counts of a recording to compare; compare the "
+                   "engine's counts with `external`.");
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)

@@ -157,8 +157,9 @@ Mesh isolated_mesh(const std::string& path) {
     MeshGreeting greeting{};
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
         const std::optional<ProcessEnd> end = reader.wait();
-        fail_to_start(path, reader.program(),
-                      end && end->by_signal ? ::strsignal(end->code) : "it ended without an answer");
+        fail_to_start(
+            path, reader.program(),
+            end && end->by_signal ? ::strsignal(end->code) : "it ended without an answer");
     }
     if (greeting != mesh_greeting)
         fail_to_start(path, reader.program(), "the program is not this version of scb");

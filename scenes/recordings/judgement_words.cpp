@@ -65,7 +65,7 @@ std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b
 
 std::string query_words(const QueryName& query) {
     return "frame " + std::to_string(query.frame) + ", " + query.a + " and " + query.b +
-           (query.name.empty() ? "" : " (\"" + query.name + "\")");
+           (query.name.empty() ? "" : " (\"" + shown(query.name) + "\")");
 }
 
 std::string test_words(std::uint32_t number) {

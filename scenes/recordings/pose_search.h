@@ -12,7 +12,7 @@ namespace scb::scenes {
 struct QueryName {
     int frame = 0;
     std::string a, b;    ///< bodies
-    std::string name{};  ///< of the query itself; mostly empty
+    std::string name{};  ///< of the query itself, as recorded; mostly empty
 };
 
 /// A query whose tests fit another pose.

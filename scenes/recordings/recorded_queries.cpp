@@ -194,7 +194,7 @@ void RecordedQueries::take(const RecordedQuery& query) {
         fail("a query begins within a query; call scb_record_query_end where a query ends");
     in_query_ = true;
     is_selected_ = selection_.has(query);
-    query_name_ = shown(query.name);
+    query_name_ = query.name;
     bodies_of_query_ = {query.body_a, query.body_b};
     for (const std::uint32_t number : bodies_of_query_) {
         const std::uint32_t of = known(bodies_, number, "body").tree;

@@ -74,7 +74,7 @@ class RecordedQueries {
     }
     /// The query that ended last, valid until the next step.
     const EngineQuery& query() const { return query_; }
-    /// The name of the query; mostly empty.
+    /// The name of the query as recorded, which may have any bytes; mostly empty.
     const std::string& query_name() const { return query_name_; }
     /// The lines of the engine's log in the current frame.
     const std::vector<std::string>& log() const { return log_; }

@@ -205,6 +205,7 @@ const TraceFrame& RecordedTrace::frame(int number) {
 const TraceFrame* RecordedTrace::frame_at(const RecordedQueries& queries) {
     if (!is_wanted(queries) || visited_ == queries.frame()) return nullptr;
     visited_ = queries.frame();
+    latest_.reset();
     return &set_frame(queries.query());
 }
 

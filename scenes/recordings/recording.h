@@ -46,8 +46,7 @@ Recording read_recording(const std::string& path, const QuerySelection& selectio
 /// are taken at the one frame that `frames` names: the first frame if it is empty, the frame with
 /// the most pairs for auto_frames. Throws InputError also if it names several frames and a mesh
 /// changes, or if a pose is unusable.
-Scene scene_of_recording(const std::string& path, const std::string& frames,
-                         const QuerySelection& selection = {});
+Scene scene_of_recording(const std::string& path, const std::string& frames);
 /// The scene with its meshes at that frame, which becomes the default frame.
 Scene scene_at(const Recording& recording, int frame);
 

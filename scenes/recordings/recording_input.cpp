@@ -38,7 +38,8 @@ bool names_recording(const std::string& path) {
 std::string trace_bytes(const std::string& path) {
     // The first bytes show whether this is a trace, so that other long files are not read.
     const std::string start = file_bytes(path, compact_start);
-    return starts_as_trace(as_bytes(start)) ? file_bytes(path) : start;
+    return starts_as_trace(as_bytes(start)) || starts_as_recording(start) ? file_bytes(path)
+                                                                          : start;
 }
 
 std::string recording_bytes(const std::string& path) {

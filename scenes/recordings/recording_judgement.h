@@ -80,8 +80,9 @@ struct FrameJudgement {
     FrameTolerance tolerance;
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, wasted = 0, wrong = 0, missed = 0,
                   false_pairs = 0, pairs = 0;
-    std::vector<std::string> log{};  ///< the first lines of the engine's log, if something is wrong
-    std::uint64_t log_lines = 0;     ///< how many lines there are
+    std::vector<std::string>
+        log{};  ///< the first lines of the engine's log, if a test or pair is wrong
+    std::uint64_t log_lines = 0;  ///< how many lines there are
 };
 
 /// The problems of a tree.

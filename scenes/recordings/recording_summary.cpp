@@ -61,6 +61,7 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name,
     RecordingSummary summary;
     std::set<std::string> names, tags;  // of all queries
     bool is_selected = true;
+    int current = 0;  // frame
     std::array<bool, 128> is_stage{};
     RecordingReader reader(bytes, name);
     while (const Record* record = reader.next()) {
@@ -75,7 +76,8 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name,
                 is_stage[event->tag] = true;
             }
         } else if (const auto* frame = std::get_if<RecordedFrame>(record)) {
-            summary.frames.push_back(static_cast<int>(frame->frame));
+            current = static_cast<int>(frame->frame);
+            if (selection.empty()) summary.frames.push_back(current);
         } else if (const auto* body = std::get_if<RecordedBody>(record)) {
             summary.body_names[body->body] = shown(body->name);
         }
@@ -84,12 +86,14 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name,
         if (const auto* query = std::get_if<RecordedQuery>(record)) {
             is_selected = selection.has(*query);
             summary.queries += is_selected;
+            const bool is_new = summary.frames.empty() || summary.frames.back() != current;
+            if (is_selected && !selection.empty() && is_new) summary.frames.push_back(current);
             if (!query->name.empty()) names.insert(query->name);
             tags.insert(query->tags.begin(), query->tags.end());
         }
     }
     if (!selection.empty() && summary.queries == 0) {
-        const bool by_name = !selection.name.empty();
+        const bool by_name = !selection.name.empty() && !names.contains(selection.name);
         refuse_selection(name, selection, by_name ? names : tags, by_name ? "names" : "tags");
     }
     if (summary.frames.empty()) summary.frames.push_back(0);

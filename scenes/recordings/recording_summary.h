@@ -21,9 +21,11 @@ struct QuerySelection {
     std::string words() const;
 };
 
-/// Frames, stages, names of bodies and counts of a whole recording, of the selected queries.
+/// Names of bodies of a whole recording; frames, stages and counts of the selected queries.
 struct RecordingSummary {
-    std::vector<int> frames;        ///< the recorded frames, ascending; only 0 if there is none
+    /// The recorded frames, ascending; of a selection, the frames of its queries. Only 0 if there
+    /// is none.
+    std::vector<int> frames;
     std::set<std::uint8_t> stages;  ///< stages at which tests rejected
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` announces recorded pairs, though there may be none.

@@ -88,7 +88,7 @@ std::span<const std::uint8_t> TraceReader::read_compact(std::string_view bytes) 
     }
     if (!std::equal(block.content.begin(), block.content.end(), end_record.begin(),
                     end_record.end()))
-        contradict("it has records");
+        contradict("it has data besides its queries");
     if (!in.bytes.empty()) refuse_longer(in.bytes.size());
     return head.content;
 }

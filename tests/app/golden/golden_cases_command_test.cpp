@@ -85,7 +85,7 @@ TEST_F(GoldenCommandCases, SayFirstWhichMeshIsAnother) {
                  {{"name", "pair"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
                  {{"name", "sum"}, {"run", "inspect"}, {"scene", {"a.obj", "b.obj"}}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    const std::string trace = folder / "my/baselines/pair.scbrec";
+    const std::string trace = folder / "my/baselines/pair.trace.scbrec";
     EXPECT_EQ(run_scb("inspect " + trace + " -o " + (folder / "out"), {folder / "my"}).status, 0);
     // As many triangles and vertices, elsewhere.
     std::string moved = two_triangles(true);
@@ -140,6 +140,16 @@ TEST_F(GoldenCommandCases, SayFirstWhichBodyMoved) {
             << run.out;
 }
 
+TEST_F(GoldenCommandCases, LeaveARecordingOfTheirNameInTheFolderOfTheBaselines) {
+    const std::string recording = folder / "my/baselines/arm.scbrec";
+    std::filesystem::create_directories(folder / "my/baselines");
+    ASSERT_EQ(run_scb("trace cone --frames 100 --records -o " + recording).status, 0);
+    write_cases({{{"name", "arm"}, {"run", "external"}, {"scene", "baselines/arm.scbrec"}}});
+    const ProgramRun run = golden("update --all");
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_TRUE(std::filesystem::exists(recording)) << run.out;
+}
+
 TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {
     write_text(folder / "my/a.obj", two_triangles(false));
     write_text(folder / "my/b.obj", cutting_triangle);
@@ -147,9 +157,9 @@ TEST_F(GoldenCommandCases, OfOneFrameKeepATraceWhetherItIsNamedOrNot) {
                  {{"name", "own"}, {"run", "pairs"}, {"scene", "cone"}},
                  {{"name", "many"}, {"run", "collide"}, {"scene", "cone"}, {"frames", "0,10"}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    EXPECT_NE(baseline("unnamed.scbrec"), "");
-    EXPECT_NE(baseline("own.scbrec"), "");
-    EXPECT_EQ(baseline("many.scbrec"), "");
+    EXPECT_NE(baseline("unnamed.trace.scbrec"), "");
+    EXPECT_NE(baseline("own.trace.scbrec"), "");
+    EXPECT_EQ(baseline("many.trace.scbrec"), "");
 }
 
 TEST_F(GoldenCommandCases, FindMeshesBesideTheSuiteThenAmongTheModels) {
@@ -196,7 +206,7 @@ TEST_F(GoldenCommandCases, GiveTheSameBaselinesFromAnyFolder) {
     write_cases({{{"name", "meshes"}, {"run", "collide"}, {"scene", {"a.obj", "b.obj"}}},
                  {{"name", "scene"}, {"run", "pairs"}, {"scene", "scene.json"}, {"frames", "1"}}});
     ASSERT_EQ(golden("update --all").status, 0);
-    for (const char* file : {"meshes.meta.json", "scene.meta.json", "scene.scbrec"}) {
+    for (const char* file : {"meshes.meta.json", "scene.meta.json", "scene.trace.scbrec"}) {
         EXPECT_NE(baseline(file), "") << file;
         EXPECT_EQ(baseline(file).find(folder.path.string()), std::string::npos) << file;
     }

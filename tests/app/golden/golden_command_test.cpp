@@ -15,9 +15,9 @@ TEST_F(GoldenCommand, FindsNothingWhereNothingChanged) {
     EXPECT_EQ(run.status, 0) << run.out << run.err;
     EXPECT_EQ(run.out, "5 cases: 5 same\n");
     for (const char* file : {"levels.counts.json", "levels.ids.png", "levels.png",
-                             "levels.meta.json", "rejections.scbrec", "collide.counts.json"})
+                             "levels.meta.json", "rejections.trace.scbrec", "collide.counts.json"})
         EXPECT_TRUE(fs::exists(baseline(file))) << file;
-    for (const char* file : {"collide.png", "traversal.ids.png", "collide.scbrec"})
+    for (const char* file : {"collide.png", "traversal.ids.png", "collide.trace.scbrec"})
         EXPECT_FALSE(fs::exists(baseline(file))) << file;
     // Counts are integers, and nothing depends on the machine's folders.
     EXPECT_EQ(file_text(baseline("levels.counts.json")).find('.'), std::string::npos);

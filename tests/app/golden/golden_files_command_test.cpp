@@ -37,7 +37,7 @@ TEST_F(GoldenCommandFiles, APipeIsNoFileOfABaseline) {
         EXPECT_EQ(limited("update levels").status, 0) << file;
         EXPECT_TRUE(fs::is_regular_file(baseline(file))) << file;
     }
-    put_pipe(baseline("rejections.scbrec"));
+    put_pipe(baseline("rejections.trace.scbrec"));
     write_text(baseline("rejections.counts.json"), "{}");
     EXPECT_EQ(limited("check rejections").status, 1);
     put_pipe(suite);

@@ -114,7 +114,7 @@ TEST_F(GoldenCommandUpdate, KeepsATraceThatCannotBeRecordedAnew) {
                "#!/bin/sh\ncase \"$*\" in *\" trace \"*) echo scb: error: No trace. >&2; exit 2;; "
                "esac\nexec \"$@\"\n");
     fs::permissions(runner, fs::perms::owner_all);
-    const std::string trace = file_text(baseline("rejections.scbrec"));
+    const std::string trace = file_text(baseline("rejections.trace.scbrec"));
     write_text(baseline("rejections.counts.json"), "{}");
     check("--runner " + runner);
     EXPECT_NE(result("rejections")["lines"].dump().find("could not be recorded: No trace."),
@@ -125,7 +125,7 @@ TEST_F(GoldenCommandUpdate, KeepsATraceThatCannotBeRecordedAnew) {
     EXPECT_EQ(run.out,
               "rejections: its trace could not be recorded, and the old one stays as it is. No "
               "trace.\nrejections.counts.json\n1 of 5 cases updated\n");
-    EXPECT_EQ(file_text(baseline("rejections.scbrec")), trace);
+    EXPECT_EQ(file_text(baseline("rejections.trace.scbrec")), trace);
 }
 
 TEST_F(GoldenCommandUpdate, RestoresARecordThatACheckFoundDamaged) {

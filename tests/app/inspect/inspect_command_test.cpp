@@ -122,7 +122,8 @@ TEST(InspectCommand, FindsTheSameWasteInARecordingOfTheSameQueries) {
     for (const char* arguments :
          {"spheres-l1 --frames 60,100", "knots-l1 --frames 7 --volume obb",
           "long-triangles --frames 0,120 --test corrected --descent area"}) {
-        ASSERT_EQ(run_scb("trace " + std::string(arguments) + " -o " + recording).status, 0);
+        ASSERT_EQ(run_scb("trace --records " + std::string(arguments) + " -o " + recording).status,
+                  0);
         const json own = inspect(arguments), recorded = inspect(recording),
                    waste = recorded["waste"];
         EXPECT_FALSE(recorded["wrong"].get<bool>());
@@ -144,8 +145,11 @@ TEST(InspectCommand, FindsTheSameWasteInARecordingOfTheSameQueries) {
 TEST(InspectCommand, HasNoWasteOfARecordingThatIsWrong) {
     const TemporaryFolder folder;
     const std::string recording = folder / "r.scbrec";
-    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
-    EXPECT_FALSE(inspect(recording, 1).contains("waste"));
+    ASSERT_EQ(
+        run_scb("trace --records spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
+    const json found = inspect(recording, 1);
+    EXPECT_TRUE(found["wrong"].get<bool>());
+    EXPECT_FALSE(found.contains("waste"));
 }
 
 TEST(InspectCommand, TheWorstPairsAreFalse) {

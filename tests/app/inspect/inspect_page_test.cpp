@@ -103,7 +103,7 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
 TEST(InspectPage, OfARecordingHasTheVerdictAndTheWorstPairs) {
     const TemporaryFolder folder;
     const std::string recording = folder / "r.scbrec";
-    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60,100 -o " + recording).status, 0);
+    ASSERT_EQ(run_scb("trace --records spheres-l1 --frames 60,100 -o " + recording).status, 0);
     const ProgramRun run =
         run_scb("inspect " + recording + " --size 640x360 --top 2 -o " + folder / "out");
     ASSERT_EQ(run.status, 0) << run.err;
@@ -128,7 +128,8 @@ TEST(InspectPage, OfARecordingHasTheVerdictAndTheWorstPairs) {
 TEST(InspectPage, OfAWrongRecordingShowsTheFirstOfEachKindOfProblem) {
     const TemporaryFolder folder;
     const std::string recording = folder / "r.scbrec";
-    ASSERT_EQ(run_scb("trace spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
+    ASSERT_EQ(
+        run_scb("trace --records spheres-l1 --frames 60 --test printed -o " + recording).status, 0);
     const ProgramRun run = run_scb("inspect " + recording + " --size 640x360 -o " + folder / "out");
     ASSERT_EQ(run.status, 1) << run.err;
     const std::string html = html_in(folder / "out");

@@ -337,7 +337,8 @@ TEST(NamedQueries, AreSelectedByCommands) {
     const json printed = json::parse(run_scb("trace --json --events --tag grasp " + file).out);
     EXPECT_EQ(printed["frames"][0]["tests"][0]["stage"], "balls") << printed;
     for (const std::string& wrong :
-         {"inspect --query lif " + file, std::string("collide cone --query lift"),
+         {"inspect --query lif " + file, "inspect --query lift --frames 1 " + file,
+          "collide --query lift " + file, std::string("collide cone --query lift"),
           std::string("stats cone --tag grasp")}) {
         const ProgramRun run = run_scb(wrong);
         EXPECT_EQ(run.status, 2) << wrong;

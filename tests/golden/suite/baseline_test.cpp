@@ -24,7 +24,7 @@ class Baseline : public testing::Test {
             folder->write("case.ids.png", "ids");
             folder->write("case.png", "picture");
             folder->write("case.meta.json", "meta");
-            folder->write("case.scbrec", "trace");
+            folder->write("case.trace.scbrec", "trace");
         }
         baselines.write("case.2.png", "accepted");
         baselines.write("case-2.png", "another case's");
@@ -74,29 +74,29 @@ TEST_F(Baseline, DropsAcceptedPicturesWhereThePictureChanges) {
 }
 
 TEST_F(Baseline, LosesWhatTheRunDoesNotMakeAnyMore) {
-    for (const char* name : {"case.ids.png", "case.png", "case.scbrec"})
+    for (const char* name : {"case.ids.png", "case.png", "case.trace.scbrec"})
         fs::remove(candidates.path / name);
     EXPECT_EQ(replace(), (Names{"case.ids.png (removed)", "case.png (removed)",
-                                "case.scbrec (removed)", "case.2.png (removed)"}));
+                                "case.trace.scbrec (removed)", "case.2.png (removed)"}));
 }
 
 TEST_F(Baseline, KeepsItsTraceWhereThatIsAskedFor) {
-    fs::remove(candidates.path / "case.scbrec");
+    fs::remove(candidates.path / "case.trace.scbrec");
     EXPECT_EQ(replace(OldTrace::kept), Names{});
-    EXPECT_EQ(files().at("case.scbrec"), "trace");
+    EXPECT_EQ(files().at("case.trace.scbrec"), "trace");
 }
 
 TEST_F(Baseline, TheTraceOfVersion10IsUsedUntilItIsReplaced) {
-    fs::remove(baselines.path / "case.scbrec");
+    fs::remove(baselines.path / "case.trace.scbrec");
     EXPECT_TRUE(trace_of(case_files(baselines.path, "case")).empty());
     baselines.write("case.scbtrace", "old trace");
     EXPECT_EQ(trace_of(case_files(baselines.path, "case")), baselines.path / "case.scbtrace");
-    fs::rename(candidates.path / "case.scbrec", candidates.path / "later");
+    fs::rename(candidates.path / "case.trace.scbrec", candidates.path / "later");
     EXPECT_EQ(replace(OldTrace::kept), Names{});
-    fs::rename(candidates.path / "later", candidates.path / "case.scbrec");
-    EXPECT_EQ(replace(), (Names{"case.scbrec", "case.scbtrace (removed)"}));
+    fs::rename(candidates.path / "later", candidates.path / "case.trace.scbrec");
+    EXPECT_EQ(replace(), (Names{"case.trace.scbrec", "case.scbtrace (removed)"}));
     EXPECT_EQ(files().count("case.scbtrace"), 0u);
-    EXPECT_EQ(trace_of(case_files(baselines.path, "case")), baselines.path / "case.scbrec");
+    EXPECT_EQ(trace_of(case_files(baselines.path, "case")), baselines.path / "case.trace.scbrec");
 }
 
 TEST_F(Baseline, ThatCannotBeReplacedStaysWhole) {
@@ -138,7 +138,7 @@ TEST_F(Baseline, FilesOfNoCaseAreStray) {
     suite.cases.erase(suite.cases.begin());
     EXPECT_EQ(stray_files(baselines.path, suite),
               (Names{"case.2.png", "case.counts.json", "case.ids.png", "case.meta.json", "case.png",
-                     "case.scbrec"}));
+                     "case.trace.scbrec"}));
 }
 
 }  // namespace
