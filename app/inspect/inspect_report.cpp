@@ -240,6 +240,12 @@ std::string title_text(const TraceHeader& header) {
     return title + build_text(build_options(header)) + "\n\n";
 }
 
+/// A recording may have several queries of the bodies in a frame, or of other bodies.
+std::string first_words(const InspectReport& report) {
+    const std::uint64_t queries = report.recording->judged.total(&scenes::FrameJudgement::queries);
+    return queries > report.frames.size() ? ", the first of each frame" : "";
+}
+
 std::string waste_text(const InspectReport& report) {
     std::string text;
     for (const std::string& sentence : inspect_findings(report)) text += sentence + "\n";
@@ -272,7 +278,8 @@ std::string inspect_text(const InspectReport& report) {
                                         : title_text(report.header);
     if (report.has_waste) {
         if (report.recording)
-            text += "\nWaste in the queries of " + bodies_text(report.header) + "\n";
+            text += "\nWaste in the queries of " + bodies_text(report.header) +
+                    first_words(report) + "\n";
         text += waste_text(report);
     }
     if (report.settings) text += settings_text(*report.settings, report.frames.size());

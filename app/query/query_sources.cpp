@@ -144,7 +144,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
         of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
     of_both.bodies = sources[0].header().bodies[0].name + "," + sources[0].header().bodies[1].name;
     SceneOptions of_own = scene;
-    of_own.selection = {};  // the frames are those of the recorded queries
+    of_own.selection = {};  // the recorded queries have chosen the frames
     sources.emplace_back(of_own, own, of_both, limits, false);
     if (names[1] == recorded_name) std::swap(sources[0], sources[1]);
     return sources;

@@ -365,7 +365,9 @@ void add_line(RecordingWriter& writer, const JsonPlace& line,
         add(r);
     } else if (has(line, "query")) {
         check_fields(line, {"query", "name", "tags"});
-        add(query_of(line));
+        RecordedQuery query = query_of(line);
+        query.has_label |= !appended.empty();  // what is appended stands behind name and tags
+        add(query);
     } else if (has(line, "complete")) {
         check_fields(line, {"complete", "nanoseconds"});
         add(RecordedQueryEnd{complete_of(field(line, "complete")),
