@@ -336,15 +336,16 @@ TEST(NamedQueries, AreSelectedByCommands) {
     EXPECT_EQ(run_scb("diff --query rest " + file + " " + file).status, 0);
     const json printed = json::parse(run_scb("trace --json --events --tag grasp " + file).out);
     EXPECT_EQ(printed["frames"][0]["tests"][0]["stage"], "balls") << printed;
-    for (const std::string& wrong :
-         {"inspect --query lif " + file, "inspect --query lift --frames 1 " + file,
-          "collide --query lift " + file, std::string("collide cone --query lift"),
-          std::string("stats cone --tag grasp")}) {
-        const ProgramRun run = run_scb(wrong);
-        EXPECT_EQ(run.status, 2) << wrong;
-        EXPECT_NE(run.err.find(wrong.find("tag") == std::string::npos ? "--query " : "--tag "),
-                  std::string::npos)
-            << run.err;
+    const std::vector<std::pair<std::string, std::string>> refused = {
+        {"inspect --query lif " + file, "--query lif: "},
+        {"inspect --query rest --tag grasp " + file, "--query rest --tag grasp: "},
+        {"inspect --query lift --frames 1 " + file, "has no frame 1"},
+        {"collide cone --query lift", "--query lift: "},
+        {"stats cone --tag grasp", "--tag grasp: "}};
+    for (const auto& [command, words] : refused) {
+        const ProgramRun run = run_scb(command);
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
     }
 }
 
