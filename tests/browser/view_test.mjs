@@ -572,7 +572,7 @@ function renumbered(file) {
 
 test('another engine\'s nodes have its numbers', async () => {
   const file = join(folder, 'numbers.scbrec');
-  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '-o', file);
+  scb('trace', 'cone', '--frames', '100', '--volume', 'obb', '--records', '-o', file);
   const other = renumbered(file), { frames: [{ tests }] } = JSON.parse(execFileSync(process.env.SCB, ['--quiet', 'trace', other, '--json', '--events'], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   // One whose node of A has a name, and from which others followed.
   const sizes = tests.map(() => 1);
