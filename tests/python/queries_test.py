@@ -59,7 +59,7 @@ class Queries(unittest.TestCase):
             return line
 
         file, lines, own = (pathlib.Path(self.folder.name) / name for name in ("a.scbrec", "a.jsonl", "own.jsonl"))
-        run_scb("trace", "line-8", "--frames", "40", "-o", file)
+        run_scb("trace", "line-8", "--frames", "40", "--records", "-o", file)
         run_scb("convert", file, "-o", lines)
         own.write_text("\n".join(json.dumps(numbered(json.loads(line))) for line in lines.read_text().splitlines()))
         frame, other = (scb.open_queries(path).frame(40) for path in (file, own))
