@@ -11,6 +11,7 @@
 #include "tests/open_file_limit.h"
 #include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/sample_records.h"
+#include "tests/temporary_folder.h"
 
 namespace scb::scenes {
 namespace {
