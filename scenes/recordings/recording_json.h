@@ -3,9 +3,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/enum_names.h"
 #include "scenes/recordings/record.h"
 
 namespace scb::scenes {
+
+/// The names of the kinds of volumes in JSON Lines.
+inline constexpr EnumNames<RecordedKind, recorded_kind_count> recorded_kind_names{
+    "none", "aabb", "obb", "ball", "capsule", "rss", "kdop", "scb", "scb2", "hull"};
 
 /// Writes records as JSON Lines: one line per record, and one line for up to a hundred tests that
 /// follow each other. README.md of this folder lists the fields. Numbers read back unchanged.
