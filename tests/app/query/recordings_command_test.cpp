@@ -295,60 +295,6 @@ TEST_F(OwnNumbers, AreThoseThatInspectNames) {
     }
 }
 
-/// Two balls that overlap; the query "lift" rejects them, which is wrong.
-const char* const named_queries = R"({"stage": 1, "name": "balls"}
-{"tree": 0}
-{"node": 0, "in_tree": 0, "items": [0], "volume": ["ball", 0, 0, 0, 1]}
-{"tree": 1}
-{"node": 0, "in_tree": 1, "items": [0], "volume": ["ball", 0, 0, 0, 1]}
-{"body": 0, "name": "arm", "of_tree": 0}
-{"body": 1, "name": "shelf", "of_tree": 1}
-{"frame": 0}
-{"pose": 1, "rows": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0]}
-{"log": "gripper closed"}
-{"query": [0, 1], "name": "rest"}
-{"tests": [[0, 0, 0]]}
-{"complete": true}
-{"query": [0, 1], "name": "lift", "tags": ["grasp"]}
-{"tests": [[1, 0, 0]]}
-{"complete": true}
-{"end": true}
-)";
-
-TEST(NamedQueries, AreSelectedByCommands) {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("q.jsonl", named_queries);
-    const ProgramRun all = run_scb("inspect " + file);
-    EXPECT_EQ(all.status, 1) << all.out;
-    EXPECT_NE(all.out.find("frame 0, arm and shelf (\"lift\"): nodes 0 of A and 0 of B"),
-              std::string::npos)
-        << all.out;
-    EXPECT_NE(all.out.find("Log of frames with errors\n  frame 0: gripper closed\n"),
-              std::string::npos)
-        << all.out;
-    EXPECT_NE(all.err.find(" --query lift --frames 0 --pair 0,0"), std::string::npos) << all.err;
-    EXPECT_EQ(run_scb("inspect --query lift " + file).status, 1);
-    EXPECT_EQ(run_scb("inspect --tag grasp " + file).status, 1);
-    EXPECT_NE(run_scb("inspect --query rest " + file).status, 1);
-    // Without a name, commands show the first query of the two bodies in a frame.
-    EXPECT_EQ(run_scb("explain --frames 0 --pair 0,0 " + file).status, 0);
-    EXPECT_EQ(run_scb("explain --query lift --frames 0 --pair 0,0 " + file).status, 1);
-    EXPECT_EQ(run_scb("diff --query rest " + file + " " + file).status, 0);
-    const json printed = json::parse(run_scb("trace --json --events --tag grasp " + file).out);
-    EXPECT_EQ(printed["frames"][0]["tests"][0]["stage"], "balls") << printed;
-    const std::vector<std::pair<std::string, std::string>> refused = {
-        {"inspect --query lif " + file, "--query lif: "},
-        {"inspect --query rest --tag grasp " + file, "--query rest --tag grasp: "},
-        {"inspect --query lift --frames 1 " + file, "has no frame 1"},
-        {"collide cone --query lift", "--query lift: "},
-        {"stats cone --tag grasp", "--tag grasp: "}};
-    for (const auto& [command, words] : refused) {
-        const ProgramRun run = run_scb(command);
-        EXPECT_EQ(run.status, 2) << command;
-        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
-    }
-}
-
 TEST_F(OwnNumbers, DiffHasThoseOfEachSide) {
     const std::string corrected = folder / "corrected.scbrec",
                       bracket = SCB_SOURCE_DIR "/scenes/samples/bracket.json --frames 85 --test ";
