@@ -135,8 +135,7 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
     RecordedOptions recorded = recorded_options(header, scene);
     if (header.source.size() == 2) {
         // Two meshes: the first has the identity pose, the frame has the pose of the second.
-        scenes::TestInput all(path, "all");
-        const scenes::PoseRows rows = scenes::rows_of(all.next()->b_to_a);
+        const scenes::PoseRows rows = scenes::rows_of(input_->first_pose());
         recorded.scene.pose.assign(rows.begin(), rows.end());
     } else {
         recorded.query.bodies = header.bodies[0].name + "," + header.bodies[1].name;

@@ -18,7 +18,10 @@ TestInput::TestInput(const std::string& path, const std::string& frames, const s
                          " is a trace, whose queries have no names and tags; leave it out.");
     bytes_ = trace_bytes(path);
     TraceReader whole(as_bytes(bytes_), path);
-    while (const TraceFrame* frame = whole.next()) all_frames_.push_back(frame->frame);
+    while (const TraceFrame* frame = whole.next()) {
+        if (all_frames_.empty()) first_pose_ = frame->b_to_a;
+        all_frames_.push_back(frame->frame);
+    }
     if (all_frames_.empty()) throw InputError(path + " has no frames; record it again.");
     frames_ = frames == auto_frames ? all_frames_
                                     : frames_among(all_frames_, frames, path, "a trace may have");

@@ -26,6 +26,8 @@ class TestInput {
     /// The chosen frames, and all frames, ascending.
     const std::vector<int>& frames() const;
     const std::vector<int>& all_frames() const;
+    /// The pose of B in A's frame at the first frame of a trace.
+    const Pose& first_pose() const { return first_pose_; }
     /// The query of a frame, valid until the next call. Frames must be requested in ascending
     /// order. Throws InputError if there is no such frame.
     const TraceFrame& frame(int number);
@@ -37,6 +39,7 @@ class TestInput {
   private:
     std::string path_, bytes_;  ///< of a trace
     std::vector<int> frames_, all_frames_;
+    Pose first_pose_;
     std::unique_ptr<TraceReader> trace_;
     std::unique_ptr<RecordedTrace> recorded_;  ///< only one of the two is set
     std::size_t next_ = 0;
