@@ -230,6 +230,8 @@ class Group {
             format("frame %d, depths %d and %d: ", frame, test.depth_a, test.depth_b) + detail;
         // The page of a recording has one frame.
         const bool in_view = !report_.recording || frame == report_.frames.front().frame;
+        // Set in any case: a template takes a missing value from the page.
+        pair["view"] = data(data::type::bool_false);
         if (!page_.view.empty() && in_view)
             pair["view"] = page_.view + "#frame=" + std::to_string(frame) + "&nodes=" + nodes;
         pair["command"] = page_.explain + " --frames " + std::to_string(frame) + " --pair " + nodes;
@@ -371,7 +373,12 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     if (report.has_waste) set_waste(values, report, page);
     values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
     if (report.settings) set_settings(values, *report.settings, report.frames.size());
-    if (!page.view.empty()) values["view"] = page.view + "#show=verdicts";
+    if (!page.view.empty()) {
+        values["view"] = page.view + "#show=verdicts";
+        values["view_frames"] = report.recording
+                                    ? "in frame " + std::to_string(report.frames.front().frame)
+                                    : "in the frames of the worst pairs";
+    }
     values["files"] = report.files;
     values["version"] = SCB_VERSION;
     values["command"] = page.command;

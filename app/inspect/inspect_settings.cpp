@@ -194,7 +194,7 @@ std::string settings_text(const InspectSettings& settings, std::size_t frames) {
     const SceneTuning& tuning = settings.tuning;
     return "\nwhat would have helped, by cost, the least first: " +
            settings_words(tuning, frames, "means per frame over") + "\ncost: " + cost_words +
-           ", over that of the base, which is the present setting\n" +
+           ", relative to the cost of the base, which is the present setting\n" +
            tune_rows_text(tuning, most_settings, "the present setting") +
            (tuning.timed() ? "" : "Packed layouts change time and memory: --time tries them.\n") +
            "\nTo use it: " + settings.command + "\n" +

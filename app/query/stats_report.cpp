@@ -110,11 +110,11 @@ std::vector<Field<LevelRow>> level_columns(bool with_rules, bool with_measures) 
         {{"cover", "cover", 9}, [](auto& r) { return r.cover; }},
         {{"mean d", "mean_diameter", 10}, [=](auto& r) { return shown(r.l.mean_diameter()); }},
         {{"max d", "max_diameter", 10}, [=](auto& r) { return shown(r.l.max_diameter); }},
-        {{"d ratio", "diameter_ratio", 8, Align::right, 0, "", false},
+        {{"d ratio", "diameter_ratio", 8, Align::right, 0, false},
          [=](auto& r) { return to_above(r, &VolumeStatistics::mean_diameter, "%.3f"); }},
         {{"mean tau", "mean_thickness", 10}, [=](auto& r) { return shown(r.l.mean_thickness()); }},
         {{"max tau", "max_thickness", 10}, [=](auto& r) { return shown(r.l.max_thickness); }},
-        {{"tau ratio", "thickness_ratio", 10, Align::right, 0, "", false},
+        {{"tau ratio", "thickness_ratio", 10, Align::right, 0, false},
          [=](auto& r) { return to_above(r, &VolumeStatistics::mean_thickness, "%.3f  "); }},
         {{"area", "area", 11}, [=](auto& r) { return shown(r.l.area); }},
         {{"volume", "volume", 11}, [=](auto& r) { return shown(r.l.volume); }}};

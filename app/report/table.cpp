@@ -108,9 +108,7 @@ Json Table::json() const {
 std::string Table::html() const {
     std::string text = "<table>\n<tr>";
     for (const Column& column : columns_)
-        if (!column.title.empty())
-            text += html_cell("th", column.align,
-                              column.title + (column.unit.empty() ? "" : ", " + column.unit));
+        if (!column.title.empty()) text += html_cell("th", column.align, column.title);
     for (const Row& row : rows_) {
         text += "</tr>\n<tr>";
         for (std::size_t i = 0; i < row.cells.size(); ++i)

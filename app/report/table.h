@@ -38,7 +38,6 @@ struct Column {
     std::size_t width = 0;  ///< in characters, in the text
     Align align = Align::right;
     std::size_t before = 0;  ///< blanks before the cell, in the text
-    std::string unit = {};   ///< behind the title, in HTML
     bool in_csv = true;
 };
 

@@ -206,7 +206,8 @@ std::string tune_table(const SceneTuning& tuning) {
            render::frames_text(tuning.frames) + build_text(tuning.build) + "; means per frame\n\n" +
            count_text(tuning.rows.size(), " setting", " settings") +
            " counted: the base, then by cost, the least first\ncost: " + cost_words +
-           ", over that of the base\n" + tune_rows_text(tuning, most_table_rows, "the base");
+           ", relative to the cost of the base\n" +
+           tune_rows_text(tuning, most_table_rows, "the base");
 }
 
 Json tune_json(const SceneTuning& tuning) {

@@ -45,8 +45,8 @@ void Descriptor::close() {
 pid_t start_process(const std::vector<std::string>& command, const std::vector<int>& descriptors,
                     const std::string& folder) {
     SpawnSettings settings;
-    // From copies above all given descriptors, so that none overwrites another before its turn:
-    // this process itself may run with its standard input closed.
+    // The child gets copies with numbers of at least `count`. A given descriptor may have a number
+    // below `count`, and the first dup2 would overwrite it.
     const int count = static_cast<int>(descriptors.size());
     std::vector<Descriptor> copies;
     copies.reserve(descriptors.size());

@@ -63,7 +63,7 @@ std::string plain_text(std::string_view text) {
 
 namespace {
 
-// Logs are read with tools that often support only ASCII.
+// Many log viewers show only ASCII.
 constexpr const char* minus = "-";
 
 std::string value_of(const std::optional<std::int64_t>& count, const std::string& text) {

@@ -115,6 +115,17 @@ TEST(InspectPage, OfARecordingHasTheVerdictAndTheWorstPairs) {
     for (const std::string& file : sources)
         EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + file))) << file;
     EXPECT_FALSE(html_in(folder / "out", "_view.html").empty());
+    // The page of `scb view` has one frame, so that only pairs of this frame lead to it.
+    const std::string worst = inspect(recording)["waste"]["frames"][0]["frame"].dump();
+    std::size_t led = 0;
+    for (const std::string& link : all_between(html, "<a href=\"", "\"")) {
+        if (link.find("_view.html#frame=") == std::string::npos) continue;
+        EXPECT_NE(link.find("#frame=" + worst + "&"), std::string::npos) << link;
+        ++led;
+    }
+    EXPECT_GT(led, 0u);
+    EXPECT_LT(led, 4u) << "a pair is of the other frame";
+    EXPECT_EQ(all_between(html, "_view.html#show=", "\"").size(), 1u);
     // The commands of its pairs work as they stand.
     std::size_t explained = 0;
     for (const std::string& command : all_between(html, "<code>", "</code>")) {
