@@ -66,8 +66,8 @@ bool verify(const V& a, const V& b, const ContactCertificate& certificate);
 /// directions, the point must be within both volumes, and B must reach into A by at least the
 /// margin; this can refute a depth, but not prove it. False for `touching`, which claims nothing.
 ///
-/// It shares no code with proven_gap, proven_depth and verify, by which a sharpened certificate is
-/// made.
+/// This check shares no code with proven_gap, proven_depth and verify, which make sharpened
+/// certificates.
 template <class V>
 bool check_certificate(const V& a, const V& b, const ContactCertificate& certificate);
 

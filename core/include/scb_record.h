@@ -470,8 +470,8 @@ static inline void scb_record_query(scb_recorder* r, uint32_t body_a, uint32_t b
     scb_rec_end(r);
 }
 
-/** The same with a name and tags of your own, by which commands select queries: `--query NAME`,
- * `--tag TAG`. Both may be NULL. */
+/** A query of two bodies begins, with a name and `tag_count` tags. Commands select queries by name
+ * and tag: `--query NAME`, `--tag TAG`. `name` and `tags` may be NULL. */
 static inline void scb_record_named_query(scb_recorder* r, uint32_t body_a, uint32_t body_b,
                                           const char* name, const char* const* tags,
                                           uint32_t tag_count) {
@@ -487,7 +487,8 @@ static inline void scb_record_named_query(scb_recorder* r, uint32_t body_a, uint
     scb_rec_end(r);
 }
 
-/** A line of your engine's log, in the current frame. Reports show it if the frame has an error. */
+/** A line of your engine's log, in the current frame. Reports show the line if a test or a pair of
+ * the frame is wrong. */
 static inline void scb_record_log(scb_recorder* r, const char* text) {
     scb_rec_begin(r, 205, scb_rec_text_size(text));
     scb_rec_text(r, text);

@@ -16,7 +16,7 @@ enum class VolumeKind { SCB_FOR_EACH_VOLUME_KIND(SCB_KIND) };
 
 /// The name of a kind on the command line and in file names, see SCB_FOR_EACH_VOLUME_KIND.
 std::string_view volume_kind_name(VolumeKind kind);
-/// The kind of this name, or nothing where there is none.
+/// The kind with this name; no value if no kind has the name.
 std::optional<VolumeKind> volume_kind_of(std::string_view name);
 /// All kinds, in the order of SCB_FOR_EACH_VOLUME_KIND.
 std::span<const VolumeKind> all_volume_kinds();

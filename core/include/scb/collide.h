@@ -33,7 +33,7 @@ enum class DescentRule {
 
 /// "radius", "area", "volume", "alternating".
 std::string_view descent_rule_name(DescentRule rule);
-/// The rule of this name, or nothing where there is none.
+/// The rule with this name; no value if no rule has the name.
 std::optional<DescentRule> descent_rule_of(std::string_view name);
 /// All rules, in the order in which they are declared.
 std::span<const DescentRule> all_descent_rules();

@@ -21,7 +21,7 @@ enum class OverlapTest {
 
 /// "printed", "line8", "corrected", "symmetric", "extents".
 std::string_view overlap_test_name(OverlapTest test);
-/// The test of this name, or nothing where there is none.
+/// The test with this name; no value if no test has the name.
 std::optional<OverlapTest> overlap_test_of(std::string_view name);
 /// All tests, in the order in which they are declared.
 std::span<const OverlapTest> all_overlap_tests();

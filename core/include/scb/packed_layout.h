@@ -32,7 +32,7 @@ struct PackedLayout {
 /// The name of a layout on the command line, without the size of its leaves: "float8",
 /// "quantized2", or "indexed2" for quantized numbers and corners in the mesh.
 std::string packed_layout_name(const PackedLayout& layout);
-/// The layout of this name, with leaves of four triangles, or nothing where there is none.
+/// The layout with this name, with leaves of four triangles; no value if no layout has the name.
 std::optional<PackedLayout> packed_layout_of(std::string_view name);
 
 /// All layouts, with leaves of four triangles.

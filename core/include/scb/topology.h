@@ -59,7 +59,7 @@ enum class SplitMethod {
 
 /// "paper", "cost": the names of the command line.
 std::string_view split_method_name(SplitMethod method);
-/// The method of this name, or nothing where there is none.
+/// The method with this name; no value if no method has the name.
 std::optional<SplitMethod> split_method_of(std::string_view name);
 
 /// How a tree is built.
