@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -14,7 +15,7 @@ namespace scb {
 void refuse_to_open(const std::string& path, int error) {
     const bool too_many = error == EMFILE || error == ENFILE;
     throw InputError(
-        path + ": cannot be opened (" + std::generic_category().message(error) + "); " +
+        path + ": cannot be opened (" + std::strerror(error) + "); " +
         (too_many ? "raise the limit of open files (ulimit -n)." : "check its permissions."));
 }
 
