@@ -125,7 +125,7 @@ py::array relative_poses(const SharedScene& s, const std::string& a, const std::
     return matrices_of(poses);
 }
 
-SharedMesh mesh_of(const SharedScene& s, const std::string& body) {
+SharedMesh body_mesh(const SharedScene& s, const std::string& body) {
     const scenes::NamedMesh& mesh = s.scene->meshes[s.scene->bodies[body_of(s, body)].mesh];
     if (mesh.mesh.triangles.empty())
         refuse("'" + body + "'", "its objects have no triangles; ask for what was recorded.");
@@ -160,7 +160,7 @@ Raises InputError where a pose is not rigid to 1e-9, or bodies have different nu
         .def_property_readonly(
             "default_frame", [](const SharedScene& s) { return s.scene->default_frame; },
             "The frame that pictures show where none is asked for.")
-        .def("mesh", mesh_of, py::arg("body"), "The mesh of a body, without a copy.")
+        .def("mesh", body_mesh, py::arg("body"), "The mesh of a body, without a copy.")
         .def("poses", body_poses, py::arg("body"), py::arg("frames") = py::none(),
              R"(n x 4 x 4 float64, body frame to world, of these frames or all.)")
         .def(
