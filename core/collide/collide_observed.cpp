@@ -2,17 +2,6 @@
 
 // The second translation unit of collide.h: with an observer.
 namespace scb {
-namespace {
-
-struct Caller {
-    const ObserverCalls& calls;
-
-    void volume_test(const Step& step) { calls.volume_test(calls.observer, step); }
-    void item_test(const ItemStep& items) { calls.item_test(calls.observer, items); }
-};
-
-}  // namespace
-
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, StepRecorder& recorder) {
@@ -22,7 +11,7 @@ Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
 template <Volume V>
 Collision collide(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const CollideOptions& options, const ObserverCalls& calls) {
-    Caller caller{calls};
+    CalledObserver caller{calls};
     return dual_traversal(a, b, b_to_a, options, caller);
 }
 
@@ -36,7 +25,7 @@ Collision collide_self(const SelfCollider<V>& side, const CollideOptions& option
 template <Volume V>
 Collision collide_self(const SelfCollider<V>& side, const CollideOptions& options,
                        const ObserverCalls& calls) {
-    Caller caller{calls};
+    CalledObserver caller{calls};
     const Collider<V> both{side.hierarchy, side.mesh};
     return dual_traversal(both, both, Pose{}, options, caller, side.joined);
 }

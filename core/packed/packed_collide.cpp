@@ -10,6 +10,7 @@
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
 #include "core/packed/packed_query.h"
+#include "core/packed/packed_steps.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
@@ -37,6 +38,7 @@ struct AnyQuery {
     const Mesh &a, &b;
     const Pose& b_to_a;
     SimdLevel level;
+    PackedSteps* steps = nullptr;  ///< null without an observer
 };
 
 /// The number of pairs that all threads have found, and its limit.
@@ -70,7 +72,10 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
         counted = pairs.size();
     };
     while (!lists.empty() && !limit.is_passed()) {
-        divide_nodes(query.nodes, query.level, lists, found);
+        if (query.steps == nullptr)
+            divide_nodes(query.nodes, query.level, lists, found);
+        else
+            divide_nodes(query.nodes, *query.steps, lists, found);
         test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
         if (found.undecided.size() >= many) decide_undecided(query, found);
         if (found.pairs.size() >= counted + many) count();
@@ -158,6 +163,15 @@ Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
     return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
 }
 
+/// The result of the work, which it sorts with memory of `room`.
+PackedCollision result_of(PackedFindings& found, const PairLimit& limit,
+                          std::vector<IndexPair>& room) {
+    const bool complete = !limit.is_passed();
+    if (!complete) found.pairs.clear();
+    sort_pairs(found.pairs, room);
+    return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
+}
+
 }  // namespace
 
 struct PackedWorkspace::Parts {
@@ -208,16 +222,34 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     }
     if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
     run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads, limit);
-    const bool complete = !limit.is_passed();
-    if (!complete) found.pairs.clear();
-    sort_pairs(found.pairs, room);
-    return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
+    return result_of(found, limit, room);
 }
 
-#define SCB_COLLIDE(...)                                                                     \
-    template PackedCollision collide_packed(const PackedCollider<__VA_ARGS__>&,              \
-                                            const PackedCollider<__VA_ARGS__>&, const Pose&, \
-                                            const PackedOptions&, PackedWorkspace*, PackedFront*);
+template <class Codec>
+PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                               const Pose& b_to_a, const PackedOptions& options,
+                               const ObserverCalls& calls) {
+    const Placement placed = placement_of(a, b, b_to_a);
+    AnyQuery query = query_of(a, b, placed, options.level, 0);
+    CalledObserver observer{calls};
+    PackedSteps steps(observer, query.leaves, a.mesh, b.mesh);
+    query.steps = &steps;
+    steps.begin({a.hierarchy.root, b.hierarchy.root});
+    Work work;
+    work.lists.add(a.hierarchy.root, b.hierarchy.root);
+    PairLimit limit{options.give_up_after};
+    finish(query, work, limit);
+    std::vector<IndexPair> room;
+    return result_of(work.found, limit, room);
+}
+
+#define SCB_COLLIDE(...)                                                                           \
+    template PackedCollision collide_packed(const PackedCollider<__VA_ARGS__>&,                    \
+                                            const PackedCollider<__VA_ARGS__>&, const Pose&,       \
+                                            const PackedOptions&, PackedWorkspace*, PackedFront*); \
+    template PackedCollision collide_packed(const PackedCollider<__VA_ARGS__>&,                    \
+                                            const PackedCollider<__VA_ARGS__>&, const Pose&,       \
+                                            const PackedOptions&, const ObserverCalls&);
 SCB_FOR_EACH_CODEC(SCB_COLLIDE)
 #undef SCB_COLLIDE
 

@@ -17,6 +17,8 @@
 
 namespace scb {
 
+class PackedSteps;
+
 // Input and output of a traversal of packed hierarchies, shared by all SIMD targets.
 
 /// A query on two packed hierarchies of one layout.
@@ -171,6 +173,10 @@ void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& list
 
 /// Divides pairs until only pairs of leaves are left, or many pairs of leaves wait.
 void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
+                  PackedFindings& found);
+
+/// The same, and `steps` receives every test.
+void divide_nodes(const AnyPackedQuery& query, PackedSteps& steps, PackedLists& lists,
                   PackedFindings& found);
 
 /// Tests pairs of leaves for triangles that intersect; the list is empty then. Up to

@@ -10,6 +10,7 @@
 
 #include "core/base/lane_parts-inl.h"
 #include "core/packed/packed_query.h"
+#include "core/packed/packed_steps.h"
 #include "core/packed/two_slab_kernel-inl.h"
 #include "core/packed/volume_kernel-inl.h"
 
@@ -19,18 +20,21 @@ namespace HWY_NAMESPACE {
 
 /// The traversal of two packed hierarchies, compiled for one layout. Pairs wait in one list for
 /// each combination of inner nodes and leaves. A batch of one list at a time is divided, with its
-/// cache lines prefetched.
-template <class Codec>
+/// cache lines prefetched. `Steps`: PackedSteps&, which
+/// receives every test, or NoObserver.
+template <class Codec, class Steps = NoObserver>
 class PackedTraversal {
   public:
-    PackedTraversal(const PackedQuery<Codec>& query, PackedLists& lists, PackedFindings& found)
+    PackedTraversal(const PackedQuery<Codec>& query, PackedLists& lists, PackedFindings& found,
+                    Steps steps = {})
         : a_(*query.a),
           b_(*query.b),
           placed_(*query.placed),
           skin_(query.skin),
           kept_size_(query.kept_size),
           lists_(lists),
-          found_(found) {}
+          found_(found),
+          steps_(steps) {}
 
     /// Runs until no pair is left to divide, or many pairs of leaves wait.
     void run() {
@@ -155,6 +159,19 @@ class PackedTraversal {
         list.grow(static_cast<std::size_t>(std::popcount(bits)));
     }
 
+    /// Reports the tests of the children of A with one node of B. `bits`: the children that
+    /// overlap.
+    HWY_INLINE void report_a(const Node& a, std::uint32_t bits, PackedRef b, RefPair parent) {
+        if constexpr (observed<Steps>)
+            for (std::uint32_t k = 0; k < a.count; ++k)
+                steps_.test({{a.child[k]}, b}, (bits >> k & 1) != 0, parent);
+    }
+    HWY_INLINE void report_b(PackedRef a, const Node& b, std::uint32_t bits, RefPair parent) {
+        if constexpr (observed<Steps>)
+            for (std::uint32_t k = 0; k < b.count; ++k)
+                steps_.test({a, {b.child[k]}}, (bits >> k & 1) != 0, parent);
+    }
+
     static HWY_INLINE Volume centered(Volume volume) {
         volume.c[0] = volume.c[1] = volume.c[2] = 0;
         return volume;
@@ -177,6 +194,7 @@ class PackedTraversal {
             of_b.put(rows, first);
         }
         left &= low_bits(b.count);
+        report_b(i, b, left, {i, j});
         if (left == 0) return;
         const auto of_a = lane_parts<W / n>([&a](std::size_t part) HWY_ATTR {
             return load_children(a.volumes, static_cast<int>(part) * n);
@@ -188,6 +206,7 @@ class PackedTraversal {
             std::uint32_t bits = 0;
             for (std::size_t part = 0; part < of_a.size(); ++part)
                 bits |= overlap(of_a[part], one, wide).bits() << part * std::size_t{n};
+            report_a(a, bits, {b.child[k]}, {i, {b.child[k]}});
             put_a(a, bits & low_bits(a.count), {b.child[k]});
         }
     }
@@ -202,6 +221,7 @@ class PackedTraversal {
         std::uint32_t bits = 0;
         for (int first = 0; first < W; first += n)
             bits |= overlap(load_children(a.volumes, first), of_b, wide).bits() << first;
+        report_a(a, bits, j, {i, j});
         put_a(a, bits & low_bits(a.count), j);
     }
 
@@ -215,6 +235,7 @@ class PackedTraversal {
         std::uint32_t bits = 0;
         for (int first = 0; first < W; first += n)
             bits |= overlap(own, children_of_b(b, first, o), wide).bits() << first;
+        report_b(i, b, bits, {i, j});
         put_b(i, b, bits & low_bits(b.count));
     }
 
@@ -223,6 +244,7 @@ class PackedTraversal {
     const float skin_, kept_size_;
     PackedLists& lists_;
     PackedFindings& found_;
+    [[no_unique_address]] Steps steps_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -24,6 +24,14 @@ struct NoObserver {};
 template <class O>
 inline constexpr bool observed = !std::same_as<O, NoObserver>;
 
+/// An observer by its pointers.
+struct CalledObserver {
+    const ObserverCalls& calls;
+
+    void volume_test(const Step& step) { calls.volume_test(calls.observer, step); }
+    void item_test(const ItemStep& items) { calls.item_test(calls.observer, items); }
+};
+
 /// Passes the tests of one query to an observer, as numbered steps. Throws std::length_error if a
 /// number or a depth does not fit into a step.
 template <class O>

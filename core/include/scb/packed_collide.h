@@ -77,4 +77,17 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                                const Pose& b_to_a, const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// How a test of two volumes rejects in these queries. It stands behind the stages that have names.
+inline constexpr Stage packed_rejection = static_cast<Stage>(named_stage_count);
+
+/// The same in the calling thread, and `calls` receives every test, the volume tests of a node's
+/// children one by one. The nodes of a step are the bits of a PackedRef. The roots are not tested:
+/// children of the roots have no parent. If both roots are leaves, their triangles follow no step.
+/// Whether triangles meet is tested exactly for the observer, so a query takes longer by far. Also
+/// throws std::length_error as collide does, and exceptions of the observer.
+template <class Codec>
+PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                               const Pose& b_to_a, const PackedOptions& options,
+                               const ObserverCalls& calls);
+
 }  // namespace scb

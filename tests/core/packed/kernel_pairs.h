@@ -29,7 +29,7 @@ struct KernelAnswer {
 
 /// Two volumes in two nodes, as the kernel of packed nodes sees them.
 template <class Packed>
-struct NodePair {
+struct VolumesOfNodes {
     Packed a, b;  ///< relative to the origins of their nodes
     float origin_a[4], origin_b[4], reach_a, reach_b;
 };

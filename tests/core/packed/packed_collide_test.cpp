@@ -230,6 +230,97 @@ TEST(CollidePacked, EndsAtMorePairsThanItMayFind) {
     }
 }
 
+/// Checks that steps lead from the roots to each test once, and that they are the work of `result`.
+template <class Codec>
+void expect_steps(const Steps& steps, const PackedHierarchy<Codec>& a,
+                  const PackedHierarchy<Codec>& b, const PackedCollision& result) {
+    EXPECT_EQ(steps.volumes.size(), result.n_v);
+    EXPECT_EQ(steps.items.size(), result.n_p);
+    const auto children = [](const PackedHierarchy<Codec>& side, std::uint32_t bits) {
+        return side.nodes[PackedRef{bits}.index()].count;
+    };
+    const auto is_leaf = [](std::uint32_t bits) { return PackedRef{bits}.is_leaf(); };
+    std::set<IndexPair> tested;
+    std::vector<std::uint32_t> led_to(steps.volumes.size(), 0), items_of(steps.volumes.size(), 0);
+    for (std::size_t i = 0; i < steps.volumes.size(); ++i) {
+        const Step& step = steps.volumes[i];
+        EXPECT_TRUE(tested.insert(step.nodes).second);
+        Step from{{a.root.bits, b.root.bits}, 0, 0, Stage::overlapping, no_step};
+        if (step.parent != no_step) {
+            ASSERT_LT(step.parent, i);
+            from = steps.volumes[step.parent];
+            ++led_to[step.parent];
+        }
+        EXPECT_EQ(from.stage, Stage::overlapping);
+        EXPECT_EQ(step.depth_a + step.depth_b, from.depth_a + from.depth_b + 1);
+        EXPECT_EQ(step.nodes.a == from.nodes.a, step.depth_a == from.depth_a);
+        EXPECT_EQ(step.nodes.b == from.nodes.b, step.depth_b == from.depth_b);
+        if (step.stage != Stage::overlapping) EXPECT_EQ(step.stage, packed_rejection);
+    }
+    std::vector<IndexPair> hits;
+    std::uint32_t before = 0;
+    for (const ItemStep& item : steps.items) {
+        if (item.hit) hits.push_back(item.items);
+        if (item.step == no_step) continue;
+        EXPECT_LE(before, item.step);
+        before = item.step;
+        ++items_of.at(item.step);
+    }
+    std::sort(hits.begin(), hits.end());
+    EXPECT_EQ(hits, result.pairs);
+    for (std::size_t i = 0; i < steps.volumes.size(); ++i) {
+        const Step& step = steps.volumes[i];
+        const auto [node_a, node_b] = step.nodes;
+        const bool overlap = step.stage == Stage::overlapping;
+        const bool leaves = is_leaf(node_a) && is_leaf(node_b);
+        EXPECT_EQ(items_of[i] > 0, overlap && leaves);
+        if (!overlap || leaves) {
+            EXPECT_EQ(led_to[i], 0u);
+            continue;
+        }
+        // A step whose nodes have one depth, or one of two a leaf, is divided as it is. Else B's
+        // node has been divided, and A's children follow.
+        const bool divides_b =
+            is_leaf(node_a) || (!is_leaf(node_b) && step.depth_a == step.depth_b);
+        EXPECT_EQ(led_to[i], divides_b ? children(b, node_b) : children(a, node_a));
+    }
+}
+
+TEST(CollidePacked, ReportsEachTestToAnObserver) {
+    std::size_t hits = 0, rejected = 0;
+    const auto expect_observed = [&](const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
+        for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+            SCOPED_TRACE(name);
+            for (const auto corners : {LeafCorners::stored, LeafCorners::in_mesh}) {
+                using V = typename Codec::Volume;
+                const auto packed_a = pack<Codec>(scb_of<V>(a), a.mesh, 2, corners),
+                           packed_b = pack<Codec>(scb_of<V>(b), b.mesh, 2, corners);
+                const PackedCollider<Codec> side_a{packed_a, a.mesh}, side_b{packed_b, b.mesh};
+                StepRecorder recorder;
+                const PackedCollision observed =
+                    collide_packed(side_a, side_b, pose, {}, calls_of(recorder));
+                expect_same(observed, collide_packed(side_a, side_b, pose));
+                expect_steps(recorder.steps, packed_a, packed_b, observed);
+                hits += observed.pairs.size();
+                for (const Step& step : recorder.steps.volumes)
+                    rejected += step.stage == packed_rejection;
+            }
+        });
+    };
+    for (int i = 0; i < scenes_tried / 20; ++i) {
+        SCOPED_TRACE(i);
+        const SmallScene scene = small_scene(7000 + static_cast<std::uint64_t>(i));
+        expect_observed(scene.a, scene.b, scene.pose);
+        if (HasFailure()) return;
+    }
+    const BuiltMesh one(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+    expect_observed(one, one, {});
+    expect_observed(one, BuiltMesh(height_field(8)), {Mat3::Identity(), {0.2, 0.2, 0}});
+    expect_observed(BuiltMesh(height_field(24)), one, {Mat3::Identity(), {0.2, 0.2, 0}});
+    EXPECT_GT(hits, 0u);
+    EXPECT_GT(rejected, hits);
+}
+
 TEST(CollidePacked, OfOneTriangleEach) {
     const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     expect_packed(BuiltMesh(one), BuiltMesh(one), {});

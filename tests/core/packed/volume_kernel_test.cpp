@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 /// Whether the kernel lets a pair overlap with a margin of so many units, which is distance_bound
 /// where they are negative.
 template <class Packed>
-bool within(const NodePair<Packed>& pair, const Placement& placement, float units) {
+bool within(const VolumesOfNodes<Packed>& pair, const Placement& placement, float units) {
     using L = LaneVolumes<Packed, part_lanes(4)>;
     const FloatPlacement in_floats(placement);
     const Offset o = offset(in_floats, pair.origin_a, pair.reach_a, pair.origin_b, pair.reach_b);
@@ -25,10 +25,11 @@ bool within(const NodePair<Packed>& pair, const Placement& placement, float unit
         in_floats.double_error;
     return overlap(L::all(pair.a), b, Lanes<L::n>::all(margin)).bits() % 2 != 0;
 }
-bool one_slab_within(const NodePair<PackedScb>& pair, const Placement& placed, float units) {
+bool one_slab_within(const VolumesOfNodes<PackedScb>& pair, const Placement& placed, float units) {
     return within(pair, placed, units);
 }
-bool two_slabs_within(const NodePair<PackedScb2>& pair, const Placement& placed, float units) {
+bool two_slabs_within(const VolumesOfNodes<PackedScb2>& pair, const Placement& placed,
+                      float units) {
     return within(pair, placed, units);
 }
 
@@ -53,12 +54,12 @@ namespace {
 HWY_EXPORT(one_slab_within);
 HWY_EXPORT(two_slabs_within);
 
-bool overlap_within(SimdLevel level, const NodePair<PackedScb>& pair, const Placement& placed,
+bool overlap_within(SimdLevel level, const VolumesOfNodes<PackedScb>& pair, const Placement& placed,
                     float units) {
     return SCB_AT_LEVEL(one_slab_within, level)(pair, placed, units);
 }
-bool overlap_within(SimdLevel level, const NodePair<PackedScb2>& pair, const Placement& placed,
-                    float units) {
+bool overlap_within(SimdLevel level, const VolumesOfNodes<PackedScb2>& pair,
+                    const Placement& placed, float units) {
     return SCB_AT_LEVEL(two_slabs_within, level)(pair, placed, units);
 }
 
@@ -67,7 +68,7 @@ Vec3 wide(const float* x) {
 }
 
 /// What the kernel computes, in doubles and without a margin.
-bool overlap_in_doubles(const NodePair<PackedScb>& pair, const Pose& b_to_a) {
+bool overlap_in_doubles(const VolumesOfNodes<PackedScb>& pair, const Pose& b_to_a) {
     const Vec3 c = transform_point(b_to_a, Vec3(wide(pair.origin_b) + wide(pair.b.c))) -
                    (wide(pair.origin_a) + wide(pair.a.c)),
                normal_a = wide(pair.a.n), normal_b = rotate(b_to_a.rotation, wide(pair.b.n));
@@ -84,7 +85,7 @@ bool overlap_in_doubles(const NodePair<PackedScb>& pair, const Pose& b_to_a) {
 }
 
 /// The same of two slabs.
-bool overlap_in_doubles(const NodePair<PackedScb2>& pair, const Pose& b_to_a) {
+bool overlap_in_doubles(const VolumesOfNodes<PackedScb2>& pair, const Pose& b_to_a) {
     struct Wide {
         std::array<Vec3, 3> axis;
         double r, m[2], h[2];
@@ -174,7 +175,7 @@ void expect_distances_within_bound(float too_few) {
         if (i % 3 == 0)
             other = (normal + std::ldexp(1.0, -static_cast<int>(random.below(24))) * other)
                         .normalized();
-        NodePair<Packed> pair{{}, {}, {}, {}, 1, 1};
+        VolumesOfNodes<Packed> pair{{}, {}, {}, {}, 1, 1};
         set_random(pair.a, random, normal);
         set_random(pair.b, random, turn.transpose() * other);
         for (int k = 0; k < 3; ++k) {
@@ -221,7 +222,7 @@ void expect_shared_points_found() {
         const auto reach = [](const auto& v) {
             return static_cast<float>(1.001 * std::sqrt(squared_norm(center(v)))) + v.r;
         };
-        const NodePair<std::decay_t<decltype(packed_a)>> pair{
+        const VolumesOfNodes<std::decay_t<decltype(packed_a)>> pair{
             packed_a, packed_b, {}, {}, reach(packed_a), reach(packed_b)};
         const Placement placed = placement(pose, 4 * scb::reach(a), 4 * scb::reach(b));
         for (const SimdLevel level : available_simd_levels())
