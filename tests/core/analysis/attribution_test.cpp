@@ -4,6 +4,8 @@
 
 #include "core/analysis/inspection.h"
 #include "tests/core/analysis/made_query.h"
+#include "tests/core/analysis/traces.h"
+#include "tests/core/fit/point_sets.h"
 
 namespace scb {
 namespace {
@@ -105,6 +107,35 @@ TEST(Attribution, NothingIsClaimedOfAPairThatIsNotKnown) {
     EXPECT_EQ(found.passed[1].test, 3u);
     EXPECT_FALSE(found.passed[1].within_false_pair) << "it is the outermost that is known";
     EXPECT_EQ(found.counts.wasted, (Work{1, 1, 0}));
+    EXPECT_TRUE(found.wrongly_rejected.empty());
+}
+
+TEST(Attribution, OfASelfQueryFindsTheContactsBelowEachTest) {
+    const BuiltMesh body(random_soup(17, 60, 0.4));
+    const TraceHeader header = asking_self(VolumeKind::scb);
+    const TraceFrame frame = record_frame(body, body, 0, Pose{}, header);
+    const AnyHierarchy& hierarchy = body.hierarchies[static_cast<std::size_t>(header.volume)];
+    const std::vector<IndexPair>& contacts = frame.found.pairs;
+    const Attribution found = attribute(hierarchy, hierarchy, header, frame, contacts);
+
+    const Topology& topology = topology_of(hierarchy);
+    const auto holds = [&](std::uint32_t node, std::uint32_t triangle) {
+        const TopologyNode& of = topology.nodes[node];
+        const auto first = topology.order.begin() + of.first;
+        return std::find(first, first + of.count, triangle) != first + of.count;
+    };
+    std::size_t met = 0;
+    for (const PassedPair& pair : found.passed) {
+        const IndexPair nodes = frame.steps.volumes[pair.test].nodes;
+        const bool meets = std::any_of(contacts.begin(), contacts.end(), [&](IndexPair c) {
+            return (holds(nodes.a, c.a) && holds(nodes.b, c.b)) ||
+                   (holds(nodes.a, c.b) && holds(nodes.b, c.a));
+        });
+        EXPECT_EQ(pair.reason == PassReason::triangles_meet, meets) << pair.test;
+        met += meets;
+    }
+    EXPECT_GT(met, contacts.size());
+    EXPECT_LT(met, found.passed.size());
     EXPECT_TRUE(found.wrongly_rejected.empty());
 }
 
