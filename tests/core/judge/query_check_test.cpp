@@ -42,6 +42,41 @@ TEST(QueryCheck, NamesTheCauseOfAFalsePair) {
     EXPECT_EQ(rows.judged().wrong_item_tests.size(), 1u);
 }
 
+TEST(QueryCheck, TrianglesOfABodyThatShareAVertexAreNoPair) {
+    Rows rows;
+    rows.query.sides[1] = rows.query.sides[0];
+    rows.query.self = true;
+    rows.query.b_to_a = Pose{};
+    rows.contacts.clear();
+    rows.mesh.triangles[1][0] = rows.mesh.triangles[0][1];
+    rows.query.events = {{Kind::pair, 0, 0, 1}};
+    EXPECT_EQ(rows.problem().cause, PairCause::neighbours);
+    rows.query.events = {{Kind::pair, 0, 1, 1}};
+    EXPECT_EQ(rows.problem().cause, PairCause::neighbours) << "a triangle and itself";
+    // They cross, too, so any result of their test is accepted.
+    rows.mesh.vertices[4] = Vec3(0.1, 0.1, 1);
+    rows.mesh.vertices[5] = Vec3(0.1, 0.1, -1);
+    rows.query.events = {{Kind::items_apart, 0, 0, 1}};
+    EXPECT_TRUE(rows.judged().wrong_item_tests.empty());
+    rows.mesh.triangles[1][0] = 3;
+    EXPECT_EQ(rows.judged().wrong_item_tests.size(), 1u) << "without a common vertex";
+}
+
+TEST(QueryCheck, TrianglesOfALeafNeedNoTestOfTheLeafWithItself) {
+    auto nodes = nodes_of_row();
+    nodes[3].items = {0, 1};
+    nodes[4].items = {};
+    Rows rows(nodes);
+    rows.query.sides[1] = rows.query.sides[0];
+    rows.query.self = true;
+    rows.query.b_to_a = Pose{};
+    rows.contacts.clear();
+    rows.query.events = {{Kind::volumes, 0, 0, 0}, {Kind::items_apart, 0, 0, 1}};
+    EXPECT_TRUE(rows.judged().stray_item_tests.empty());
+    rows.query.events[1].b = 2;
+    EXPECT_EQ(rows.judged().stray_item_tests.size(), 1u) << "of two leaves";
+}
+
 TEST(QueryCheck, WhatTouchesWithinTheToleranceIsNotJudged) {
     Rows rows;
     rows.query.tolerance = rows.query.triangle_tolerance = 0.2;

@@ -183,6 +183,21 @@ TEST(NodeVolume, AnScbHasItsFarthestPoints) {
     }
 }
 
+TEST(NodeVolume, AnScbEndsAtItsPlaneInDirectionsNearlyAlongItsNormal) {
+    Random random(6);
+    for (int n = 0; n < 200; ++n) {
+        const Scb scb{Vec3(1, 2, 3), 1, random_direction(random), random.uniform(), -1};
+        const ConvexShape shape = convex_shape(scb);
+        Vec3 side = cross(scb.n, random_direction(random));
+        side /= std::sqrt(squared_norm(side));
+        const double tilt = std::ldexp(1.0, -10 - static_cast<int>(random.below(38)));
+        const Vec3 point = shape.support_point(scb.n + tilt * side);
+        EXPECT_NEAR(dot(point, scb.n), scb.e, 1e-14) << tilt;
+        EXPECT_NEAR(squared_norm(point), 1, 1e-14);
+        EXPECT_GT(dot(point, side), 0);
+    }
+}
+
 TEST(NodeVolume, VerdictsDoNotDependOnHowAVolumeIsTold) {
     Random random(7);
     for (int n = 0; n < 300; ++n) {
