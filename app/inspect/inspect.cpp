@@ -61,7 +61,7 @@ void note_next(const scenes::RecordingJudgement& judged, const InspectOptions& o
 
 int status_of(scenes::Verdict verdict) {
     switch (verdict) {
-        case scenes::Verdict::sound:
+        case scenes::Verdict::valid:
             return exit_done;
         case scenes::Verdict::partly_judged:
             return exit_partly_judged;

@@ -15,7 +15,7 @@ using scenes::RecordingJudgement;
 using scenes::TreeJudgement;
 
 const char* verdict_name(scenes::Verdict verdict) {
-    return verdict == scenes::Verdict::sound   ? "sound"
+    return verdict == scenes::Verdict::valid   ? "valid"
            : verdict == scenes::Verdict::wrong ? "wrong"
                                                : "partly judged";
 }

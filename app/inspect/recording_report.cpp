@@ -73,9 +73,9 @@ std::string faults_text(const std::vector<const WatchedProblem*>& problems, std:
 std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::size_t cases) {
     std::string text = "Trees\n";
     for (const TreeJudgement& tree : judged.trees) {
-        const char* sound = tree.unfinished   ? "the file breaks off in it, not judged"
+        const char* valid = tree.unfinished   ? "the file breaks off in it, not judged"
                             : tree.nodes == 0 ? "not judged"
-                                              : "sound";
+                                              : "valid";
         text +=
             "  " + tree_name(tree) + ": " + counted(tree.nodes, "node", "nodes") + ", depth " +
             std::to_string(tree.depth) +
@@ -85,7 +85,7 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::s
                        " in several leaves"
                  : "") +
             ": " +
-            (tree.problems.empty() ? sound : counted(tree.problems.size(), "problem", "problems")) +
+            (tree.problems.empty() ? valid : counted(tree.problems.size(), "problem", "problems")) +
             "\n";
         std::map<TreeFault, std::vector<const WatchedProblem*>> by_fault;
         for (const WatchedProblem& problem : tree.problems)

@@ -33,8 +33,8 @@ std::string wrong_words(const RecordingJudgement& judged) {
 
 std::string verdict_words(const RecordingJudgement& judged) {
     switch (judged.verdict()) {
-        case scenes::Verdict::sound:
-            return "Sound";
+        case scenes::Verdict::valid:
+            return "Valid";
         case scenes::Verdict::partly_judged:
             return "Nothing wrong in what could be judged";
         case scenes::Verdict::wrong:

@@ -196,8 +196,8 @@ Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierar
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
                                     const AnyHierarchy& b, const Mesh& mesh_b,
                                     const TraceHeader& header, const TraceFrame& frame) {
-    const bool sound = header.volume != VolumeKind::scb || is_sound(header.options.overlap.test);
-    if (sound && frame.found.complete && header.options.stop_level < 0) return frame.found.pairs;
+    const bool correct = header.volume != VolumeKind::scb || is_sound(header.options.overlap.test);
+    if (correct && frame.found.complete && header.options.stop_level < 0) return frame.found.pairs;
     return asked_again(a, mesh_a, b, mesh_b, header, frame, {}).pairs;
 }
 

@@ -326,7 +326,7 @@ Verdict RecordingJudgement::verdict() const {
     if (tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
         !poses.empty() || odd.count > 0)
         return Verdict::wrong;
-    return not_judged.empty() && damage.empty() ? Verdict::sound : Verdict::partly_judged;
+    return not_judged.empty() && damage.empty() ? Verdict::valid : Verdict::partly_judged;
 }
 
 RecordingJudgement judge_recording(const RecordingFile& file,

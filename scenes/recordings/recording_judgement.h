@@ -101,7 +101,7 @@ struct TreeJudgement {
 
 /// In order: all was judged, and nothing is wrong; some parts could not be judged, and nothing is
 /// wrong in the others; something is proven wrong.
-enum class Verdict { sound, partly_judged, wrong };
+enum class Verdict { valid, partly_judged, wrong };
 
 /// The judgement of a recording: whether its trees are valid and contain their triangles, whether
 /// its tests are right for the recorded volumes, and whether its results equal this project's

@@ -89,11 +89,11 @@ bool one_slab_is_sound(const Arguments& arguments) {
     };
     report(OverlapTest::corrected, OverlapTest::symmetric);
     report(OverlapTest::symmetric, OverlapTest::extents);
-    bool sound = sum.unproven == 0;
+    bool correct = sum.unproven == 0;
     for (const OverlapTest test :
          {OverlapTest::line8, OverlapTest::corrected, OverlapTest::symmetric, OverlapTest::extents})
-        sound = sound && count_rejected(sum, Contact::overlapping, test) == 0;
-    return sound;
+        correct = correct && count_rejected(sum, Contact::overlapping, test) == 0;
+    return correct;
 }
 
 bool two_slabs_are_sound(const Arguments& arguments) {

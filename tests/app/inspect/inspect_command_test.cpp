@@ -283,10 +283,12 @@ TEST(InspectCommand, JudgesARecording) {
     const TemporaryFolder folder;
     const std::string file = folder / "q.scbrec";
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume obb --records -o " + file).status, 0);
-    const ProgramRun sound = run_scb("inspect " + file);
-    EXPECT_EQ(sound.status, 0) << sound.err;
-    EXPECT_NE(sound.out.find(": sound"), std::string::npos) << sound.out;
-    EXPECT_NE(sound.out.find(" 0 missed, 0 false"), std::string::npos) << sound.out;
+    const ProgramRun valid = run_scb("inspect " + file);
+    EXPECT_EQ(valid.status, 0) << valid.err;
+    EXPECT_TRUE(valid.out.starts_with("Valid.\n")) << valid.out;
+    EXPECT_NE(valid.out.find(": valid"), std::string::npos) << valid.out;
+    EXPECT_NE(valid.out.find(" 0 missed, 0 false"), std::string::npos) << valid.out;
+    EXPECT_EQ(nlohmann::json::parse(run_scb("inspect --json " + file).out)["verdict"], "valid");
 
     ASSERT_EQ(run_scb("trace line-8 --frames 40 --test printed --records -o " + file).status, 0);
     const ProgramRun wrong = run_scb("inspect --json " + file);

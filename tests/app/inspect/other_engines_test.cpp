@@ -26,8 +26,8 @@ void expect_says(const ProgramRun& run, int status, const std::vector<std::strin
         EXPECT_NE(("\n" + run.out).find(text), std::string::npos) << text << "\n" << run.out;
 }
 
-TEST(OtherEngines, SpatialSplitsAreSound) {
-    expect_says(inspected_split(SplitBug::none), 0, {"\nSound.\n"});
+TEST(OtherEngines, SpatialSplitsAreValid) {
+    expect_says(inspected_split(SplitBug::none), 0, {"\nValid.\n"});
 }
 
 TEST(OtherEngines, APartThatNoLeafHasIsNamed) {
@@ -37,8 +37,8 @@ TEST(OtherEngines, APartThatNoLeafHasIsNamed) {
                 {"\nWrong: ", "does not contain its part of triangle"});
 }
 
-TEST(OtherEngines, ABroadphaseIsSoundWhereItsObjectsAreKnown) {
-    expect_says(inspected_broadphase(BroadphaseBug::none, true), 0, {"\nSound.\n"});
+TEST(OtherEngines, ABroadphaseIsValidWhereItsObjectsAreKnown) {
+    expect_says(inspected_broadphase(BroadphaseBug::none, true), 0, {"\nValid.\n"});
     expect_says(inspected_broadphase(BroadphaseBug::none, false), 4,
                 {"\nNothing wrong in what could be judged.\n",
                  "\nNot judged: 40 of 40 leaf volumes of tree 0 \"world\": "});

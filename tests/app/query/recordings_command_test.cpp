@@ -169,7 +169,7 @@ TEST_F(RecordingCommands, OfOneThatBreaksOffWhatStandsBeforeIsJudged) {
     record("cone --frames 60,100 --volume obb");
     const ProgramRun whole = run_scb("inspect " + file);
     EXPECT_EQ(whole.status, 0);
-    EXPECT_TRUE(whole.out.starts_with("Sound.\n")) << whole.out;
+    EXPECT_TRUE(whole.out.starts_with("Valid.\n")) << whole.out;
     const std::string bytes = file_text(file);
     for (const double part : {0.3, 0.6, 0.9}) {
         folder.write(

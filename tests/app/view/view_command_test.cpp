@@ -109,7 +109,7 @@ TEST(ViewCommand, GivesTheVerdictOnTheRecordedFrame) {
         EXPECT_EQ(run_scb("view " + recording + " --frames 100 -o " + file).status, 0);
         return manifest_of(file_text(file))["columns"][0]["verdict"][0];
     };
-    EXPECT_EQ(verdict(whole), "Frame 100: Sound.");
+    EXPECT_EQ(verdict(whole), "Frame 100: Valid.");
     // The same without the last pair of the last frame.
     const std::string text = folder / "own.jsonl", broken = folder / "broken.jsonl";
     ASSERT_EQ(run_scb("convert " + whole + " -o " + text).status, 0);

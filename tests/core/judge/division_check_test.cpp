@@ -20,9 +20,9 @@ DivisionCounts divisions(const std::vector<IndexPair>& tests) {
 
 TEST(DivisionCheck, TheNodeOfOneSideIsDividedIntoAllItsChildren) {
     EXPECT_EQ(divisions({{0, 0}}).divided, 0u);
-    const DivisionCounts sound = divisions({{0, 0}, {1, 0}, {2, 0}, {1, 1}, {1, 2}});
-    EXPECT_EQ(sound.divided, 2u);
-    EXPECT_EQ(sound.lacking, 0u);
+    const DivisionCounts valid = divisions({{0, 0}, {1, 0}, {2, 0}, {1, 1}, {1, 2}});
+    EXPECT_EQ(valid.divided, 2u);
+    EXPECT_EQ(valid.lacking, 0u);
     const DivisionCounts of_a = divisions({{0, 0}, {2, 0}});
     EXPECT_EQ(of_a.lacking, 1u);
     EXPECT_EQ(of_a.first.test, 0u);

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-TEST(QueryCheck, ASoundQueryHasNoProblems) {
+TEST(QueryCheck, AValidQueryHasNoProblems) {
     const Rows rows;
     const QueryJudgement judged = rows.judged();
     EXPECT_EQ(judged.reported, 4u);
@@ -116,9 +116,9 @@ TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
 }
 
 TEST(QueryCheck, AChildThatIsForgottenIsSeenWhereNothingIsMissedToo) {
-    Rows sound;
-    EXPECT_GT(sound.judged().divisions.divided, 2u);
-    EXPECT_EQ(sound.judged().divisions.lacking, 0u);
+    Rows valid;
+    EXPECT_GT(valid.judged().divisions.divided, 2u);
+    EXPECT_EQ(valid.judged().divisions.lacking, 0u);
     Rows rows;
     // What is apart anyway.
     rows.erase(Kind::volumes, 1, 2);

@@ -23,7 +23,7 @@ std::vector<std::string> problems_of(const std::vector<ToldNode>& nodes, bool wi
 
 using Words = std::vector<std::string>;
 
-TEST(TreeCheck, ASoundTreeHasNoProblems) {
+TEST(TreeCheck, AValidTreeHasNoProblems) {
     EXPECT_EQ(problems_of(nodes_of_row()), Words{});
     EXPECT_EQ(problems_of(nodes_of_row(), false), Words{});
 }

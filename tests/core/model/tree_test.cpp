@@ -64,19 +64,19 @@ TEST(EngineTree, HasTheNumbersItemsAndVolumesThatWereTold) {
 
 TEST(TreeHash, TellsWhatHangsWhereAndHoldsWhichItems) {
     const auto hash = [](const std::vector<ToldNode>& nodes) { return tree_with(nodes).hash(); };
-    const std::uint64_t sound = hash(nodes_of_row());
+    const std::uint64_t valid = hash(nodes_of_row());
     auto nodes = nodes_of_row();
     nodes[3].volume = Ball{};
-    EXPECT_EQ(hash(nodes), sound);
+    EXPECT_EQ(hash(nodes), valid);
     nodes = nodes_of_row();
     std::swap(nodes[3].items, nodes[4].items);
-    EXPECT_NE(hash(nodes), sound);
+    EXPECT_NE(hash(nodes), valid);
     nodes = nodes_of_row();
     nodes[1].children = {3, 5};
     nodes[2].children = {4, 6};
     nodes[4].parent = 2;
     nodes[5].parent = 1;
-    EXPECT_NE(hash(nodes), sound);
+    EXPECT_NE(hash(nodes), valid);
 }
 
 TEST(VolumesTitles, NameEachTypeOnce) {

@@ -219,9 +219,9 @@ TEST(BenchFigure, CutsNoNameAndNoFootnoteWhereItIsSmall) {
         BenchFigure other = figure;
         other.footnote.back() = 'W';
         EXPECT_NE(drawn(drawing, other, width, height), image) << width;
-        BenchFigure sound = figure;
-        sound.series[1].pairs[3] = sound.series[0].pairs[3];
-        EXPECT_NE(drawn(drawing, sound, width, height), image) << width;
+        BenchFigure valid = figure;
+        valid.series[1].pairs[3] = valid.series[0].pairs[3];
+        EXPECT_NE(drawn(drawing, valid, width, height), image) << width;
     }
 }
 

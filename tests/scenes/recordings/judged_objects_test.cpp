@@ -51,7 +51,7 @@ TEST(JudgedObjects, LeavesOfObjectsAreJudgedWhereTheirExtentsAreRecorded) {
     EXPECT_EQ(part_of(without, what)->of, 3u);
     std::vector<Record> whole = broadphase(true);
     whole.emplace_back(RecordedEnd{});
-    EXPECT_EQ(judge(whole).verdict(), Verdict::sound);
+    EXPECT_EQ(judge(whole).verdict(), Verdict::valid);
 
     // Object 2 moves to the probe, and its leaf does not.
     std::vector<Record> records = broadphase(true);
@@ -100,7 +100,7 @@ TEST(JudgedObjects, AnObjectsOwnTestMayFindThatItIsApart) {
         records.emplace_back(RecordedEnd{});
         return judge(records);
     };
-    EXPECT_EQ(judged_with(items_apart, 1.5).verdict(), Verdict::sound)
+    EXPECT_EQ(judged_with(items_apart, 1.5).verdict(), Verdict::valid)
         << "extents are larger than their objects";
     const RecordingJudgement meet = judged_with(items_meet, 5);
     ASSERT_EQ(meet.test_problems.size(), 1u) << "objects whose extents are apart do not meet";

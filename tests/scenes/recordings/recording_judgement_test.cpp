@@ -56,7 +56,7 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
         const RecordingJudgement judged = judge(recording_of(trace));
         EXPECT_EQ(judged.trees.size(), 2u);
         EXPECT_EQ(judged.trees[0].nodes, 2 * mesh_a().mesh.triangles.size() - 1);
-        EXPECT_EQ(judged.verdict(), Verdict::sound);
+        EXPECT_EQ(judged.verdict(), Verdict::valid);
         std::uint64_t pairs = 0, tests = 0;
         for (const TraceFrame& frame : trace.frames) pairs += frame.found.pairs.size();
         for (const FrameJudgement& frame : judged.frames) tests += frame.pairs;
