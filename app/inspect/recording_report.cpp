@@ -108,7 +108,7 @@ std::string tests_text(const RecordingJudgement& judged) {
     std::size_t width = 5;
     for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));
     std::string text = "Tests" + std::string(width - 3, ' ') +
-                       "      tests    false    wrong   deep in each other\n";
+                       "      tests    false    wrong   deep in each other, at least\n";
     for (const auto& stage : judged.stages) {
         text +=
             "  " + left_aligned(stage.name, width) + right_aligned(count_text(stage.tests), 11) +

@@ -219,6 +219,22 @@ TEST(RecordingJudgement, AStageHasTheLeastAndTheGreatestDepthOfItsWrongTests) {
     EXPECT_NEAR(judged.stages[0].most_depth, 0.5, 1e-9);
 }
 
+// The verdict on slab cut balls proves a depth above the tolerance, and no more.
+TEST(RecordingJudgement, TheDepthOfWrongTestsIsTheDepthThatExplainProves) {
+    const RecordedVolume disc = {RecordedKind::scb, {0, 0, 0, 1, 0, 0, 1, 0.5, -0.5}};
+    std::vector<Record> records = body_of_one_node(0, disc);
+    append(records, body_of_one_node(1, disc));
+    for (const double depth : {0.125, 0.25}) append(records, rejection_at(2 - depth));
+    const RecordingJudgement judged = judge(records);
+    ASSERT_EQ(judged.stages.size(), 1u);
+    EXPECT_NEAR(judged.stages[0].least_depth, 0.125, 1e-6);
+    EXPECT_NEAR(judged.stages[0].most_depth, 0.25, 1e-6);
+    ASSERT_EQ(judged.test_problems.size(), 1u);
+    EXPECT_NE(judged.test_problems[0].cases.at(0).words.find(", 0.125 deep in each other"),
+              std::string::npos)
+        << judged.test_problems[0].cases[0].words;
+}
+
 TEST(RecordingJudgement, JudgesTheFramesThatAreWantedUntilItIsStopped) {
     std::vector<Record> records = two_balls();
     for (const std::uint32_t frame : {0u, 1u, 2u, 3u}) {
