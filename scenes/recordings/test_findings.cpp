@@ -174,7 +174,9 @@ void TestFindings::list_not_judged(std::vector<NotJudged>& parts) const {
     if (lacks_ > 0)
         parts.push_back(
             {lacks_, divided_, "divisions of nodes",
-             "a child that overlaps the other node was not tested; the first: " + lacking_ +
+             "a child that overlaps the other node was not tested, and the recording does not show "
+             "whether this is intended; the first: " +
+                 lacking_ +
                  (lacks_alike_ && lacks_ > 1
                       ? "; in all of them child " + std::to_string(first_lack_.place + 1) +
                             " of the node of " + (first_lack_.side == 0 ? "A" : "B")

@@ -354,6 +354,9 @@ TEST(RecordingJudgement, DivisionsThatLackAChildBelongToTheVerdict) {
     ASSERT_NE(part, nullptr);
     EXPECT_EQ(part->count, 2u);
     EXPECT_EQ(part->of, 4u);
+    EXPECT_NE(
+        part->why.find("was not tested, and the recording does not show whether this is intended"),
+        std::string::npos);
     EXPECT_NE(part->why.find("node 2 of A was not tested"), std::string::npos);
     EXPECT_NE(part->why.find("in all of them child 2 of the node of A"), std::string::npos);
     const RecordingJudgement unlike = judged_divisions(2, 2, true);
