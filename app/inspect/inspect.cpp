@@ -24,26 +24,27 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
                                       : inspect_text(report));
 }
 
-/// The command that explains the first faulty test; empty if there is none.
-std::string explain_command(const scenes::RecordingJudgement& judged,
+/// The first case that `scb explain` can explain; null if there is none.
+const scenes::ProblemCase* explainable(const std::vector<scenes::ProblemGroup>& groups) {
+    for (const scenes::ProblemGroup& group : groups)
+        if (group.cases.front().has_volumes) return &group.cases.front();
+    return nullptr;
+}
+
+/// The command that explains the test of a case.
+std::string explain_command(const scenes::ProblemCase& problem,
+                            const scenes::RecordingJudgement& judged,
                             const InspectOptions& options) {
-    for (const auto* groups : {&judged.test_problems, &judged.missed})
-        for (const scenes::ProblemGroup& group : *groups) {
-            const scenes::ProblemCase& first = group.cases.front();
-            if (first.nodes.a == no_index || first.nodes.b == no_index) continue;
-            const bool several =
-                options.query.bodies.empty() && judged.summary.body_names.size() > 2;
-            const std::string& name = first.query.name;
-            // A name is part of the command if it can be typed.
-            const bool named =
-                options.scene.selection.name.empty() && !name.empty() && printable(name) == name;
-            return options.explain +
-                   (several ? " --bodies " + file_word(first.query.a + "," + first.query.b) : "") +
-                   (named ? " --query " + file_word(name) : "") + " --frames " +
-                   std::to_string(first.query.frame) +
-                   format(" --pair %u,%u", first.nodes.a, first.nodes.b);
-        }
-    return {};
+    const bool several = options.query.bodies.empty() && judged.summary.body_names.size() > 2;
+    const std::string& name = problem.query.name;
+    // A name is part of the command if it can be typed.
+    const bool named =
+        options.scene.selection.name.empty() && !name.empty() && printable(name) == name;
+    return options.explain +
+           (several ? " --bodies " + file_word(problem.query.a + "," + problem.query.b) : "") +
+           (named ? " --query " + file_word(name) : "") + " --frames " +
+           std::to_string(problem.query.frame) +
+           format(" --pair %u,%u", problem.nodes.a, problem.nodes.b);
 }
 
 /// Notes on a recording: what the report lacks, and the next commands.
@@ -52,11 +53,12 @@ void note_next(const scenes::RecordingJudgement& judged, const InspectOptions& o
     if (judged.wrong() && !options.draws())
         console.note("scb: `scb inspect" + options.of_scene +
                      " -o out` draws the first of each kind of what is wrong.");
-    if (const std::string next = explain_command(judged, options); !next.empty())
-        console.note("scb: `" + next + "` explains " +
-                     (judged.test_problems.empty()
-                          ? "the test at which the first missed pair was lost."
-                          : "the first test at fault, step by step."));
+    const scenes::ProblemCase* const at_fault = explainable(judged.test_problems);
+    const scenes::ProblemCase* const problem = at_fault ? at_fault : explainable(judged.missed);
+    if (problem)
+        console.note("scb: `" + explain_command(*problem, judged, options) + "` explains " +
+                     (at_fault ? "the first test at fault, step by step."
+                               : "the test at which the first missed pair was lost."));
 }
 
 int status_of(scenes::Verdict verdict) {

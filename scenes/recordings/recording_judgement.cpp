@@ -164,7 +164,8 @@ class RecordingJudge {
             add_case(
                 missed ? missed_ : false_, words_of(query, problem.cause),
                 {name, words_of(query, problem, test_number(judged, problem), recording_.stages()),
-                 problem.nodes, problem.items, test_number(judged, problem)});
+                 problem.nodes, problem.items, test_number(judged, problem),
+                 have_volumes(query, problem.nodes)});
         }
     }
 

@@ -35,6 +35,7 @@ struct ProblemCase {
     /// The number of the test of volumes in its query, from 0. For a test of triangles, the number
     /// of the test of volumes before it.
     std::uint32_t test = no_index;
+    bool has_volumes = false;  ///< both nodes exist and have volumes, as `scb explain` needs
 };
 
 /// The cases of a problem with one cause.

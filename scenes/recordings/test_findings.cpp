@@ -39,6 +39,14 @@ void add_case(ProblemGroups& groups, const std::string& what, ProblemCase one) {
     if (group->cases.size() < ProblemGroup::most_cases) group->cases.push_back(std::move(one));
 }
 
+bool have_volumes(const EngineQuery& query, IndexPair numbers) {
+    const auto has = [](const EngineNodes& tree, std::uint32_t number) {
+        const std::uint32_t node = tree.index_of(number);
+        return node != no_index && has_volume(tree[node].volume);
+    };
+    return has(*query.sides[0].tree, numbers.a) && has(*query.sides[1].tree, numbers.b);
+}
+
 ProblemGroups by_count(ProblemGroups groups) {
     std::stable_sort(
         groups.begin(), groups.end(),
@@ -78,7 +86,13 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     unjudged_ += test.verdict == TestVerdict::unjudged;
     const auto words = [&] { return pair_words("nodes", event.a, event.b) + test_words(number); };
     const auto note = [&](const std::string& what, const std::string& more = {}) {
-        add(what, {name, words() + more, {event.a, event.b}, {no_index, no_index}, number});
+        const IndexPair nodes{event.a, event.b};
+        add(what, {name,
+                   words() + more,
+                   nodes,
+                   {no_index, no_index},
+                   number,
+                   have_volumes(query, nodes)});
     };
     if (names_unknown_node(query, test.nodes)) note("a test of a node that its tree does not have");
     if (test.repeated && repeated_++ == 0) first_repeated_ = query_words(name) + ": " + words();

@@ -15,6 +15,9 @@ using ProblemGroups = std::vector<ProblemGroup>;
 /// Counts the case in the group of this name.
 void add_case(ProblemGroups& groups, const std::string& what, ProblemCase one);
 
+/// Whether nodes of A and B with these numbers exist and have volumes.
+bool have_volumes(const EngineQuery& query, IndexPair numbers);
+
 /// Sorts the groups, the most frequent first.
 ProblemGroups by_count(ProblemGroups groups);
 

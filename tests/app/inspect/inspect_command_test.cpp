@@ -279,6 +279,42 @@ TEST(InspectCommand, RefusesWhatMakesNoSense) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+/// A recording of two balls that overlap, with a query of these tests.
+std::string recording_of_balls(const TemporaryFolder& folder, const std::string& tests) {
+    std::string text;
+    for (const std::string body : {"0", "1"})
+        text += R"({"tree": )" + body + R"(, "of_mesh": null}
+{"node": 0, "in_tree": )" +
+                body +
+                R"(, "parent": null, "items": [0], "volume": ["ball", 0, 0, 0, 1]}
+{"body": )" + body +
+                R"(, "of_tree": )" + body + R"(, "name": "body )" + body + "\"}\n";
+    return folder.write("balls.jsonl", text + R"({"frame": 0}
+{"query": [0, 1]}
+{"tests": )" + tests + R"(}
+{"complete": true}
+{"end": true}
+)");
+}
+
+TEST(InspectCommand, SuggestsToExplainOnlyNodesThatExist) {
+    const TemporaryFolder folder;
+    const ProgramRun unknown = run_scb("inspect " + recording_of_balls(folder, "[[0, 7, 0]]"));
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.out.find("a test of a node that its tree does not have"), std::string::npos)
+        << unknown.out;
+    EXPECT_EQ(unknown.err.find("scb explain"), std::string::npos) << unknown.err;
+
+    const std::string file = recording_of_balls(folder, "[[0, 7, 0], [1, 0, 0]]");
+    const ProgramRun both = run_scb("inspect " + file);
+    EXPECT_EQ(both.status, 1);
+    EXPECT_NE(both.err.find("`scb explain " + file +
+                            " --frames 0 --pair 0,0` explains the first test at fault"),
+              std::string::npos)
+        << both.err;
+    EXPECT_EQ(run_scb("explain " + file + " --frames 0 --pair 0,0").status, 1);
+}
+
 TEST(InspectCommand, JudgesARecording) {
     const TemporaryFolder folder;
     const std::string file = folder / "q.scbrec";
