@@ -44,6 +44,11 @@ fs::path& set_program() {
                           "memory (ulimit -u, -n, -v).");
 }
 
+/// "signal 9 (Killed)".
+std::string signal_words(int signal) {
+    return "signal " + std::to_string(signal) + " (" + ::strsignal(signal) + ")";
+}
+
 /// A running reader process, and the pipe of its answer.
 class Reader {
   public:
@@ -133,8 +138,8 @@ class Reader {
                          ": its reader did not end within its time limit (8 seconds and 2 for each "
                          "MB, or the limit of ulimit -t); repair the file or export it again.");
     if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
-        throw MeshReaderError(path + ": its reader was ended by a signal (" + ::strsignal(signal) +
-                              "); try again.");
+        throw MeshReaderError(path + ": its reader was ended by " + signal_words(signal) +
+                              "; try again.");
     throw InputError(path +
                      ": the reader of this format crashed on the file, which may be valid; convert "
                      "it to PLY or STL with another program.");
@@ -157,9 +162,12 @@ Mesh isolated_mesh(const std::string& path) {
     MeshGreeting greeting{};
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
         const std::optional<ProcessEnd> end = reader.wait();
-        fail_to_start(
-            path, reader.program(),
-            end && end->by_signal ? ::strsignal(end->code) : "it ended without an answer");
+        if (end && end->by_signal)
+            throw MeshReaderError(path + ": its reader, a process of " + reader.program() +
+                                  ", was ended by " + signal_words(end->code) +
+                                  " before it read the file; try again, and check the limits of "
+                                  "memory (ulimit -s, -v).");
+        fail_to_start(path, reader.program(), "it ended without an answer");
     }
     if (greeting != mesh_greeting)
         fail_to_start(path, reader.program(), "the program is not this version of scb");

@@ -133,9 +133,9 @@ TEST(IsolatedMesh, SaysWhatEndedItsReaderFromOutside) {
             ADD_FAILURE() << script;
         } catch (const MeshReaderError& error) {
             const bool before = script.find("KILL") != script.npos;
-            expect_in(
-                before ? "did not start (Killed); check" : "its reader was ended by a signal (",
-                error.what());
+            expect_in(before ? ", was ended by signal 9 (Killed) before it read the file; try again"
+                             : ": its reader was ended by signal ",
+                      error.what());
         }
     }
 }
