@@ -35,8 +35,7 @@ std::vector<std::uint8_t> bytes_of_hex(const JsonPlace& place) {
     return bytes;
 }
 
-std::string text_at(const JsonPlace& place) {
-    if (place.value->is_null()) return {};
+std::string required_text(const JsonPlace& place) {
     if (!place.value->is_object()) return read_text(place);
     check_fields(place, {"hex"});
     const std::vector<std::uint8_t> bytes = bytes_of_hex(field(place, "hex"));
@@ -44,7 +43,8 @@ std::string text_at(const JsonPlace& place) {
 }
 
 std::string text_of(const JsonPlace& object, const char* name) {
-    return text_at(optional_field(object, name));
+    const JsonPlace place = optional_field(object, name);
+    return place.value->is_null() ? std::string() : required_text(place);
 }
 
 std::uint32_t number_of(const JsonPlace& place, std::int64_t most = UINT32_MAX) {
@@ -156,7 +156,7 @@ Record query_of(const JsonPlace& line) {
     if (!has(line, "tags")) return query;
     const JsonPlace tags = field(line, "tags");
     const std::size_t count = array_size(tags, "a list of tags");
-    for (std::size_t i = 0; i < count; ++i) query.tags.push_back(text_at(element(tags, i)));
+    for (std::size_t i = 0; i < count; ++i) query.tags.push_back(required_text(element(tags, i)));
     return query;
 }
 

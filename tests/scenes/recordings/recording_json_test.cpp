@@ -156,6 +156,7 @@ TEST(RecordingJson, NamesTheLineThatItRefuses) {
           "{\"refit\": 0, \"in_tree\": 0, \"volume\": [\"ball\", \"one\"]}",
           "{\"pose\": 0, \"rows\": [1]}",
           "{\"query\": [0]}",
+          "{\"query\": [0, 1], \"tags\": [null]}",
           "{\"mesh\": 0, \"coordinate_bytes\": 4, \"coordinates\": [0, 0, "
           "\"nan:7ff0000000000001\"]}",
           "{\"complete\": 256}",
@@ -169,6 +170,11 @@ TEST(RecordingJson, NamesTheLineThatItRefuses) {
         const std::string sentence = refusal_of_text(text);
         EXPECT_TRUE(sentence.starts_with("x.jsonl: line 1")) << text << ": " << sentence;
     }
+}
+
+TEST(RecordingJson, RefusesATagThatIsNoText) {
+    EXPECT_EQ(refusal_of_text("{\"query\": [0, 1], \"tags\": [\"grasp\", null]}"),
+              "x.jsonl: line 1: tags[1]: expected a text in quotes, found null.");
 }
 
 TEST(RecordingJson, ThatCannotBeOpenedSaysWhy) {
