@@ -1,10 +1,35 @@
 #include "app/query/scene_query.h"
 
+#include <optional>
+
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 
 namespace scb::app {
+namespace {
+
+/// The index of the body with this name. Two bodies may also be called A and B.
+std::optional<std::size_t> body_named(const scenes::Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].name == name) return i;
+    if (scene.bodies.size() != 2 || (name != "A" && name != "B")) return std::nullopt;
+    return name == "A" ? 0 : 1;
+}
+
+/// The pairs of bodies that `names` may mean: names may have commas, so each comma may be the one
+/// between the two names.
+std::vector<BodyPair> pairs_named(const scenes::Scene& scene, const std::string& names) {
+    std::vector<BodyPair> pairs;
+    for (std::size_t at = names.find(','); at != std::string::npos; at = names.find(',', at + 1)) {
+        const auto a = body_named(scene, names.substr(0, at)),
+                   b = body_named(scene, names.substr(at + 1));
+        if (a && b) pairs.push_back({*a, *b});
+    }
+    return pairs;
+}
+
+}  // namespace
 
 const Mesh& SceneQuery::mesh(std::size_t body) const {
     return scene.meshes[scene.bodies[body].mesh].mesh;
@@ -75,23 +100,18 @@ std::vector<BodyPair> body_pairs(const scenes::Scene& scene, const std::string& 
             for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) pairs.push_back({a, b});
         return pairs;
     }
-    std::vector<std::size_t> chosen;
-    for (const std::string& name : split_list(names)) {
-        std::size_t i = 0;
-        while (i < scene.bodies.size() && scene.bodies[i].name != name) ++i;
-        // Two bodies may also be called A and B.
-        if (i == 2 && scene.bodies.size() == 2 && name == "A") i = 0;
-        if (i == 2 && scene.bodies.size() == 2 && name == "B") i = 1;
-        if (i == scene.bodies.size())
+    std::vector<BodyPair> pairs = pairs_named(scene, names);
+    if (pairs.size() == 1) return pairs;
+    if (pairs.size() > 1)
+        throw InputError("--bodies " + names +
+                         ": several pairs of bodies have these names, which contain commas; rename "
+                         "a body in the scene file.");
+    for (const std::string& name : split_list(names))
+        if (!body_named(scene, name))
             throw InputError("--bodies " + names + ": '" + name + "' is not a body of the scene '" +
                              scene.name + "'; it has " + known + ".");
-        chosen.push_back(i);
-    }
-    if (chosen.size() != 2)
-        throw InputError("--bodies " + names + ": give two bodies, such as " +
-                         scene.bodies[0].name + "," + scene.bodies.back().name +
-                         "; one twice is the body against itself.");
-    return {{chosen[0], chosen[1]}};
+    throw InputError("--bodies " + names + ": give two bodies, such as " + scene.bodies[0].name +
+                     "," + scene.bodies.back().name + "; one twice is the body against itself.");
 }
 
 SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarchy,

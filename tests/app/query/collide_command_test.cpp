@@ -138,12 +138,9 @@ TEST(CollideCommand, QueriesAllPairsOfBodiesInTheirOrder) {
             EXPECT_EQ(query["bodies"], json({bodies[a], bodies[b]}));
             query.erase("bodies");
             sum += query["pairs"].get<std::size_t>();
-            if (bodies[a].find(',') != std::string::npos ||
-                bodies[b].find(',') != std::string::npos)
-                continue;  // --bodies splits names at commas
-            json alone = json::parse(
-                run_scb("collide " + scene + " --json --bodies " + bodies[a] + "," + bodies[b])
-                    .out)["frames"][0];
+            json alone = json::parse(run_scb("collide " + scene + " --json --bodies '" + bodies[a] +
+                                             "," + bodies[b] + "'")
+                                         .out)["frames"][0];
             alone.erase("frame");
             EXPECT_EQ(query, alone);
         }
@@ -152,6 +149,21 @@ TEST(CollideCommand, QueriesAllPairsOfBodiesInTheirOrder) {
     EXPECT_EQ(
         result["inside"],
         json::parse(R"([{"frame": 0, "body": "nut, M3", "in": "base", "parts": 1, "of": 1}])"));
+}
+
+TEST(CollideCommand, RefusesNamesOfBodiesThatMeanSeveralPairs) {
+    const TemporaryFolder folder;
+    const std::string scene = sphere_scene(folder, R"(
+        {"name": "a", "model": "large"}, {"name": "a,b", "model": "large"},
+        {"name": "b,c", "model": "large"}, {"name": "c", "model": "large"})");
+    const ProgramRun both = run_scb("collide " + scene + " --bodies a,b,c");
+    EXPECT_EQ(both.status, 2);
+    EXPECT_NE(both.err.find("--bodies a,b,c: several pairs of bodies have these names"),
+              std::string::npos)
+        << both.err;
+    EXPECT_EQ(run_scb("collide " + scene + " --bodies a,b,b,c").status, 0);
+    EXPECT_NE(run_scb("collide " + scene + " --bodies a,a,b,x").err.find("'b' is not a body"),
+              std::string::npos);
 }
 
 TEST(CollideCommand, NamesTheBodiesOfEachQueryInTableCsvAndPairs) {
