@@ -24,6 +24,7 @@ struct Problem {
     std::vector<std::uint32_t> nodes, triangles;  ///< of the first body, and of the second
     std::uint32_t tree = no_index;  ///< the tree at fault, if the problem has no bodies
     bool is_worst = false;          ///< the worst fault of a tree, if its faults have amounts
+    std::string query{};            ///< the query's own name, as recorded; mostly empty
 };
 
 Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
@@ -38,7 +39,19 @@ Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
             {first.query.a, first.query.b},
             {first.nodes.a, first.nodes.b},
             {first.items.a, first.items.b},
-            no_index};
+            no_index,
+            false,
+            first.query.name};
+}
+
+/// The title of a problem, with its query if the recording has queries of several pairs of bodies,
+/// or if the query has a name.
+std::string title_of(const Problem& problem, const scenes::Recording& recording) {
+    std::string title = problem.title;
+    if (recording.pairs.size() > 1 && problem.bodies.size() == 2)
+        title += " · " + problem.bodies[0] + " and " + problem.bodies[1];
+    if (!problem.query.empty()) title += " · \"" + scenes::shown(problem.query) + "\"";
+    return title;
 }
 
 std::vector<Problem> problems_of(const scenes::RecordingJudgement& judged) {
@@ -166,7 +179,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
         }
         render::SceneFigure figure;
         figure.title = recording.scene.name + " · " + recording.engine + ", " + all.volumes +
-                       " · " + problem.title;
+                       " · " + title_of(problem, recording);
         figure.subtitle = "frame " + std::to_string(problem.frame);
         figure.theme = options.theme();
         figure.pane = render::problem_pane(parts, *figure.theme);

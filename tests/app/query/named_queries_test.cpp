@@ -64,5 +64,36 @@ TEST(NamedQueries, AreSelectedByCommands) {
     }
 }
 
+/// The first picture of a problem, as SVG.
+std::string problem_svg(const std::string& recording, const std::string& out) {
+    const ProgramRun run = run_scb("inspect " + recording + " --svg --no-view -o " + out);
+    EXPECT_EQ(run.status, 1) << run.err;
+    const json index = json::parse(file_text(out + "/index.json"));
+    for (const json& file : index["files"])
+        if (file["svg"].get<std::string>().find("_problem-1-") != std::string::npos)
+            return file_text(out + "/" + file["svg"].get<std::string>());
+    ADD_FAILURE() << run.out;
+    return {};
+}
+
+TEST(NamedQueries, AreInTheTitlesOfPicturesOfProblems) {
+    const TemporaryFolder folder;
+    const std::string named = problem_svg(folder.write("q.jsonl", named_queries), folder / "named");
+    EXPECT_NE(named.find("a test that went wrong · "), std::string::npos) << named;
+    EXPECT_NE(named.find("lift"), std::string::npos);
+    EXPECT_EQ(named.find("arm and shelf"), std::string::npos) << "the only two bodies";
+
+    std::string two(named_queries);
+    two.replace(two.find("{\"end\""), std::string::npos, R"({"body": 2, "name": "cup", "of_tree": 1}
+{"frame": 1}
+{"query": [0, 2]}
+{"tests": [[0, 0, 0]]}
+{"complete": true}
+{"end": true}
+)");
+    const std::string svg = problem_svg(folder.write("two.jsonl", two), folder / "two");
+    EXPECT_NE(svg.find("a test that went wrong · arm and shelf · "), std::string::npos) << svg;
+}
+
 }  // namespace
 }  // namespace scb::app
