@@ -22,12 +22,14 @@ const std::string* value_of(const std::vector<TraceField>& fields, const std::st
 std::vector<FieldDifference> asked_differently(const TraceHeader& a, const TraceHeader& b) {
     std::vector<FieldDifference> result;
     std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
-    if (a.engine && b.engine) {
-        // File names are not compared, and trees are compared frame by frame.
-        for (std::vector<TraceField>* fields : {&fields_a, &fields_b})
-            std::erase_if(*fields, [](const TraceField& field) {
-                return field.name == "scene" || field.name.starts_with("tree of ");
-            });
+    const bool of_engines = a.engine && b.engine;
+    // Names of recordings are not compared, and trees are compared frame by frame if both are
+    // known.
+    for (std::vector<TraceField>* fields : {&fields_a, &fields_b})
+        std::erase_if(*fields, [of_engines](const TraceField& field) {
+            return field.name.starts_with("tree of ") || (of_engines && field.name == "scene");
+        });
+    if (of_engines) {
         for (std::size_t side = 0; side < 2; ++side)
             if (const auto frame = other_tree_at(*a.engine, *b.engine, side))
                 for (const auto& [engine, fields] :
@@ -237,6 +239,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
     result.nodes_comparable = same_meshes(a, b);
     result.meshes_differ = !result.nodes_comparable;
     result.of_engines = a.engine || b.engine;
+    result.trees_known = a.engine.has_value() == b.engine.has_value();
     result.nodes_comparable &= same_nodes(a, b);
     result.bodies = side_names(a);
     result.of_nodes = pairs_are_nodes(a);

@@ -152,7 +152,9 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
     if (!d.nodes_comparable)
         text += d.meshes_differ
                     ? "\nThe meshes differ, so nodes and triangles cannot be compared.\n"
-                    : "\nThe trees differ, so tests cannot be compared.\n";
+                : d.trees_known
+                    ? "\nThe trees differ, so tests cannot be compared.\n"
+                    : "\nNot compared: trees and tests, since only one of the two has its trees.\n";
     else if (d.first)
         text += "\nThey part first at " + words_of(*d.first, printable_names(d.bodies), names);
     else

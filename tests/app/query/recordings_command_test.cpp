@@ -137,6 +137,11 @@ TEST_F(RecordingCommands, TraceAndDiffReadIt) {
     EXPECT_NE(text.find("\n\nBoth found the same pairs.\n\nasked "), std::string::npos) << text;
     EXPECT_NE(text.find("\n2 frames in both, with equal poses and counts\n"), std::string::npos)
         << text;
+    EXPECT_NE(text.find("\nNot compared: trees and tests, since only one of the two has its "),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("tree of A"), std::string::npos) << text;
+    EXPECT_EQ(text.find("The trees differ"), std::string::npos) << text;
     // Of other volumes the tests are others.
     ASSERT_EQ(run_scb("trace cone --frames 60,100 --volume scb2 -o " + trace).status, 0);
     EXPECT_NE(run_scb("diff " + file + " " + trace)
