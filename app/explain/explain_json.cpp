@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/explain/explain_report.h"
-#include "app/query/poses_json.h"
+#include "app/report/scene_report.h"
 
 namespace scb::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/cli/console.h"
-#include "app/query/scene_title.h"
+#include "app/report/scene_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
 #include "render/figures/explain_figure.h"

@@ -1,6 +1,6 @@
 #include "app/explain/explained_pair.h"
 
-#include "app/cli/build_text.h"
+#include "app/report/build_text.h"
 #include "core/collide/query_placement.h"
 #include "core/volumes/shape.h"
 

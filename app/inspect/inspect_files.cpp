@@ -9,7 +9,7 @@
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_page.h"
 #include "app/inspect/recording_pictures.h"
-#include "app/query/poses_json.h"
+#include "app/report/scene_report.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 

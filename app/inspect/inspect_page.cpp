@@ -8,7 +8,7 @@
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/recording_report.h"
 #include "app/query/recording_verdict.h"
-#include "app/query/scene_title.h"
+#include "app/report/scene_report.h"
 #include "app/report/table.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
 #include "app/cli/console.h"
 #include "app/explain/explain_pictures.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/judgement_json.h"
 #include "app/inspect/recording_report.h"
-#include "app/query/scene_title.h"
-#include "app/query/trace_report.h"
+#include "app/report/build_text.h"
+#include "app/report/scene_report.h"
+#include "app/report/trace_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "app/cli/build_text.h"
 #include "app/pictures/level_bodies.h"
 #include "app/pictures/scene_camera.h"
+#include "app/report/build_text.h"
 
 namespace scb::app {
 namespace {

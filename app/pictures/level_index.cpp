@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/id_ranges.h"
-#include "app/query/poses_json.h"
-#include "app/query/trace_report.h"
+#include "app/report/scene_report.h"
+#include "app/report/trace_report.h"
 #include "core/model/level_statistics.h"
 
 namespace scb::app {

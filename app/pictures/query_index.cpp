@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/query/count_table.h"
-#include "app/query/poses_json.h"
-#include "app/query/trace_report.h"
+#include "app/report/count_table.h"
+#include "app/report/scene_report.h"
+#include "app/report/trace_report.h"
 
 namespace scb::app {
 namespace {

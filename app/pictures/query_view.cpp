@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/cli/build_text.h"
-#include "app/query/scene_title.h"
+#include "app/report/build_text.h"
+#include "app/report/scene_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/volume_colors.h"

@@ -9,16 +9,16 @@
 #include <optional>
 #include <set>
 
-#include "app/cli/build_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/query/count_table.h"
 #include "app/query/inside_report.h"
 #include "app/query/output_guard.h"
-#include "app/query/poses_json.h"
 #include "app/query/scene_query.h"
-#include "app/query/trace_report.h"
+#include "app/report/build_text.h"
+#include "app/report/count_table.h"
+#include "app/report/scene_report.h"
+#include "app/report/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"

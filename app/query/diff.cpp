@@ -4,7 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/query/trace_report.h"
+#include "app/report/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
 #include "scenes/recordings/recording_input.h"

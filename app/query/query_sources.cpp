@@ -1,13 +1,12 @@
 #include "app/query/query_sources.h"
-#include "app/query/scene_title.h"
+#include "app/report/scene_report.h"
 
 #include <algorithm>
 #include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/query/poses_json.h"
-#include "app/query/trace_report.h"
+#include "app/report/trace_report.h"
 #include "core/platform/number_list.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"

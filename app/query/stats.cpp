@@ -9,7 +9,7 @@
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/query/scene_options.h"
-#include "app/query/stats_report.h"
+#include "app/report/stats_report.h"
 #include "core/analysis/hierarchy_measures.h"
 #include "core/base/exit_status.h"
 #include "core/geometry/mesh_facts.h"

@@ -8,13 +8,16 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/query/count_table.h"
 #include "app/query/output_guard.h"
 #include "app/query/scene_query.h"
-#include "app/query/trace_report.h"
+#include "app/report/count_table.h"
+#include "app/report/trace_report.h"
+#include "core/analysis/trace_words.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
+#include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
@@ -22,6 +25,8 @@
 
 namespace scb::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct TraceOptions {
     SceneOptions scene;
@@ -96,6 +101,60 @@ int record(const TraceOptions& options, const Console& console) {
     return exit_interrupted(watch.signal());
 }
 
+// Prints the text once it is long enough, and clears it.
+void print_block(std::string& text) {
+    constexpr std::size_t block = std::size_t{1} << 16;
+    if (text.size() < block) return;
+    print_result(text);
+    text.clear();
+}
+
+/// The width of node columns: engines may have large numbers.
+int number_width(const TraceFrame& frame) {
+    std::uint32_t most = 0;
+    for (const std::shared_ptr<const Tree>& tree : frame.trees)
+        for (std::uint32_t node = 0; tree && node < tree->size(); ++node)
+            most = std::max(most, tree->number(node));
+    return std::max(8, static_cast<int>(std::to_string(most).size()));
+}
+
+/// Prints every test of a frame one by one, since together they may not fit into memory: as lines
+/// below a heading.
+void print_events(const TraceHeader& header, const TraceFrame& frame) {
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const BodyNames names = side_names(header), bodies = {printable(names[0]), printable(names[1])};
+    const int width = number_width(frame);
+    std::string text =
+        format("   test  parent %*s %*s  depths  outcome\n", width, "node A", width, "node B");
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        const TracedTest test = traced_test(header, frame, outcomes, i);
+        const std::string parent =
+            test.test.parent == no_step ? "-" : std::to_string(test.test.parent);
+        text += format("%7zu %7s %*u %*u %3d %3d  ", i, parent.c_str(), width, test.test.nodes.a,
+                       width, test.test.nodes.b, test.test.depth_a, test.test.depth_b) +
+                words_of(test, bodies) + "\n";
+        print_block(text);
+    }
+    print_result(text);
+}
+
+/// The same as elements of a JSON list, without its brackets.
+void print_events_json(const TraceHeader& header, const TraceFrame& frame) {
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const BodyNames bodies = side_names(header);
+    std::string text;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        Json row = {{"test", i}};
+        const std::uint32_t parent = frame.steps.volumes[i].parent;
+        row["parent_test"] = parent == no_step ? Json() : Json(parent);
+        row.update(traced_test_json(traced_test(header, frame, outcomes, i), bodies));
+        text += (i == 0 ? "\n      " : ",\n      ") +
+                row.dump(-1, ' ', false, Json::error_handler_t::replace);
+        print_block(text);
+    }
+    print_result(text);
+}
+
 /// `given`: options on the command line that only a new trace can use.
 int print(const TraceOptions& options, const std::vector<std::string>& given) {
     const std::string& path = options.scene.names[0];
@@ -110,8 +169,8 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
                             options.scene.selection);
     const TraceHeader& header = input.header();
     if (options.json) {
-        std::string start = trace_header_json(header).dump(
-            2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+        std::string start =
+            trace_header_json(header).dump(2, ' ', false, Json::error_handler_t::replace);
         start.erase(start.size() - 2);  // the closing brace
         print_result(start + ",\n  \"frames\": [");
     } else {
@@ -127,7 +186,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
             print_result((printed == 0 ? "\n    " : ",\n    ") + row);
             if (options.events) {
                 print_result("\"tests\": [");
-                print_events_json(header, *frame, "      ");
+                print_events_json(header, *frame);
                 print_result("\n    ]}");
             }
         } else {

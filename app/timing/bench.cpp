@@ -13,7 +13,7 @@
 #include "app/pictures/plot_file.h"
 #include "app/pictures/show_pictures.h"
 #include "app/query/layout_options.h"
-#include "app/query/poses_json.h"
+#include "app/report/scene_report.h"
 #include "app/shards/parts.h"
 #include "app/timing/bench_options.h"
 #include "app/timing/bench_report.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "app/cli/build_text.h"
 #include "app/cli/validators.h"
 #include "app/cli/version.h"
+#include "app/report/build_text.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
 

@@ -2,7 +2,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
 #include "app/cli/command_text.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -13,6 +12,7 @@
 #include "app/pictures/picture_options.h"
 #include "app/pictures/plot_file.h"
 #include "app/pictures/show_pictures.h"
+#include "app/report/build_text.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
-#include "app/query/scene_title.h"
+#include "app/report/build_text.h"
+#include "app/report/scene_report.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"

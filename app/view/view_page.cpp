@@ -10,7 +10,7 @@
 #include "app/query/level_list.h"
 #include "app/query/output_guard.h"
 #include "app/query/recording_verdict.h"
-#include "app/query/scene_title.h"
+#include "app/report/scene_report.h"
 #include "app/view/view_commands.h"
 #include "app/view/view_manifest.h"
 #include "app/view/view_query.h"

@@ -1,10 +1,10 @@
-#include "app/query/count_table.h"
+#include "app/report/count_table.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "app/query/poses_json.h"
+#include "app/report/scene_report.h"
 #include "core/analysis/ending.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"

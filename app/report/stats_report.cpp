@@ -1,11 +1,11 @@
-#include "app/query/stats_report.h"
+#include "app/report/stats_report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/build_text.h"
-#include "app/query/count_table.h"
-#include "app/query/measures_report.h"
+#include "app/report/build_text.h"
+#include "app/report/count_table.h"
+#include "app/report/measures_report.h"
 #include "app/report/table.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"

@@ -1,8 +1,16 @@
-#include "app/query/scene_title.h"
+#include "app/report/scene_report.h"
+
+#include <nlohmann/json.hpp>
 
 #include "core/platform/utf8.h"
+#include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 std::string bodies_text(const TraceHeader& header) {
     const auto [a, b] = body_names(header);
@@ -19,6 +27,22 @@ std::string scene_title(const TraceHeader& header) {
     const auto [a, b] = body_names(header);
     return scene_title(header.scene, a, b) +
            (header.kind == QueryKind::self ? " against itself" : "");
+}
+
+Json pose_json(const Pose& pose) { return scenes::rows_of(pose); }
+
+Json poses_json(const scenes::Scene& scene, const std::vector<int>& frames) {
+    if (frames.empty()) return Json::object();
+    return all_poses_json(scene, {frames.front(), frames.back()});
+}
+
+Json all_poses_json(const scenes::Scene& scene, const std::vector<int>& frames) {
+    Json poses = Json::object();
+    for (const int frame : frames)
+        for (const scenes::Body& body : scene.bodies)
+            poses[std::to_string(frame)][body.name] =
+                pose_json(scenes::pose_at(body.motion, frame));
+    return poses;
 }
 
 }  // namespace scb::app

@@ -16,10 +16,4 @@ nlohmann::ordered_json trace_header_json(const TraceHeader& header);
 /// One test: nodes, depths, stage, and its consequence.
 nlohmann::ordered_json traced_test_json(const TracedTest& test, const BodyNames& bodies);
 
-/// Prints every test of a frame one by one, since together they may not fit into memory: as lines
-/// below a heading, or as elements of a JSON list, without its brackets.
-void print_events(const TraceHeader& header, const TraceFrame& frame);
-void print_events_json(const TraceHeader& header, const TraceFrame& frame,
-                       const std::string& indent);
-
 }  // namespace scb::app

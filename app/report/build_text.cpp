@@ -1,4 +1,4 @@
-#include "app/cli/build_text.h"
+#include "app/report/build_text.h"
 
 #include "core/base/text_format.h"
 

@@ -1,4 +1,4 @@
-#include "app/query/measures_report.h"
+#include "app/report/measures_report.h"
 
 #include <array>
 #include <nlohmann/json.hpp>
