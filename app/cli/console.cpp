@@ -70,6 +70,10 @@ void Console::note(std::string_view line) const {
     if (!quiet) std::fprintf(stderr, "%s\n", one_line(line).c_str());
 }
 
+std::function<void(const std::string&)> Console::notes() const {
+    return [to = *this](const std::string& line) { to.note(line); };
+}
+
 void Console::progress(std::string_view what, std::size_t done, std::size_t total) const {
     if (quiet || isatty(STDERR_FILENO) == 0) return;
     constexpr int width = 30;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,8 @@ struct Console {
     void alarm(std::string_view line) const;
     /// A line on standard error.
     void note(std::string_view line) const;
+    /// note() as a function, for code that knows no console.
+    std::function<void(const std::string&)> notes() const;
     /// Progress on one line that overwrites itself; only on a terminal. `done == total` ends the
     /// line.
     void progress(std::string_view what, std::size_t done, std::size_t total) const;

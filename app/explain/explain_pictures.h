@@ -3,9 +3,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/explain/explain_options.h"
-#include "app/explain/explained_pair.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_run.h"
+#include "app/study/explained_pair.h"
 #include "render/figures/explain_figure.h"
 #include "scb/mesh.h"
 

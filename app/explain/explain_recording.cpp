@@ -7,7 +7,7 @@
 
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
-#include "app/explain/recorded_pair.h"
+#include "app/study/recorded_pair.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/model/tree.h"

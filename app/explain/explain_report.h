@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/explain/explained_pair.h"
+#include "app/study/explained_pair.h"
 
 namespace scb::app {
 

@@ -159,7 +159,7 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
     std::vector<VolumeKind> kinds;
     for (const scenes::AnyRawPair& pair : pairs)
         kinds.push_back(pair.index() == 0 ? VolumeKind::scb : VolumeKind::ball);
-    if (!pairs.empty()) note_doubts(options.query, kinds, console);
+    if (!pairs.empty()) note_doubts(options.query, kinds, console.notes());
     const InterruptWatch watch;
 
     Progress progress(console, pairs.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/console.h"
 #include "app/explain/explain_options.h"
 
 namespace scb::app {

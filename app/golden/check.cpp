@@ -7,7 +7,7 @@
 #include "app/golden/case_views.h"
 #include "app/golden/commands.h"
 #include "app/golden/results.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/base/exit_status.h"
 #include "core/platform/shard.h"
 #include "golden/run/check_cases.h"

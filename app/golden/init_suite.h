@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 
 namespace scb::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/validators.h"
 #include "app/pictures/picture_options.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
 #include "golden/suite/case_command.h"

@@ -4,7 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/golden/commands.h"
 #include "app/golden/results.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/base/exit_status.h"
 #include "core/platform/file_bytes.h"
 #include "core/platform/input_files.h"

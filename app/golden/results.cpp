@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/cli/version.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/base/text_format.h"
 #include "core/platform/input_files.h"
 #include "core/platform/output_file.h"

@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/golden/results.h"
-#include "app/query/mutation.h"
+#include "app/study/mutation.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "golden/run/check_cases.h"

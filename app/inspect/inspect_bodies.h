@@ -4,7 +4,7 @@
 
 #include "app/inspect/inspect_report.h"
 #include "app/pictures/picture_run.h"
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 
 namespace scb::app {
 

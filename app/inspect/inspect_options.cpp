@@ -1,6 +1,6 @@
 #include "app/inspect/inspect_options.h"
 
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 

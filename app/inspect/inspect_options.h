@@ -5,7 +5,6 @@
 
 #include "app/pictures/picture_options.h"
 #include "app/query/query_options.h"
-#include "app/query/scene_options.h"
 #include "app/view/view_page.h"
 
 namespace scb::app {

@@ -6,9 +6,9 @@
 
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
-#include "app/explain/recorded_pair.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
+#include "app/study/recorded_pair.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "app/explain/explained_pair.h"
 #include "app/inspect/inspect_report.h"
 #include "app/pictures/picture_run.h"
+#include "app/study/explained_pair.h"
 
 namespace scb::app {
 

@@ -8,8 +8,8 @@
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
 #include "app/inspect/inspect_options.h"
-#include "app/query/query_source.h"
-#include "app/timing/tune_run.h"
+#include "app/study/query_source.h"
+#include "app/study/tune_run.h"
 #include "core/analysis/inspection.h"
 
 namespace scb::app {

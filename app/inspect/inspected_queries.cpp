@@ -45,8 +45,8 @@ InspectedQueries open_scene(const InspectOptions& options, const Console& consol
     result.sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits,
                                 false);
     const QuerySource& source = result.sources.front();
-    note_doubts(options.hierarchy, {source.query().kind}, console);
-    note_doubts(options.scene, options.query, {source.query().kind}, console);
+    note_doubts(options.hierarchy, {source.query().kind}, console.notes());
+    note_doubts(options.scene, options.query, {source.query().kind}, console.notes());
     result.report.header = source.header();
     result.frames = source.frames();
     return result;

@@ -7,12 +7,12 @@
 
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
-#include "app/inspect/frame_findings.h"
 #include "app/inspect/inspect_options.h"
 #include "app/inspect/inspect_pictures.h"
 #include "app/inspect/inspect_report.h"
-#include "app/query/query_sources.h"
 #include "app/shards/parts.h"
+#include "app/study/frame_findings.h"
+#include "app/study/query_sources.h"
 
 namespace scb::app {
 

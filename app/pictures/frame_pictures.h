@@ -3,7 +3,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/pictures/picture_run.h"
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 #include "core/base/exit_status.h"
 
 namespace scb::app {

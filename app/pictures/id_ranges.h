@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 
 namespace scb::app {
 

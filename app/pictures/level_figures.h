@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/pictures/level_options.h"
-#include "app/query/level_trees.h"
+#include "app/study/level_trees.h"
 #include "render/draw/renderer.h"
 #include "render/figures/level_figure.h"
 

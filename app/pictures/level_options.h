@@ -6,7 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "render/figures/volume_colors.h"
 
 namespace scb::app {

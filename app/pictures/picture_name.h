@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/pictures/picture_options.h"
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 
 namespace scb::app {
 

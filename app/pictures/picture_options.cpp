@@ -5,7 +5,7 @@
 
 #include "app/cli/choice.h"
 #include "app/cli/validators.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
 #include "scb/error.h"

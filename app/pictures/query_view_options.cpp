@@ -31,7 +31,7 @@ void QueryViewOptions::check() {
 
 QuerySources QueryViewOptions::open(const Console& console) const {
     QuerySources sources =
-        open_sources(scene, hierarchy, query, limits, {compare, recording}, console);
+        open_sources(scene, hierarchy, query, limits, {compare, recording}, console.notes());
     if (picture.no_panel && sources.size() == 2)
         throw InputError(
             "--no-panel: of two queries that are compared, only captions say which is which; leave "

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 #include "core/platform/number_list.h"
 #include "render/figures/comparison_figure.h"
 

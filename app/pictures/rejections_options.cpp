@@ -6,7 +6,7 @@
 
 #include "app/cli/choice.h"
 #include "app/cli/validators.h"
-#include "app/query/level_list.h"
+#include "app/study/scene_setup.h"
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"

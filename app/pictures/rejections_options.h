@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/pictures/query_view_options.h"
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 #include "render/figures/rejections_figure.h"
 
 namespace scb::app {

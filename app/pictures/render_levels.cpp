@@ -9,8 +9,8 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_run.h"
 #include "app/pictures/scene_camera.h"
-#include "app/query/level_trees.h"
 #include "app/query/query_options.h"
+#include "app/study/level_trees.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "render/figures/level_sheet.h"
@@ -100,8 +100,8 @@ render::LevelSheet sheet_of(const LevelSubject& subject, const LevelFigures& fig
 
 int run(const LevelOptions& options, const Console& console) {
     options.check();
-    const LevelSubject subject =
-        level_subject(options.scene, options.hierarchy, options.levels, options.recording, console);
+    const LevelSubject subject = level_subject(options.scene, options.hierarchy, options.levels,
+                                               options.recording, console.notes());
     const scenes::Scene& scene = subject.scene;
     const std::string stem = options.scene.file_stem(scene.name);
     const int frame = subject.frame;

@@ -8,6 +8,7 @@
 #include "app/pictures/pairs_figure.h"
 #include "app/pictures/query_comparison.h"
 #include "app/pictures/query_index.h"
+#include "app/query/query_options.h"
 #include "render/figures/heat_figure.h"
 #include "scb/error.h"
 

@@ -7,6 +7,7 @@
 #include "app/pictures/query_comparison.h"
 #include "app/pictures/query_index.h"
 #include "app/pictures/rejections_options.h"
+#include "app/query/query_options.h"
 #include "core/analysis/trace_diff.h"
 #include "core/analysis/trace_prefix.h"
 #include "core/base/text_format.h"

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_index.h"
+#include "app/query/query_options.h"
 #include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
 #include "core/platform/number_list.h"

@@ -14,11 +14,12 @@
 #include "app/cli/progress.h"
 #include "app/query/inside_report.h"
 #include "app/query/output_guard.h"
-#include "app/query/scene_query.h"
+#include "app/query/query_options.h"
 #include "app/report/build_text.h"
 #include "app/report/count_table.h"
 #include "app/report/scene_report.h"
 #include "app/report/trace_report.h"
+#include "app/study/scene_query.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
@@ -398,8 +399,8 @@ int run(CollideCommandOptions& options, const Console& console) {
     if (recorded) query.frames = recorded->frames();
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
-    note_doubts(options.hierarchy, {query.kind}, console);
-    note_doubts(options.scene, options.query, {query.kind}, console);
+    note_doubts(options.hierarchy, {query.kind}, console.notes());
+    note_doubts(options.scene, options.query, {query.kind}, console.notes());
 
     CollideReport report(options, query, recorded ? &*recorded : nullptr);
     const InterruptWatch watch;

@@ -2,9 +2,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/validators.h"
-#include "app/query/level_trees.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
+#include "app/study/level_trees.h"
 #include "core/base/exit_status.h"
 #include "core/platform/output_file.h"
 #include "core/volumes/any_volume.h"
@@ -47,8 +47,8 @@ int run(const ExportOptions& options, const Console& console) {
         throw InputError("--volume " + options.hierarchy.volumes +
                          ": a file holds one kind; give one.");
     check_output(options.output, "-o");
-    const LevelSubject subject =
-        level_subject(options.scene, options.hierarchy, options.levels, options.recording, console);
+    const LevelSubject subject = level_subject(options.scene, options.hierarchy, options.levels,
+                                               options.recording, console.notes());
     check_output(options.output, "-o");
     if (subject.levels.size() != 1)
         throw InputError("--levels " + options.levels +

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 #include "core/hierarchy/bodies_inside.h"
 
 namespace scb::app {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "app/cli/validators.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scb/packed_hierarchy.h"

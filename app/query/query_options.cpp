@@ -1,19 +1,24 @@
 #include "app/query/query_options.h"
 
+#include <array>
+#include <span>
+
 #include "app/cli/choice.h"
+#include "app/cli/command.h"
 #include "app/cli/validators.h"
-#include "app/query/level_list.h"
-
-#include <algorithm>
-
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
+#include "scenes/scene/builtin.h"
 
 namespace scb::app {
 namespace {
 
-std::string test_names() { return name_list(all_overlap_tests(), overlap_test_name); }
+/// File endings of scenes, meshes in common formats, traces and recordings.
+std::vector<std::string> scene_endings() {
+    return {".json", ".ply", ".obj", ".stl", ".off", ".gltf",   ".glb",
+            ".dae",  ".3ds", ".fbx", ".ac",  ".x",   ".scbrec", ".jsonl"};
+}
 
 std::vector<std::string> test_words() {
     return words_of(choices_of(all_overlap_tests(), overlap_test_name));
@@ -21,65 +26,96 @@ std::vector<std::string> test_words() {
 
 }  // namespace
 
-std::vector<OverlapTest> QueryOptions::tests() const {
-    std::vector<OverlapTest> tests;
-    for (const std::string& name : split_list(test)) {
-        const std::optional<OverlapTest> found = overlap_test_of(name);
-        if (!found)
-            throw InputError("--test " + test + ": '" + name +
-                             "' is not an overlap test; give one of " + test_names() + ".");
-        if (std::find(tests.begin(), tests.end(), *found) == tests.end()) tests.push_back(*found);
-    }
-    return tests;
+std::vector<std::string> builtin_names() {
+    std::vector<std::string> names;
+    for (const scenes::BuiltinScene& scene : scenes::builtin_scenes()) names.push_back(scene.name);
+    return names;
 }
 
-OverlapOptions QueryOptions::overlap() const {
-    const std::vector<OverlapTest> all = tests();
-    if (all.size() != 1)
-        throw InputError("--test " + test + ": this command takes one overlap test at a time.");
-    if (!(threshold >= 0 && threshold <= 1))
-        throw InputError(format("--threshold %g: give a cosine from 0 to 1.", threshold));
-    OverlapOptions options{all[0], threshold + 0.0};  // -0 is 0
-    return options;
+void add_scene_options(const Command& command, SceneOptions& options, bool with_frame) {
+    command
+        .add_option(
+            "SCENE", options.names,
+            "A built-in scene (see `scb scenes`), a scene file, a mesh file, two mesh files, or "
+            "another engine's recording")
+        .required()
+        .expected(1, 2)
+        .file(scene_endings())
+        .offer(builtin_names())
+        .type_name("[SCENE]")
+        .shareable();
+    command
+        .add_option("--pose", options.pose,
+                    "Pose of the second of two meshes: 12 numbers, [R|t] row by row, with commas")
+        .delimiter(',')
+        .expected(12)
+        .type_name("R00,R01,R02,T0,...")
+        .shareable();
+    command
+        .add_option("--models", options.models_dir,
+                    "Folder to search for meshes that are missing at their given path")
+        .envname("SCB_MODELS")
+        .folder()
+        .shareable();
+    command
+        .add_option("--query", options.selection.name,
+                    "Of a recording only the queries of this name")
+        .type_name("NAME")
+        .shareable();
+    command
+        .add_option("--tag", options.selection.tag, "Of a recording only the queries with this tag")
+        .type_name("TAG")
+        .shareable();
+    if (with_frame)
+        command
+            .add_option("--frames,--frame", options.frames,
+                        "The frame, one number. Default: the scene's own")
+            .type_name("N")
+            .shareable();
 }
 
-CollideOptions QueryOptions::collide() const {
-    CollideOptions options;
-    options.overlap = overlap();
-    options.descent = descent;
-    return options;
-}
-
-void QueryLimits::apply(CollideOptions& options, int deepest_level) const {
-    if (max_pairs < 1)
-        throw InputError("--max-pairs " + std::to_string(max_pairs) + ": give at least 1.");
-    options.max_pairs = static_cast<std::size_t>(max_pairs);
-    options.stop_level = -1;
-    if (levels.empty()) return;
-    const int level = parse_level(levels, deepest_level);
-    // No node is deeper than this level: only leaves are left.
-    options.stop_level = level == leaf_level ? deepest_level : level;
-}
-
-void note_doubts(const QueryOptions& options, const std::vector<VolumeKind>& kinds,
-                 const Console& console) {
-    const QueryOptions defaults;
-    const std::vector<OverlapTest> tests = options.tests();
-    const bool has_scb = std::find(kinds.begin(), kinds.end(), VolumeKind::scb) != kinds.end();
-    const bool asks_test = options.test != defaults.test,
-               asks_threshold = options.threshold != defaults.threshold;
-    if (!has_scb && (asks_test || asks_threshold))
-        console.note("scb: " +
-                     std::string(asks_test && asks_threshold
-                                     ? "--test and --threshold have no effect: they are"
-                                 : asks_test ? "--test has no effect: it is"
-                                             : "--threshold has no effect: it is") +
-                     " for slab cut balls with one slab (scb).");
-    else if (asks_threshold && std::none_of(tests.begin(), tests.end(), has_threshold))
-        console.note("scb: --threshold has no effect on --test " + options.test + ".");
-    if (has_scb && std::find(tests.begin(), tests.end(), OverlapTest::printed) != tests.end())
-        console.note(
-            "scb: the test 'printed' rejects some volumes that meet, so pairs may be missing.");
+void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several,
+                           std::string* splits) {
+    const Option volume = command
+                              .add_option("--volume", options.volumes,
+                                          several ? "Bounding volumes: some of " + volume_names(",")
+                                                  : "Bounding volume: one of " + volume_names(", "))
+                              .type_name(several ? "LIST" : "VOLUME")
+                              .show_default();
+    volume.shareable();
+    const std::vector<std::string> kinds = split_list(volume_names(","));
+    if (several)
+        volume.offer_list(kinds);
+    else
+        volume.offer(kinds);
+    constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};
+    constexpr std::array methods = {SplitMethod::section_3, SplitMethod::cost};
+    const std::vector<Choice<SplitMethod>> splits_offered =
+        choices_of(std::span<const SplitMethod>(methods), split_method_name);
+    add_choice(command, "--growth", options.growth,
+               choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
+               "How minimum balls are grown: ritter or radius")
+        .type_name("RULE")
+        .shareable();
+    const std::string divided =
+        "How nodes are divided: paper (Section 3), or cost (slower to build, quicker to query)";
+    if (splits != nullptr)
+        command.add_option("--split", *splits, divided)
+            .type_name("LIST")
+            .offer_list(words_of(splits_offered))
+            .show_default()
+            .shareable();
+    else
+        add_choice(command, "--split", options.split, splits_offered, divided)
+            .type_name("METHOD")
+            .shareable();
+    add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
+               "An error on purpose, for `scb golden selftest`")
+        .hide();
+    command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
+        .check(real_number)
+        .show_default()
+        .shareable();
 }
 
 void add_overlap_options(const Command& command, QueryOptions& options, bool several_tests) {
@@ -89,7 +125,8 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
                         std::string(several_tests
                                         ? "Overlap tests for slab cut balls with one slab: some of "
                                         : "Overlap test for slab cut balls with one slab: ") +
-                            test_names() + " (printed misses collisions)")
+                            name_list(all_overlap_tests(), overlap_test_name) +
+                            " (printed misses collisions)")
             .type_name(several_tests ? "LIST" : "TEST")
             .show_default();
     if (several_tests)
@@ -183,11 +220,6 @@ void refuse_for_trace(const std::vector<std::string>& given, const std::string& 
         given[0] + ": " + trace +
         " is recorded, and has what it was recorded with; give a scene, or leave out " + given[0] +
         ".");
-}
-
-bool asks_for_recorded(const std::vector<std::string>& given) {
-    return std::all_of(given.begin(), given.end(),
-                       [](const std::string& option) { return option == "--bodies"; });
 }
 
 }  // namespace scb::app

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
-#include "app/query/scene_options.h"
+#include "app/query/query_options.h"
 #include "core/base/exit_status.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"

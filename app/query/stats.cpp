@@ -8,7 +8,6 @@
 #include "app/cli/progress.h"
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
-#include "app/query/scene_options.h"
 #include "app/report/stats_report.h"
 #include "core/analysis/hierarchy_measures.h"
 #include "core/base/exit_status.h"
@@ -186,7 +185,7 @@ int run(const StatsOptions& options, const Console& console) {
         return exit_done;
     }
     const std::vector<VolumeKind> kinds = options.hierarchy.kinds();
-    note_doubts(options.hierarchy, kinds, console);
+    note_doubts(options.hierarchy, kinds, console.notes());
     const StatsOptions defaults;
     const bool packs = std::any_of(kinds.begin(), kinds.end(), can_pack);
     if (options.csv || !packs)

@@ -9,9 +9,10 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/query/output_guard.h"
-#include "app/query/scene_query.h"
+#include "app/query/query_options.h"
 #include "app/report/count_table.h"
 #include "app/report/trace_report.h"
+#include "app/study/scene_query.h"
 #include "core/analysis/trace_words.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -51,8 +52,8 @@ int record(const TraceOptions& options, const Console& console) {
     check_output(options.output, "-o");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o");
-    note_doubts(options.hierarchy, {query.kind}, console);
-    note_doubts(options.scene, options.query, {query.kind}, console);
+    note_doubts(options.hierarchy, {query.kind}, console.notes());
+    note_doubts(options.scene, options.query, {query.kind}, console.notes());
 
     const InterruptWatch watch;
     const TraceHeader header = trace_header(options.scene, query);

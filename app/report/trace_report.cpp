@@ -4,6 +4,7 @@
 
 #include "core/analysis/trace_words.h"
 #include "core/base/text_format.h"
+#include "core/collide/index_pairs.h"
 #include "core/platform/utf8.h"
 
 namespace scb::app {

@@ -74,7 +74,7 @@ bool any_packed(const std::vector<BenchSubject>& subjects) {
 
 void note_surprises(const BenchCommandOptions& options, const std::vector<BenchSubject>& subjects,
                     const Console& console) {
-    note_doubts(options.hierarchy, options.hierarchy.kinds(), console);
+    note_doubts(options.hierarchy, options.hierarchy.kinds(), console.notes());
     const BenchCommandOptions defaults;
     const auto note = [&console](const char* option, const char* why) {
         console.note("scb: " + std::string(option) + " has no effect: " + why);
@@ -93,7 +93,7 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
         if (options.query.test != defaults.query.test) note("--test", own);
         if (options.query.threshold != defaults.query.threshold) note("--threshold", own);
     } else {
-        note_doubts(options.query, reference, console);
+        note_doubts(options.query, reference, console.notes());
     }
     if (reference.empty() && options.query.descent != defaults.query.descent)
         note("--descent", own);

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/console.h"
 #include "app/pictures/picture_options.h"
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
-#include "app/timing/bench_run.h"
+#include "app/study/bench_run.h"
 
 namespace scb::app {
 

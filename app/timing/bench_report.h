@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/timing/bench_run.h"
+#include "app/study/bench_run.h"
 #include "core/analysis/cost_equation.h"
 #include "render/figures/bench_figure.h"
 

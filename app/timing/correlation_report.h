@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/timing/bench_run.h"
+#include "app/study/bench_run.h"
 #include "core/analysis/measure_correlation.h"
 #include "render/figures/correlation_figure.h"
 

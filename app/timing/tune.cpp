@@ -12,6 +12,7 @@
 #include "app/pictures/picture_options.h"
 #include "app/pictures/plot_file.h"
 #include "app/pictures/show_pictures.h"
+#include "app/query/query_options.h"
 #include "app/report/build_text.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
@@ -178,7 +179,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
     // are tried.
     QueryOptions doubtful = options.query;
     if (asked.base.volume == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
-    note_doubts(options.scene, doubtful, {asked.base.volume}, console);
+    note_doubts(options.scene, doubtful, {asked.base.volume}, console.notes());
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;

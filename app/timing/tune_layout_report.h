@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/timing/tune_run.h"
+#include "app/study/tune_run.h"
 
 namespace scb::app {
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
-#include "app/timing/tune_run.h"
+#include "app/study/tune_run.h"
 
 namespace scb::app {
 

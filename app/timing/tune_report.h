@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/timing/tune_run.h"
+#include "app/study/tune_run.h"
 #include "render/figures/tune_figure.h"
 
 namespace scb::app {

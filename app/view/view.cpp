@@ -5,6 +5,7 @@
 #include "app/cli/open_file.h"
 #include "app/cli/validators.h"
 #include "app/query/output_guard.h"
+#include "app/query/query_options.h"
 #include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"

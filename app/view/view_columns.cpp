@@ -4,6 +4,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "app/query/query_options.h"
 #include "core/platform/number_list.h"
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
@@ -25,7 +26,7 @@ std::vector<int> page_frames(const scenes::Scene& scene) {
 /// Collects columns.
 class Columns {
   public:
-    Columns(const ViewSources& asked, const Console& console) : asked_(asked), console_(console) {}
+    Columns(const ViewSources& asked, const Note& note) : asked_(asked), note_(note) {}
 
     /// Queries compared by open_sources, or the query of a trace.
     void add_compared() {
@@ -41,7 +42,7 @@ class Columns {
                        : traced                 ? "all"
                                                 : std::to_string(shown_frame(asked_.scene));
         auto sources = std::make_unique<QuerySources>(
-            open_sources(asked_.scene, asked_.hierarchy, query, {}, asked_.compare, console_));
+            open_sources(asked_.scene, asked_.hierarchy, query, {}, asked_.compare, note_));
         const bool two = sources->size() == 2;
         std::array<QueryLabel, 2> labels;
         if (two) labels = query_labels((*sources)[0].header(), (*sources)[1].header());
@@ -101,8 +102,8 @@ class Columns {
                 asked_.queries == "auto" ? std::to_string(scene.frame_of(loaded)) : asked_.queries;
         }
         const std::vector<VolumeKind> kinds = asked_.hierarchy.kinds();
-        note_doubts(asked_.hierarchy, kinds, console_);
-        note_doubts(scene, query, kinds, console_);
+        note_doubts(asked_.hierarchy, kinds, note_);
+        note_doubts(scene, query, kinds, note_);
         auto sources = std::make_unique<QuerySources>();
         for (const VolumeKind kind : kinds) {
             HierarchyOptions of_kind = asked_.hierarchy;
@@ -149,7 +150,7 @@ class Columns {
             throw InputError("--bodies " + asked_.query.bodies +
                              ": the page has no query of two bodies here; leave it out.");
         auto level = std::make_unique<LevelSubject>(
-            level_subject(scene, asked_.hierarchy, "all", asked_.compare.given, console_));
+            level_subject(scene, asked_.hierarchy, "all", asked_.compare.given, note_));
         for (LevelTrees& kind : level->trees) {
             ViewColumn column;
             column.title = kind.title;
@@ -233,18 +234,18 @@ class Columns {
     }
 
     const ViewSources& asked_;
-    const Console& console_;
+    const Note& note_;
     ViewSubject subject_;
 };
 
 }  // namespace
 
-ViewSubject view_subject(const ViewSources& asked, const Console& console) {
+ViewSubject view_subject(const ViewSources& asked, const Note& note) {
     const std::vector<std::string>& names = asked.scene.names;
     const auto count = [&names](bool (*of)(const std::string&)) {
         return std::count_if(names.begin(), names.end(), of);
     };
-    Columns columns(asked, console);
+    Columns columns(asked, note);
     const bool traced = count(scenes::names_trace) > 0;
     if (traced) refuse_for_trace(asked.compare.given, names[0]);
     if (traced || !asked.compare.names.empty() ||

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/query/level_trees.h"
-#include "app/query/query_sources.h"
+#include "app/study/level_trees.h"
+#include "app/study/query_sources.h"
 
 namespace scb::app {
 
@@ -48,6 +48,6 @@ struct ViewSources {
 
 /// One column per kind of volumes, or per compared query; of two scenes, these columns for each.
 /// Throws InputError.
-ViewSubject view_subject(const ViewSources& asked, const Console& console);
+ViewSubject view_subject(const ViewSources& asked, const Note& note);
 
 }  // namespace scb::app

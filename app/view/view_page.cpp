@@ -7,10 +7,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/version.h"
 #include "app/pictures/level_bodies.h"
-#include "app/query/level_list.h"
 #include "app/query/output_guard.h"
 #include "app/query/recording_verdict.h"
 #include "app/report/scene_report.h"
+#include "app/study/scene_setup.h"
 #include "app/view/view_commands.h"
 #include "app/view/view_manifest.h"
 #include "app/view/view_query.h"
@@ -117,7 +117,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
                                 options.query,
                                 options.queries,
                                 {options.compare, asked.recording}},
-                               console);
+                               console.notes());
     } catch (const InputError& error) {
         // Here, the option of the queries' frames is --queries.
         const std::string frames = "--frames " + options.queries + ":", text = error.what();

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 
 namespace scb::app {
 

@@ -32,8 +32,8 @@ const std::map<std::string, Floors> rooms = {
     {"render", {{"gl", "files"}, {"view"}, {"overlay"}, {"plots", "draw"}, {"figures"}, {"web"}}},
     {"golden", {{"suite"}, {"compare"}, {"report", "run"}}},
     {"app",
-     {{"cli"},
-      {"report"},
+     {{"report"},
+      {"study", "cli"},
       {"shards"},
       {"query", "reference"},
       {"pictures", "config"},
@@ -112,6 +112,11 @@ bool may_include(const Place& from, const Place& to) {
     return above && below && *above > *below;
 }
 
+/// Whether the files at a place return values and print nothing.
+bool returns_values(const Place& place) {
+    return place.folder == "app" && (place.room == "study" || place.room == "report");
+}
+
 }  // namespace
 
 std::vector<std::string> broken_rules(const SourceFile& file) {
@@ -130,6 +135,9 @@ std::vector<std::string> broken_rules(const SourceFile& file) {
             broken.push_back(file.path + ":" + std::to_string(number) + ": " +
                              (from->is_public ? "a public header of " : "") + name_of(*from) +
                              " must not include " + name_of(*to) + " (" + included + ").");
+        if (returns_values(*from) && (included == "iostream" || included == "cstdio"))
+            broken.push_back(file.path + ":" + std::to_string(number) + ": " + name_of(*from) +
+                             " must not print (" + included + ").");
     }
     return broken;
 }

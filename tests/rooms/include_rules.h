@@ -18,6 +18,7 @@ struct SourceFile {
 /// but app. Inside a folder, includes go from a later line of its table to an earlier one; rooms on
 /// one line do not know each other. No other room of core includes core/platform. A public header,
 /// which belongs to a room although it lies in core/include, includes public headers only.
+/// app/study and app/report include no header that prints.
 std::vector<std::string> broken_rules(const SourceFile& file);
 
 /// The public headers that belong to no room, and the rooms' headers that are not there.

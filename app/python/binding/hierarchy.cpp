@@ -6,7 +6,7 @@
 #include "app/python/binding/mesh.h"
 #include "app/python/binding/source.h"
 #include "app/python/binding/volumes.h"
-#include "app/query/level_list.h"
+#include "app/study/scene_setup.h"
 #include "scb/level_cover.h"
 
 namespace scb::python {

@@ -15,13 +15,6 @@
 namespace scb::python {
 namespace {
 
-/// Python has no use for notes.
-app::Console silent() {
-    app::Console console;
-    console.quiet = true;
-    return console;
-}
-
 /// The objects that draw one picture.
 struct Drawing {
     std::unique_lock<std::mutex> lock = lock_drawing();
@@ -42,8 +35,9 @@ struct Drawing {
 SharedImage draw_level(const app::LevelOptions& options) {
     const py::gil_scoped_release unlocked;
     options.check();
+    const auto no_notes = [](const std::string&) {};
     const app::LevelSubject subject = app::level_subject(
-        options.scene, options.hierarchy, options.levels, options.recording, silent());
+        options.scene, options.hierarchy, options.levels, options.recording, no_notes);
     if (subject.levels.size() != 1 || subject.trees.size() != 1)
         refuse("level " + options.levels, "a picture has one level of one kind of volumes.");
     Drawing drawing(options.picture);

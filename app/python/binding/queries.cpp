@@ -9,7 +9,7 @@
 #include "app/python/binding/query_frame.h"
 #include "app/python/binding/scene.h"
 #include "app/python/binding/source.h"
-#include "app/query/query_source.h"
+#include "app/study/query_source.h"
 #include "core/base/text_format.h"
 
 namespace scb::python {

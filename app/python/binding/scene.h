@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/python/binding/errors.h"
-#include "app/query/scene_options.h"
+#include "app/study/scene_setup.h"
 
 namespace scb::python {
 

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "app/python/binding/errors.h"
-#include "app/query/query_options.h"
-#include "app/query/scene_options.h"
+#include "app/study/query_setup.h"
 
 namespace scb::python {
 

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "app/cli/console.h"
 #include "app/python/binding/pictures.h"
 #include "app/python/binding/source.h"
 #include "app/python/binding/view.h"

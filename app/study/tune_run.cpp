@@ -1,11 +1,11 @@
-#include "app/timing/tune_run.h"
+#include "app/study/tune_run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "app/timing/query_timing.h"
-#include "app/timing/tune_subject.h"
+#include "app/study/query_timing.h"
+#include "app/study/tune_subject.h"
 #include "core/analysis/cost_equation.h"
 #include "core/base/parallel_for.h"
 #include "core/base/statistics.h"

@@ -1,10 +1,10 @@
-#include "app/query/level_trees.h"
+#include "app/study/level_trees.h"
 
 #include <algorithm>
 
-#include "app/query/level_list.h"
-#include "app/query/mutation.h"
-#include "app/query/query_options.h"
+#include "app/study/mutation.h"
+#include "app/study/scene_query.h"
+#include "app/study/scene_setup.h"
 #include "render/figures/figure_words.h"
 #include "scenes/scene/scene_hierarchies.h"
 
@@ -49,7 +49,7 @@ LevelSubject recorded_subject(const SceneOptions& scene, const std::string& leve
 
 LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions& hierarchy,
                            const std::string& levels, const std::vector<std::string>& given,
-                           const Console& console) {
+                           const Note& note) {
     if (of_scene.is_recording() && asks_for_recorded(given))
         return recorded_subject(of_scene, levels);
     LevelSubject subject;
@@ -61,9 +61,8 @@ LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions&
     subject.deepest = scenes::deepest(topologies);
     subject.levels = parse_levels(levels, subject.deepest, scenes::telling_levels(topologies));
     const std::vector<VolumeKind> kinds = hierarchy.kinds();
-    if (scene.bodies.size() == 2 && of_scene.names.size() == 2 && of_scene.pose.empty())
-        console.note("scb: both bodies are at the same pose; --pose moves the second.");
-    note_doubts(hierarchy, kinds, console);
+    note_same_pose(of_scene, note);
+    note_doubts(hierarchy, kinds, note);
     subject.hierarchies.reserve(kinds.size());  // trees refer to them
     for (const VolumeKind kind : kinds) {
         LevelTrees of_kind{

@@ -1,19 +1,22 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
-#include "app/cli/console.h"
-#include "app/query/mutation.h"
+#include "app/study/mutation.h"
 #include "scb/any_hierarchy.h"
+#include "scb/level_cover.h"
 #include "scenes/recordings/recording_summary.h"
 #include "scenes/scene/load_scene.h"
 
 namespace scb::app {
 
-/// Options of every command that takes a SCENE.
+/// Takes a line for the reader about a surprising option.
+using Note = std::function<void(const std::string& line)>;
+
+/// A scene by its names, and the frame or queries of it.
 struct SceneOptions {
     std::vector<std::string> names;
     std::vector<double> pose;
@@ -42,13 +45,18 @@ struct SceneOptions {
 /// The frames of a scene in a list. Throws InputError.
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list);
 
+/// The levels in a list: "5,7,9,11", "0:12", "0:12:3", "leaves", "all", "auto" (the levels in
+/// `automatic`), or a mixture; each once, in the order given. Throws InputError if the text is no
+/// such list, or names a level below 0 or above `deepest`. `name`: the option's.
+std::vector<int> parse_levels(const std::string& text, int deepest,
+                              const std::vector<int>& automatic = {},
+                              const std::string& name = "--levels");
+
+/// The same for a command that takes one level. Throws InputError if the text names several.
+int parse_level(const std::string& text, int deepest, const std::string& name = "--levels");
+
 /// The names as UTF-8, for JSON and headers.
 std::vector<std::string> utf8_names(const std::vector<std::string>& names);
-
-/// Names of built-in scenes, in the order of `scb scenes`.
-std::vector<std::string> builtin_names();
-
-void add_scene_options(const Command& command, SceneOptions& options, bool with_frame);
 
 /// How hierarchies are built.
 struct HierarchyOptions {
@@ -65,13 +73,13 @@ struct HierarchyOptions {
     /// The one volume given; throws InputError if there are several.
     VolumeKind kind() const;
 };
+
 /// Notes the options without effect on any of the volumes.
 void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>& kinds,
-                 const Console& console);
-/// `several`: whether --volume takes a list. With `splits`, --split takes a list of names, which is
-/// stored there instead of the one split.
-void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several = true,
-                           std::string* splits = nullptr);
+                 const Note& note);
+
+/// The names of all volumes.
+std::string volume_names(const char* separator);
 
 /// The splits in a list, each once; throws InputError for an unknown name.
 std::vector<SplitMethod> splits_of(const std::string& list);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/query/scene_options.h"
+#include "app/study/scene_setup.h"
 #include "scenes/recordings/recorded_bodies.h"
 
 namespace scb::app {
@@ -31,6 +31,6 @@ struct LevelSubject {
 /// of nodes below the chosen levels (parse_levels) are not valid. Throws InputError.
 LevelSubject level_subject(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                            const std::string& levels, const std::vector<std::string>& given,
-                           const Console& console);
+                           const Note& note);
 
 }  // namespace scb::app

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/query/query_source.h"
+#include "app/study/query_source.h"
 
 namespace scb::app {
 
@@ -24,7 +24,7 @@ struct CompareOptions {
 /// Notes surprising options. Throws InputError.
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                           const QueryOptions& query, const QueryLimits& limits,
-                          const CompareOptions& compare, const Console& console);
+                          const CompareOptions& compare, const Note& note);
 
 /// Identifies the scenes of queries, with the poses of their frames.
 nlohmann::ordered_json subject_of(const QuerySources& sources);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/query/query_source.h"
+#include "app/study/query_source.h"
 #include "core/explain/pair_explanation.h"
 #include "core/volumes/any_volume.h"
 #include "scenes/scene/raw_pairs.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/explain/explained_pair.h"
+#include "app/study/explained_pair.h"
 #include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {

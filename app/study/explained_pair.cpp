@@ -1,4 +1,4 @@
-#include "app/explain/explained_pair.h"
+#include "app/study/explained_pair.h"
 
 #include "app/report/build_text.h"
 #include "core/collide/query_placement.h"

@@ -1,4 +1,4 @@
-#include "app/timing/bench_run.h"
+#include "app/study/bench_run.h"
 
 #include <map>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "app/timing/query_timing.h"
+#include "app/study/query_timing.h"
 
 #include <time.h>
 

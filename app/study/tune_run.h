@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 #include "core/analysis/tuning.h"
 #include "scb/packed_layout.h"
 

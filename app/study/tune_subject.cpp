@@ -1,8 +1,8 @@
-#include "app/timing/tune_subject.h"
+#include "app/study/tune_subject.h"
 
 #include <time.h>
 
-#include "app/timing/query_timing.h"
+#include "app/study/query_timing.h"
 #include "core/base/statistics.h"
 #include "scenes/scene/scene_hierarchies.h"
 

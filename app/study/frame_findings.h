@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "app/query/query_source.h"
+#include "app/study/query_source.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
 #include "core/analysis/waste_causes.h"

@@ -1,4 +1,4 @@
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 
 #include <optional>
 
@@ -159,18 +159,18 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     return header;
 }
 
-void note_same_pose(const SceneOptions& scene, const Console& console) {
+void note_same_pose(const SceneOptions& scene, const Note& note) {
     if (scene.names.size() == 2 && scene.pose.empty())
-        console.note("scb: both bodies are at the same pose; --pose moves the second.");
+        note("scb: both bodies are at the same pose; --pose moves the second.");
 }
 
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
-                 const std::vector<VolumeKind>& kinds, const Console& console) {
-    note_same_pose(scene, console);
+                 const std::vector<VolumeKind>& kinds, const Note& note) {
+    note_same_pose(scene, note);
     if (scene.is_recording())
-        console.note("scb: of " + scene.names[0] +
-                     " the meshes and poses are taken; the hierarchies are this project's own.");
-    note_doubts(query, kinds, console);
+        note("scb: of " + scene.names[0] +
+             " the meshes and poses are taken; the hierarchies are this project's own.");
+    note_doubts(query, kinds, note);
 }
 
 }  // namespace scb::app

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/query/scene_query.h"
-#include "app/timing/query_timing.h"
+#include "app/study/query_timing.h"
+#include "app/study/scene_query.h"
 #include "core/base/statistics.h"
 #include "core/collide/index_pairs.h"
 #include "scb/any_packed.h"

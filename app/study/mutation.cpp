@@ -1,4 +1,4 @@
-#include "app/query/mutation.h"
+#include "app/study/mutation.h"
 
 #include <algorithm>
 #include <utility>

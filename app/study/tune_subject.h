@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 #include "core/analysis/tuning.h"
 #include "scb/any_packed.h"
 

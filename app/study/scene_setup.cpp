@@ -1,10 +1,9 @@
-#include "app/query/scene_options.h"
+#include "app/study/scene_setup.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
-#include "app/cli/choice.h"
-#include "app/cli/validators.h"
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
@@ -12,7 +11,6 @@
 #include "scb/error.h"
 #include "scenes/recordings/recording.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/scene/builtin.h"
 #include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
@@ -77,6 +75,41 @@ std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) 
                : frames_among(scene.listed, list, scene.file.string(), "it may have");
 }
 
+std::vector<int> parse_levels(const std::string& text, int deepest,
+                              const std::vector<int>& automatic, const std::string& name) {
+    const std::string option = name + " " + text;
+    std::vector<int> levels;
+    std::set<int> seen;
+    const auto add = [&](int level) {
+        if (seen.insert(level).second) levels.push_back(level);
+    };
+    const NumberRange range{option, "level", "this scene's hierarchies have", deepest,
+                            "levels such as 5,7,9 or 0:12 or leaves"};
+    for (const std::string& part : split_list(text, ',')) {
+        if (part == "auto") {
+            for (const int level : automatic) add(level);
+            continue;
+        }
+        if (part == "all") {
+            for (int level = 0; level <= deepest; ++level) add(level);
+            continue;
+        }
+        if (part == "leaves") {
+            add(leaf_level);
+            continue;
+        }
+        for (const int level : parse_numbers(part, range)) add(level);
+    }
+    return levels;
+}
+
+int parse_level(const std::string& text, int deepest, const std::string& name) {
+    const std::vector<int> levels = parse_levels(text, deepest, {}, name);
+    if (levels.size() != 1)
+        throw InputError(name + " " + text + ": this command takes one level; give one.");
+    return levels[0];
+}
+
 int SceneOptions::frame_of(const scenes::Scene& scene) const {
     if (frames.empty()) return scene.default_frame;
     const std::vector<int> wanted = frames_of(scene, frames);
@@ -91,64 +124,6 @@ std::vector<std::string> utf8_names(const std::vector<std::string>& names) {
     return result;
 }
 
-namespace {
-
-/// File endings of scenes, meshes in common formats, traces and recordings.
-std::vector<std::string> scene_endings() {
-    return {".json", ".ply", ".obj", ".stl", ".off", ".gltf",   ".glb",
-            ".dae",  ".3ds", ".fbx", ".ac",  ".x",   ".scbrec", ".jsonl"};
-}
-
-}  // namespace
-
-std::vector<std::string> builtin_names() {
-    std::vector<std::string> names;
-    for (const scenes::BuiltinScene& scene : scenes::builtin_scenes()) names.push_back(scene.name);
-    return names;
-}
-
-void add_scene_options(const Command& command, SceneOptions& options, bool with_frame) {
-    command
-        .add_option(
-            "SCENE", options.names,
-            "A built-in scene (see `scb scenes`), a scene file, a mesh file, two mesh files, or "
-            "another engine's recording")
-        .required()
-        .expected(1, 2)
-        .file(scene_endings())
-        .offer(builtin_names())
-        .type_name("[SCENE]")
-        .shareable();
-    command
-        .add_option("--pose", options.pose,
-                    "Pose of the second of two meshes: 12 numbers, [R|t] row by row, with commas")
-        .delimiter(',')
-        .expected(12)
-        .type_name("R00,R01,R02,T0,...")
-        .shareable();
-    command
-        .add_option("--models", options.models_dir,
-                    "Folder to search for meshes that are missing at their given path")
-        .envname("SCB_MODELS")
-        .folder()
-        .shareable();
-    command
-        .add_option("--query", options.selection.name,
-                    "Of a recording only the queries of this name")
-        .type_name("NAME")
-        .shareable();
-    command
-        .add_option("--tag", options.selection.tag, "Of a recording only the queries with this tag")
-        .type_name("TAG")
-        .shareable();
-    if (with_frame)
-        command
-            .add_option("--frames,--frame", options.frames,
-                        "The frame, one number. Default: the scene's own")
-            .type_name("N")
-            .shareable();
-}
-
 BuildOptions HierarchyOptions::build() const {
     BuildOptions options;
     options.fit.growth = growth;
@@ -160,17 +135,12 @@ BuildOptions HierarchyOptions::build() const {
     return options;
 }
 
-namespace {
-
-/// All volumes, for a sentence.
 std::string volume_names(const char* separator) {
     std::string names;
     for (const VolumeKind kind : all_volume_kinds())
         names += (names.empty() ? "" : separator) + std::string(volume_kind_name(kind));
     return names;
 }
-
-}  // namespace
 
 std::vector<VolumeKind> HierarchyOptions::kinds() const {
     std::vector<VolumeKind> kinds;
@@ -206,7 +176,7 @@ std::vector<SplitMethod> splits_of(const std::string& list) {
 }
 
 void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>& kinds,
-                 const Console& console) {
+                 const Note& note) {
     const HierarchyOptions usual;
     const bool asks_margin = options.margin != usual.margin,
                asks_growth = options.growth != usual.growth;
@@ -216,55 +186,11 @@ void note_doubts(const HierarchyOptions& options, const std::vector<VolumeKind>&
     for (const VolumeKind kind : kinds)
         volumes += (volumes.empty() ? "" : ", ") + std::string(volume_kind_name(kind));
     if (no_margin || no_growth)
-        console.note("scb: " +
-                     std::string(no_margin && no_growth ? "--margin and --growth have"
-                                 : no_margin            ? "--margin has"
-                                                        : "--growth has") +
-                     " no effect on " + volumes + ".");
-}
-
-void add_hierarchy_options(const Command& command, HierarchyOptions& options, bool several,
-                           std::string* splits) {
-    const Option volume = command
-                              .add_option("--volume", options.volumes,
-                                          several ? "Bounding volumes: some of " + volume_names(",")
-                                                  : "Bounding volume: one of " + volume_names(", "))
-                              .type_name(several ? "LIST" : "VOLUME")
-                              .show_default();
-    volume.shareable();
-    const std::vector<std::string> kinds = split_list(volume_names(","));
-    if (several)
-        volume.offer_list(kinds);
-    else
-        volume.offer(kinds);
-    constexpr std::array growths = {BallGrowth::radius, BallGrowth::ritter};
-    constexpr std::array methods = {SplitMethod::section_3, SplitMethod::cost};
-    const std::vector<Choice<SplitMethod>> splits_offered =
-        choices_of(std::span<const SplitMethod>(methods), split_method_name);
-    add_choice(command, "--growth", options.growth,
-               choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
-               "How minimum balls are grown: ritter or radius")
-        .type_name("RULE")
-        .shareable();
-    const std::string divided =
-        "How nodes are divided: paper (Section 3), or cost (slower to build, quicker to query)";
-    if (splits != nullptr)
-        command.add_option("--split", *splits, divided)
-            .type_name("LIST")
-            .offer_list(words_of(splits_offered))
-            .show_default()
-            .shareable();
-    else
-        add_choice(command, "--split", options.split, splits_offered, divided)
-            .type_name("METHOD")
-            .shareable();
-    add_choice(command, "--mutation", options.mutation, choices_of(mutation_names),
-               "An error on purpose, for `scb golden selftest`")
-        .hide();
-    command.add_option("--margin", options.margin, "Widen slabs by this share of the radius")
-        .check(real_number)
-        .show_default()
-        .shareable();
+        note("scb: " +
+             std::string(no_margin && no_growth ? "--margin and --growth have"
+                         : no_margin            ? "--margin has"
+                                                : "--growth has") +
+             " no effect on " + volumes + ".");
 }
 
 }  // namespace scb::app

@@ -1,4 +1,4 @@
-#include "app/explain/recorded_pair.h"
+#include "app/study/recorded_pair.h"
 
 #include "core/base/text_format.h"
 #include "core/judge/node_explanation.h"

@@ -1,4 +1,4 @@
-#include "app/inspect/frame_findings.h"
+#include "app/study/frame_findings.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/query/query_options.h"
+#include "app/study/query_setup.h"
 #include "core/analysis/trace.h"
 #include "scb/any_collide.h"
 #include "scenes/scene/scene_hierarchies.h"
@@ -62,10 +62,10 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
 TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query);
 
 /// Notes if two meshes are left at the same pose.
-void note_same_pose(const SceneOptions& scene, const Console& console);
+void note_same_pose(const SceneOptions& scene, const Note& note);
 
 /// note_same_pose, and note_doubts for the query.
 void note_doubts(const SceneOptions& scene, const QueryOptions& query,
-                 const std::vector<VolumeKind>& kinds, const Console& console);
+                 const std::vector<VolumeKind>& kinds, const Note& note);
 
 }  // namespace scb::app

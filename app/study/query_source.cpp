@@ -1,4 +1,4 @@
-#include "app/query/query_source.h"
+#include "app/study/query_source.h"
 
 #include <algorithm>
 

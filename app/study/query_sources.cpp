@@ -1,4 +1,4 @@
-#include "app/query/query_sources.h"
+#include "app/study/query_sources.h"
 #include "app/report/scene_report.h"
 
 #include <algorithm>
@@ -153,7 +153,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
 
 QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hierarchy,
                           const QueryOptions& query, const QueryLimits& limits,
-                          const CompareOptions& compare, const Console& console) {
+                          const CompareOptions& compare, const Note& note) {
     const auto count = [&scene](bool (*names)(const std::string&)) {
         return static_cast<std::size_t>(
             std::count_if(scene.names.begin(), scene.names.end(), names));
@@ -182,21 +182,21 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
             if (source.is_recording()) continue;
             QueryOptions recorded = query;
             recorded.test = overlap_test_name(source.header().options.overlap.test);
-            note_doubts(recorded, {source.query().kind}, console);
+            note_doubts(recorded, {source.query().kind}, note);
         }
     } else if (scene.is_recording() && compare.names.find(recorded_name) != std::string::npos) {
         sources = beside_recording(scene, hierarchy, query, limits, compare);
     } else if (compare.names.empty()) {
         sources.emplace_back(scene, hierarchy, query, limits, asks_for_recorded(compare.given));
         if (sources[0].is_recording()) return sources;
-        note_doubts(hierarchy, {sources[0].query().kind}, console);
-        note_doubts(scene, query, {sources[0].query().kind}, console);
+        note_doubts(hierarchy, {sources[0].query().kind}, note);
+        note_doubts(scene, query, {sources[0].query().kind}, note);
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
             sources.emplace_back(scene, side.hierarchy, side.query, limits, false);
-            note_doubts(scene, side.query, {sources.back().query().kind}, console);
+            note_doubts(scene, side.query, {sources.back().query().kind}, note);
         }
-        note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, console);
+        note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, note);
     }
     return sources;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "app/query/scene_query.h"
+#include "app/study/scene_query.h"
 #include "scenes/recordings/test_input.h"
 
 namespace scb::app {
