@@ -1,6 +1,8 @@
 #include "app/pictures/level_options.h"
 
 #include "app/cli/choice.h"
+#include "app/cli/command.h"
+#include "app/query/query_options.h"
 #include "scb/error.h"
 
 namespace scb::app {

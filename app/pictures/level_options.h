@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
 #include "app/pictures/picture_options.h"
-#include "app/query/query_options.h"
+#include "app/study/scene_setup.h"
 #include "render/figures/volume_colors.h"
 
 namespace scb::app {
+
+class Command;
 
 /// Options of `scb render levels`.
 struct LevelOptions {

@@ -4,6 +4,8 @@
 #include <thread>
 
 #include "app/cli/choice.h"
+#include "app/cli/command.h"
+#include "app/cli/command_text.h"
 #include "app/cli/validators.h"
 #include "app/query/query_options.h"
 #include "core/platform/number_list.h"
@@ -89,8 +91,13 @@ void add_gl_option(const Command& command, std::string& gl) {
 
 namespace {
 
+/// Options that do not affect a picture.
+const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--json",
+                                         "--ids",    "--pick",   "--video",  "--fps",
+                                         "--open",   "--shard",  "--merged", "--terminal"};
+
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
-    options.command = command;
+    options.told_command = [command] { return told_command(command, untold); };
     const Option output =
         command.add_option("-o,--output", options.output, files).folder().only_typed();
     if (!options.output.empty()) output.show_default();

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "app/cli/command.h"
 #include "app/pictures/scene_camera.h"
 #include "app/pictures/video_options.h"
 #include "app/shards/shard_options.h"
@@ -13,6 +13,8 @@
 #include "render/view/palette.h"
 
 namespace scb::app {
+
+class Command;
 
 /// A pixel, from the left and from the top.
 struct PixelPosition {
@@ -33,11 +35,11 @@ struct PictureOptions {
     bool open = false;                    ///< the result is opened, see open_file
     bool no_panel = false;                ///< only the view
     bool svg = false;                     ///< each picture also as SVG
-    bool shift_color = false;             ///< see shifted_colors
+    bool shift_color = false;             ///< an invisible error for `scb golden selftest`
     std::optional<PixelPosition> pick{};  ///< the pixel whose content is to be printed
     VideoOptions video{};
     ShardOptions shards{};
-    std::optional<Command> command{};  ///< the command that has these options
+    std::function<std::string()> told_command{};  ///< for picture_texts; none: no command
 
     /// Throws InputError if an option is invalid.
     void check() const;

@@ -5,9 +5,7 @@
 
 #include "app/cli/open_file.h"
 #include "app/cli/version.h"
-#include "app/pictures/picture_texts.h"
-#include "app/pictures/shifted_colors.h"
-#include "app/pictures/show_pictures.h"
+#include "app/pictures/plot_file.h"
 #include "core/platform/file_bytes.h"
 #include "core/platform/input_files.h"
 #include "core/platform/output_file.h"
@@ -28,6 +26,22 @@ render::Image picture_of(const std::filesystem::path& file, int width, int heigh
                          ": the picture is of another size than the shard's; make "
                          "this shard again.");
     return image;
+}
+
+/// The picture with the green of volumes and meshes changed by 1 of 255 (up, or down from 255): a
+/// deliberate, invisible error for `scb golden selftest`.
+render::Picture shifted_colors(render::Picture picture) {
+    const auto shift = [](render::Rgba8& color) {
+        color.g = static_cast<std::uint8_t>(color.g < 255 ? color.g + 1 : color.g - 1);
+    };
+    for (render::Pane& pane : picture.panes) {
+        for (render::VolumeInstance& volume : pane.volumes) shift(volume.color);
+        for (render::MeshDraw& mesh : pane.meshes) {
+            shift(mesh.color);
+            for (render::Rgba8& color : mesh.triangle_colors) shift(color);
+        }
+    }
+    return picture;
 }
 
 }  // namespace

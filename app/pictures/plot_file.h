@@ -2,12 +2,22 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "app/cli/console.h"
 #include "app/pictures/picture_options.h"
 #include "render/draw/renderer.h"
+#include "render/files/image_file.h"
 #include "render/overlay/overlay_shape.h"
 
 namespace scb::app {
+
+/// Texts in the PNG files of a run: the program and its version, the scene (none if empty), and the
+/// command. They are the same on every machine, since they name files without folders.
+std::vector<render::PngText> picture_texts(const PictureOptions& options, const std::string& scene);
+
+/// Shows PNG files in the terminal. If the terminal cannot show them, prints a note.
+void show_pictures(const std::vector<std::filesystem::path>& files, const Console& console);
 
 /// A plot that accompanies tables.
 class PlotFile {

@@ -1,6 +1,9 @@
 #include "app/pictures/query_view_options.h"
 
+#include "app/cli/command.h"
+#include "app/cli/console.h"
 #include "app/query/output_guard.h"
+#include "app/query/query_options.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"

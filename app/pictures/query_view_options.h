@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
-#include "app/cli/console.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/sheet_run.h"
@@ -14,6 +12,9 @@
 #include "render/figures/comparison_figure.h"
 
 namespace scb::app {
+
+class Command;
+struct Console;
 
 /// The parts of the bodies that a picture shows, and that the camera must include.
 enum class Shown { nothing, meshes, leaves, volumes };

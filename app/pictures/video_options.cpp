@@ -1,5 +1,6 @@
 #include "app/pictures/video_options.h"
 
+#include "app/cli/command.h"
 #include "app/cli/validators.h"
 #include "app/query/output_guard.h"
 #include "core/platform/output_file.h"

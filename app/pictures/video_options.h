@@ -3,10 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/command.h"
-#include "app/query/query_options.h"
-
 namespace scb::app {
+
+class Command;
 
 /// A video of the pictures of a run, beside them.
 struct VideoOptions {

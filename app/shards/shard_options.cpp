@@ -1,5 +1,6 @@
 #include "app/shards/shard_options.h"
 
+#include "app/cli/command.h"
 #include "app/cli/command_text.h"
 #include "scb/error.h"
 
@@ -19,14 +20,12 @@ void ShardOptions::check_folder(const std::string& folder) const {
         throw InputError("--shard " + shard + ": say where to keep the shard, with -o DIR.");
 }
 
-std::vector<std::string> ShardOptions::words() const {
-    // Output options differ from machine to machine, and are given to `scb merge` itself.
-    return given_words(*command, {"--shard", "--merged", "--output", "--jobs", "--open",
-                                  "--terminal", "--video", "--fps"});
-}
-
 void add_shard_options(const Command& command, ShardOptions& options, const std::string& parts) {
-    options.command = command;
+    options.words = [command] {
+        // Output options differ from machine to machine, and are given to `scb merge` itself.
+        return given_words(command, {"--shard", "--merged", "--output", "--jobs", "--open",
+                                     "--terminal", "--video", "--fps"});
+    };
     command
         .add_option("--shard", options.shard,
                     "Make the K-th of N shares of the " + parts + "; `scb merge` joins the shares")

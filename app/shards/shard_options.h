@@ -1,19 +1,22 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/cli/command.h"
 #include "core/platform/shard.h"
 
 namespace scb::app {
+
+class Command;
 
 /// Options of commands whose parts, such as frames, several machines can share.
 struct ShardOptions {
     std::string shard;                ///< "K/N"; empty: all parts are made here
     std::vector<std::string> merged;  ///< the files of all shards, if they are joined here
-    std::optional<Command> command{};
+    /// The words of the command line that are the same in all shards of a run.
+    std::function<std::vector<std::string>()> words{};
 
     bool is_shard() const { return !shard.empty(); }
     bool is_merge() const { return !merged.empty(); }
@@ -21,8 +24,6 @@ struct ShardOptions {
     std::optional<Shard> asked() const;
     /// Throws InputError if there is a shard but no folder.
     void check_folder(const std::string& folder) const;
-    /// The words of the command line that are the same in all shards of a run.
-    std::vector<std::string> words() const;
 };
 
 /// --shard, and the hidden option that `scb merge` sets. `parts`: what the shards share, such as

@@ -11,7 +11,6 @@
 #include "app/cli/version.h"
 #include "app/pictures/picture_name.h"
 #include "app/pictures/plot_file.h"
-#include "app/pictures/show_pictures.h"
 #include "app/query/layout_options.h"
 #include "app/report/scene_report.h"
 #include "app/shards/parts.h"

@@ -11,7 +11,6 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/plot_file.h"
-#include "app/pictures/show_pictures.h"
 #include "app/query/query_options.h"
 #include "app/report/build_text.h"
 #include "app/timing/tune_layout_report.h"

@@ -3,11 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/console.h"
 #include "app/pictures/level_options.h"
-#include "app/query/query_options.h"
+#include "app/study/query_setup.h"
 
 namespace scb::app {
+
+class Command;
+struct Console;
 
 /// Options of a page of `scb view`. `level` has its first level, look, camera and still picture.
 struct ViewOptions {
