@@ -63,7 +63,7 @@ std::vector<std::string> given_words(const Command& command,
     return words;
 }
 
-std::string told_command(const Command& command, const std::vector<std::string>& left_out) {
+std::string shown_command(const Command& command, const std::vector<std::string>& left_out) {
     std::string text;
     for (const CLI::App* app = &command.app(); app->get_parent() != nullptr;
          app = app->get_parent())

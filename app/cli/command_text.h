@@ -15,7 +15,7 @@ std::string given_text(const Command& command, const std::vector<std::string>& o
 /// The command with all given options except `left_out`, in the order of its help: "scb render
 /// pairs spheres-l1 --frames 100". Paths are reduced to the names of files, so that the text
 /// reveals nothing about the machine.
-std::string told_command(const Command& command, const std::vector<std::string>& left_out);
+std::string shown_command(const Command& command, const std::vector<std::string>& left_out);
 
 /// The same as separate words after the program's name, with whole paths.
 std::vector<std::string> given_words(const Command& command,

@@ -129,7 +129,7 @@ Json report_json(const RecordedPair& found) {
                       {"depth", node.depth},
                       {node.are_objects ? "objects" : "triangles", node.triangles},
                       {"volume", volume_title(tree[index].volume)},
-                      {"told_at", tree[index].told_at}};
+                      {"told_at", tree[index].recorded_at}};
         if (const std::string name = tree.name_of(index); !name.empty()) entry["name"] = name;
         json["nodes"].push_back(std::move(entry));
     }

@@ -57,7 +57,7 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     if (report.sum.counts.wasted.volume_tests == 0) return "";
     if (report.header.engine && report.header.engine->objects) return "";
     const int number = report.frames.front().frame;
-    const TraceFrame frame = sources.front().frame_again(number);
+    const QueryTrace frame = sources.front().frame_again(number);
     QueryViewOptions of_view;
     of_view.picture = options;
     if (report.recording) of_view.scene.names = {report.recording->path};

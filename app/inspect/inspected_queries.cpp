@@ -61,7 +61,7 @@ void judge(InspectedQueries& inspected, const InspectOptions& options, const Con
         QuerySource& source = inspected.sources.front();
         inspected.found.emplace(source.header(), static_cast<std::size_t>(options.top));
         visit = [&](const scenes::RecordedQueries& queries, const QueryJudgement& judged) {
-            const TraceFrame* frame = source.recorded()->frame_at(queries);
+            const QueryTrace* frame = source.recorded()->frame_at(queries);
             if (frame == nullptr) return;
             inspected.found->add(source, *frame,
                                  attribution(queries.query(), judged, source.header(), *frame));
@@ -92,7 +92,7 @@ void inspect_frames(InspectedQueries& inspected, const InspectOptions& options, 
     Progress progress(console, frames.size());
     const auto top = static_cast<std::size_t>(options.top);
     const auto inspect_frame = [&source](FrameFindings& findings, int number) {
-        const TraceFrame& frame = source.frame(number);
+        const QueryTrace& frame = source.frame(number);
         findings.add(source, frame, source.attribution(frame));
     };
     FrameFindings& found = inspected.found.emplace(source.header(), top);
@@ -126,8 +126,7 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
     // An error may be the cause of the waste of a recording that is wrong.
     if (inspected.file)
-        report.has_waste = source.recorded()->tells_results() &&
-                           !report.recording->judged.wrong() &&
+        report.has_waste = source.recorded()->has_results() && !report.recording->judged.wrong() &&
                            report.sum.counts.all.volume_tests > 0;
     if (!report.has_waste) return {};
     report.others = found.others;

@@ -52,7 +52,7 @@ Json tree_json(const TreeJudgement& tree) {
             problem.update({{"amount", watched.problem.amount},
                             {"worst_at", watched.worst_at},
                             {"since_amount", watched.since_amount},
-                            {"told_at", watched.told_at},
+                            {"told_at", watched.recorded_at},
                             {"stale", watched.stale},
                             {"inherited", watched.problem.inherited},
                             {"frames", watched.frames}});

@@ -34,7 +34,7 @@ std::string when(const WatchedProblem& problem) {
                  " the node got other children or items, and kept its volume of frame " +
                  std::to_string(problem.kept_from);
     else if (problem.stale)
-        words += "; stale: the volume dates from frame " + std::to_string(problem.told_at);
+        words += "; stale: the volume dates from frame " + std::to_string(problem.recorded_at);
     return words;
 }
 
@@ -195,8 +195,8 @@ std::string costs_text(const RecordingJudgement& judged,
 }
 
 std::string results_text(const RecordingJudgement& judged) {
-    if (!judged.summary.tells_results()) return "Results: none were recorded.\n\n";
-    const bool told = judged.summary.tells_pairs || judged.summary.pairs > 0;
+    if (!judged.summary.has_results()) return "Results: none were recorded.\n\n";
+    const bool told = judged.summary.has_pairs || judged.summary.pairs > 0;
     std::string text =
         "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
         (told ? " reported" : " met by the tests of triangles");
@@ -219,7 +219,7 @@ std::string waste_text(const RecordingJudgement& judged) {
         judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
-    if (!judged.summary.tells_results())
+    if (!judged.summary.has_results())
         return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
                " tests are below volumes that do not even meet; what else led to nothing, only "
                "results tell.\n";

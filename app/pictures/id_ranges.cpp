@@ -58,7 +58,7 @@ std::vector<std::uint32_t> numbers_by_id(const Tree& tree) {
 std::vector<IdRange> pair_id_ranges(const IdRanges& ids, const QueryFrames& frames) {
     std::vector<IdRange> ranges;
     std::uint32_t first = ids.first_free;
-    for (const TraceFrame* frame : frames) {
+    for (const QueryTrace* frame : frames) {
         ranges.push_back({first, frame->found.pairs.size()});
         first += static_cast<std::uint32_t>(frame->found.pairs.size());
     }

@@ -7,7 +7,7 @@ std::string pairs_title(const render::PairsStyle& style) {
 }
 
 void look_at_contact(render::SceneFigure& figure, const QueryView& view, const TraceHeader& header,
-                     const TraceFrame& frame, const render::QueryBodies& bodies) {
+                     const QueryTrace& frame, const render::QueryBodies& bodies) {
     const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame);
     figure.subtitle = view.subtitle(frame.frame);
     figure.pane.camera = view.camera(region);
@@ -17,7 +17,7 @@ void look_at_contact(render::SceneFigure& figure, const QueryView& view, const T
 }
 
 render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& source,
-                                 const TraceFrame& frame, const render::QueryBodies& bodies,
+                                 const QueryTrace& frame, const render::QueryBodies& bodies,
                                  const render::PairsStyle& style) {
     const TraceHeader& header = source.header();
     render::SceneFigure figure;

@@ -97,7 +97,7 @@ const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--
                                          "--open",   "--shard",  "--merged", "--terminal"};
 
 void add_output_size(const Command& command, PictureOptions& options, const char* files) {
-    options.told_command = [command] { return told_command(command, untold); };
+    options.shown_command = [command] { return shown_command(command, untold); };
     const Option output =
         command.add_option("-o,--output", options.output, files).folder().only_typed();
     if (!options.output.empty()) output.show_default();

@@ -12,7 +12,7 @@ std::vector<render::PngText> picture_texts(const PictureOptions& options,
     std::vector<render::PngText> texts = {{"Software", "scb " SCB_VERSION}};
     // File names need not be UTF-8, and their line ends must not come into the text.
     if (!scene.empty()) texts.push_back({"Scene", printable(scene)});
-    if (options.told_command) texts.push_back({"Command", printable(options.told_command())});
+    if (options.shown_command) texts.push_back({"Command", printable(options.shown_command())});
     return texts;
 }
 

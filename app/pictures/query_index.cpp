@@ -22,7 +22,7 @@ void add_ids(Json& list, const QueryView& view, const char* what,
 }
 
 /// The engine's node numbers, for the ids of nodes.
-void add_node_numbers(Json& entry, const TraceFrame& frame) {
+void add_node_numbers(Json& entry, const QueryTrace& frame) {
     Json numbers = Json::array();
     bool own = false;
     for (const std::shared_ptr<const Tree>& tree : frame.trees) {
@@ -71,7 +71,7 @@ Json query_index_entry(const QueryView& view, const QueryFrames& frames) {
     Json counts = Json::array();
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const TraceHeader& header = view.sources()[i].header();
-        const TraceFrame& frame = *frames[i];
+        const QueryTrace& frame = *frames[i];
         counts.push_back(count_json(header, frame));
     }
     if (!view.compares()) return counts[0];

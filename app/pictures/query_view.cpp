@@ -75,7 +75,7 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
 
 }  // namespace
 
-std::string stopped_remark(const TraceFrame& frame) {
+std::string stopped_remark(const QueryTrace& frame) {
     return "stopped at " + render::count_text(frame.found.pairs.size()) +
            (frame.found.pairs.size() == 1 ? " pair" : " pairs");
 }

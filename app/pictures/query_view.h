@@ -17,7 +17,7 @@
 namespace scb::app {
 
 /// Text for a query that ended before it had found everything.
-std::string stopped_remark(const TraceFrame& frame);
+std::string stopped_remark(const QueryTrace& frame);
 
 /// Two bodies of a scene on the GPU, with camera and names: common to the pictures of a run. If the
 /// pictures show no bodies (Shown::nothing), there are only titles and file names.

@@ -33,7 +33,7 @@ std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
 }
 
 render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& options,
-                                const TraceHeader& header, const TraceFrame& frame,
+                                const TraceHeader& header, const QueryTrace& frame,
                                 const render::QueryBodies& bodies) {
     const render::Heat heat =
         render::heat_of(bodies, header, frame, *options.heat, heat_end_of(options));
@@ -105,7 +105,7 @@ int run(PairsOptions& options, const Console& console) {
                 draw_compared(view, sources, frames, options, style, what, pictures);
                 return nlohmann::ordered_json();
             }
-            const TraceFrame& frame = *frames[0];
+            const QueryTrace& frame = *frames[0];
             const QuerySource& source = sources[0];
             const render::QueryBodies bodies = view.bodies(frame.frame);
             render::SceneFigure figure =

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr double held_in_focus = 0.15;
 
 /// Roots that are leaves also need only one test.
-bool rejects_roots(const TraceFrame& frame) {
+bool rejects_roots(const QueryTrace& frame) {
     return frame.found.n_v == 1 && frame.found.n_p == 0 && frame.found.pairs.empty();
 }
 
@@ -39,8 +39,8 @@ struct Shot {
     PictureRun& pictures;
 
     /// `step`: in an animation, the number of tests of `whole` in the frame.
-    void draw(const TraceFrame& frame, const Outcomes& outcomes, std::optional<std::size_t> step,
-              const TraceFrame& whole) const {
+    void draw(const QueryTrace& frame, const Outcomes& outcomes, std::optional<std::size_t> step,
+              const QueryTrace& whole) const {
         const QuerySource& source = sources.front();
         const render::QueryBodies bodies = view.bodies(frame.frame);
         const render::EndedNodes ended = render::ended_nodes(bodies, frame, outcomes, style);
@@ -85,19 +85,19 @@ struct Shot {
 
     void draw_whole(const QueryFrames& frames) const {
         if (view.compares()) return draw_compared(frames);
-        const TraceFrame& frame = *frames.front();
+        const QueryTrace& frame = *frames.front();
         draw(frame, outcomes_of(sources.front().header(), frame), std::nullopt, frame);
     }
 
     /// Draws the animation of a query. Returns false if interrupted.
-    bool draw_steps(const TraceFrame& frame, const InterruptWatch& watch) const {
+    bool draw_steps(const QueryTrace& frame, const InterruptWatch& watch) const {
         const TraceHeader& header = sources.front().header();
         const Outcomes outcomes = outcomes_of(header, frame);
         const std::size_t all = frame.steps.volumes.size(),
                           each = static_cast<std::size_t>(*options.steps);
         for (std::size_t count = std::min(each, all);; count = std::min(count + each, all)) {
             const auto draw_step = [&] {
-                const TraceFrame part = trace_prefix(header, frame, count);
+                const QueryTrace part = trace_prefix(header, frame, count);
                 draw(part, outcomes_of(header, part), count, frame);
                 return Json();
             };
@@ -125,7 +125,7 @@ struct Shot {
 
     /// The pair that was tested last, and its test's outcome.
     void show_current_pair(render::SceneFigure& figure, const render::QueryBodies& bodies,
-                           const TraceFrame& frame, const Outcomes& outcomes,
+                           const QueryTrace& frame, const Outcomes& outcomes,
                            std::uint64_t all) const {
         const QuerySource& source = sources.front();
         const std::size_t last = frame.steps.volumes.size() - 1;

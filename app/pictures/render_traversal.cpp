@@ -34,7 +34,7 @@ std::string pair_text(IndexPair numbers) {
 }
 
 /// The numbers of the nodes of a test: "5,7".
-std::string nodes_text(const TraceFrame& frame, std::uint32_t test) {
+std::string nodes_text(const QueryTrace& frame, std::uint32_t test) {
     return pair_text(numbers_of(frame, frame.steps.volumes[test].nodes));
 }
 
@@ -54,7 +54,7 @@ std::optional<IndexPair> root_of(const TraversalOptions& options) {
     return IndexPair{node(parts[0]), node(parts[1])};
 }
 
-std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>& parts) {
+std::string parts_text(const QueryTrace& frame, const std::vector<std::uint32_t>& parts) {
     std::string text;
     for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 3); ++i)
         text += (i == 0 ? "" : " or ") + nodes_text(frame, parts[i]);
@@ -62,7 +62,7 @@ std::string parts_text(const TraceFrame& frame, const std::vector<std::uint32_t>
 }
 
 /// The part of the frame below the test of these nodes.
-TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, IndexPair root) {
+QueryTrace part_of(const TraceHeader& header, const QueryTrace& frame, IndexPair root) {
     if (const std::optional<IndexPair> nodes = nodes_of(frame, root))
         if (const std::optional<std::uint32_t> test = test_of(frame.steps, *nodes))
             return traversal_part(header, frame, *test);
@@ -74,7 +74,7 @@ TraceFrame part_of(const TraceHeader& header, const TraceFrame& frame, IndexPair
 }
 
 /// The largest parts: their roots and numbers of tests, {"5,7": 1234}.
-nlohmann::ordered_json parts_json(const TraceFrame& frame) {
+nlohmann::ordered_json parts_json(const QueryTrace& frame) {
     const std::vector<std::uint32_t> sizes = subtree_sizes(frame.steps);
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     for (const std::uint32_t part : largest_parts(frame.steps, most_parts))
@@ -83,7 +83,7 @@ nlohmann::ordered_json parts_json(const TraceFrame& frame) {
 }
 
 /// Trees of other engines may be lists, too deep for a matrix.
-void check_depths(const TraceHeader& header, const TraceFrame& frame) {
+void check_depths(const TraceHeader& header, const QueryTrace& frame) {
     if (!header.engine) return;
     std::size_t deepest = 0;
     for (const Step& test : frame.steps.volumes)
@@ -120,11 +120,11 @@ int run(TraversalOptions& options, const Console& console) {
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames) {
-            const TraceFrame& whole = *frames.front();
+            const QueryTrace& whole = *frames.front();
             check_depths(header, whole);
-            std::optional<TraceFrame> part;
+            std::optional<QueryTrace> part;
             if (root) part = part_of(header, whole, *root);
-            const TraceFrame& frame = root ? *part : whole;
+            const QueryTrace& frame = root ? *part : whole;
             figure.subtitle = view.subtitle(frame.frame);
             if (root)
                 figure.subtitle +=

@@ -263,7 +263,7 @@ class CollideReport {
         std::optional<RecordedCounts> there;
         if (recorded_ != nullptr) {
             const bool complete = recorded_->frame(frame).found.complete;
-            there.emplace(recorded_->results(), complete && recorded_->tells_results());
+            there.emplace(recorded_->results(), complete && recorded_->has_results());
             grazing_ += there->grazing;
         }
         if (options_.json)

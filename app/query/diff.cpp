@@ -81,7 +81,7 @@ int run(const DiffOptions& options, const Console& console) {
         b(options.b, "all", options.bodies, selection(options.b, options.a));
     Progress progress(console, a.frames().size());
     const auto next_of_a = [&] {
-        const TraceFrame* frame = a.next();
+        const QueryTrace* frame = a.next();
         if (frame) progress.step("frames");
         return frame;
     };

@@ -71,7 +71,7 @@ int record(const TraceOptions& options, const Console& console) {
     for (; done < query.frames.size() && watch.signal() == 0; ++done) {
         recorder.steps.volumes.clear();
         recorder.steps.items.clear();
-        TraceFrame frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
+        QueryTrace frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
         frame.found = query.collide(frame.frame, recorder);
         std::swap(frame.steps, recorder.steps);
         if (recording)
@@ -111,7 +111,7 @@ void print_block(std::string& text) {
 }
 
 /// The width of node columns: engines may have large numbers.
-int number_width(const TraceFrame& frame) {
+int number_width(const QueryTrace& frame) {
     std::uint32_t most = 0;
     for (const std::shared_ptr<const Tree>& tree : frame.trees)
         for (std::uint32_t node = 0; tree && node < tree->size(); ++node)
@@ -121,7 +121,7 @@ int number_width(const TraceFrame& frame) {
 
 /// Prints every test of a frame one by one, since together they may not fit into memory: as lines
 /// below a heading.
-void print_events(const TraceHeader& header, const TraceFrame& frame) {
+void print_events(const TraceHeader& header, const QueryTrace& frame) {
     const Outcomes outcomes = outcomes_of(header, frame);
     const BodyNames names = side_names(header), bodies = {printable(names[0]), printable(names[1])};
     const int width = number_width(frame);
@@ -140,7 +140,7 @@ void print_events(const TraceHeader& header, const TraceFrame& frame) {
 }
 
 /// The same as elements of a JSON list, without its brackets.
-void print_events_json(const TraceHeader& header, const TraceFrame& frame) {
+void print_events_json(const TraceHeader& header, const QueryTrace& frame) {
     const Outcomes outcomes = outcomes_of(header, frame);
     const BodyNames bodies = side_names(header);
     std::string text;
@@ -179,7 +179,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
                      (options.events ? "" : count_table_header(header)));
     }
     std::size_t printed = 0;
-    while (const TraceFrame* frame = input.next()) {
+    while (const QueryTrace* frame = input.next()) {
         const std::string table_header = count_table_header(header);
         if (options.json) {
             std::string row = count_json(header, *frame).dump();

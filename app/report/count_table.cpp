@@ -25,7 +25,7 @@ StageTests stage_tests(const Collision& found, const std::vector<Stage>& stages)
 }
 
 /// The tests by stage of a frame of a trace.
-StageTests stage_tests(const TraceHeader& header, const TraceFrame& frame) {
+StageTests stage_tests(const TraceHeader& header, const QueryTrace& frame) {
     if (header.engine) return tests_by_stage(header, frame);
     return stage_tests(frame.found, counted_stages(header.volume, header.options.overlap));
 }
@@ -49,7 +49,7 @@ std::vector<Cell> cells_of(int frame, const Collision& c, Cell n_u, const StageT
 }
 
 /// The stages of a table of a trace.
-StageTests table_stages(const TraceHeader& header, const TraceFrame& frame) {
+StageTests table_stages(const TraceHeader& header, const QueryTrace& frame) {
     StageTests stages = stage_tests(header, frame);
     if (stages.size() > most_stage_columns) stages.clear();
     return stages;
@@ -77,7 +77,7 @@ std::string count_table_header(const TraceHeader& header) {
     return Table(columns_of(table_stages(header, {}))).text_header();
 }
 
-std::string count_table_row(const TraceHeader& header, const TraceFrame& frame) {
+std::string count_table_row(const TraceHeader& header, const QueryTrace& frame) {
     const StageTests stages = table_stages(header, frame);
     const Collision& c = frame.found;
     Table table(columns_of(stages));
@@ -86,7 +86,7 @@ std::string count_table_row(const TraceHeader& header, const TraceFrame& frame) 
     return table.text_row(0);
 }
 
-nlohmann::ordered_json count_json(const TraceHeader& header, const TraceFrame& frame) {
+nlohmann::ordered_json count_json(const TraceHeader& header, const QueryTrace& frame) {
     nlohmann::ordered_json json = count_json(frame.frame, frame.b_to_a, frame.found,
                                              counted_stages(header.volume, header.options.overlap));
     if (!header.engine) return json;

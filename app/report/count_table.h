@@ -30,8 +30,8 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
 /// A table of a trace or a recording, line by line, each with its line end. Other engines have no
 /// N_u and their own stages.
 std::string count_table_header(const TraceHeader& header);
-std::string count_table_row(const TraceHeader& header, const TraceFrame& frame);
+std::string count_table_row(const TraceHeader& header, const QueryTrace& frame);
 /// The same as JSON.
-nlohmann::ordered_json count_json(const TraceHeader& header, const TraceFrame& frame);
+nlohmann::ordered_json count_json(const TraceHeader& header, const QueryTrace& frame);
 
 }  // namespace scb::app

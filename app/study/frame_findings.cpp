@@ -72,7 +72,7 @@ FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top)
         others.emplace_back().overlap = other;
 }
 
-void FrameFindings::add(const QuerySource& source, const TraceFrame& frame,
+void FrameFindings::add(const QuerySource& source, const QueryTrace& frame,
                         const Attribution& attribution) {
     frames.push_back({frame.frame, inspection(frame, attribution)});
     // Without results, tests are not attributed, but counted.

@@ -23,7 +23,7 @@ struct FrameFindings {
     /// No frame yet; lists have at most `top` pairs.
     FrameFindings(const TraceHeader& header, std::size_t top);
     /// Adds a frame of the source, with the attribution of its tests.
-    void add(const QuerySource& source, const TraceFrame& frame, const Attribution& attribution);
+    void add(const QuerySource& source, const QueryTrace& frame, const Attribution& attribution);
     /// Adds later frames.
     FrameFindings& operator+=(const FrameFindings& other);
 };

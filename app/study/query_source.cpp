@@ -171,7 +171,7 @@ std::uint64_t QuerySource::test_count(int frame) const {
     return is_recording() ? recorded()->test_count(frame) : query_.collide(frame).n_v;
 }
 
-const TraceFrame& QuerySource::frame(int number) {
+const QueryTrace& QuerySource::frame(int number) {
     if (is_recording()) return recorded()->frame(number);
     if (!input_) {
         recorder_.steps = std::move(made_.steps);
@@ -183,7 +183,7 @@ const TraceFrame& QuerySource::frame(int number) {
         made_.steps = std::move(recorder_.steps);
         return made_;
     }
-    const TraceFrame& frame = input_->frame(number);
+    const QueryTrace& frame = input_->frame(number);
     const Pose now = query_.b_to_a(number);
     if (now.rotation != frame.b_to_a.rotation || now.translation != frame.b_to_a.translation)
         throw InputError(trace_path_ + ": at frame " + std::to_string(number) + " of " +
@@ -192,16 +192,16 @@ const TraceFrame& QuerySource::frame(int number) {
     return frame;
 }
 
-TraceFrame QuerySource::frame_again(int number) const {
+QueryTrace QuerySource::frame_again(int number) const {
     if (is_recording()) return recorded()->rewound()->frame(number);
     StepRecorder recorder;
-    TraceFrame frame{number, query_.b_to_a(number), {}, {}};
+    QueryTrace frame{number, query_.b_to_a(number), {}, {}};
     frame.found = query_.collide(number, recorder);
     frame.steps = std::move(recorder.steps);
     return frame;
 }
 
-Attribution QuerySource::attribution(const TraceFrame& frame) {
+Attribution QuerySource::attribution(const QueryTrace& frame) {
     if (is_recording()) return recorded()->attribution();
     const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
     return attribute(
@@ -209,7 +209,7 @@ Attribution QuerySource::attribution(const TraceFrame& frame) {
         all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header(), frame));
 }
 
-std::vector<std::size_t> QuerySource::level_overlaps(const TraceFrame& frame, std::size_t most) {
+std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame, std::size_t most) {
     if (is_recording()) return recorded()->level_overlaps(most);
     const BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
     return scb::level_overlaps(query_.hierarchy(query_.a), a.tree->shape(),

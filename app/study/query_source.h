@@ -47,14 +47,14 @@ class QuerySource {
 
     /// The query of one of these frames; valid until the next call. Ask for frames in ascending
     /// order. Throws InputError if the bodies of a trace had other poses.
-    const TraceFrame& frame(int number);
+    const QueryTrace& frame(int number);
     /// The query of a frame, in any order of frames: makes or reads the query again.
-    TraceFrame frame_again(int number) const;
+    QueryTrace frame_again(int number) const;
     /// The verdicts on the tests of the latest frame().
-    Attribution attribution(const TraceFrame& frame);
+    Attribution attribution(const QueryTrace& frame);
     /// Of the two bodies, see core/analysis/level_overlaps.h: by the query's own test; in a
     /// recording, by the exact verdict on its volumes.
-    std::vector<std::size_t> level_overlaps(const TraceFrame& frame, std::size_t most);
+    std::vector<std::size_t> level_overlaps(const QueryTrace& frame, std::size_t most);
 
   private:
     void open_trace(const SceneOptions& scene, const std::string& frames);
@@ -63,7 +63,7 @@ class QuerySource {
     TraceHeader header_;                        ///< of queries made now
     std::unique_ptr<scenes::TestInput> input_;  ///< null if queries are made now
     std::string trace_path_;
-    TraceFrame made_;
+    QueryTrace made_;
     StepRecorder recorder_;
     /// Of the two bodies, built on demand.
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;

@@ -12,7 +12,7 @@ namespace scb::app {
 /// The queries that a picture shows: one, or two that are compared.
 using QuerySources = std::vector<QuerySource>;
 /// The same queries at one frame.
-using QueryFrames = std::vector<const TraceFrame*>;
+using QueryFrames = std::vector<const QueryTrace*>;
 
 /// What to compare, and the options given, which must not set the same.
 struct CompareOptions {

@@ -21,7 +21,7 @@ struct FoundTest {
 /// Two nodes of a recording at a frame, and the tests of them.
 struct RecordedPair {
     const scenes::RecordedTrace* trace = nullptr;
-    const TraceFrame* frame = nullptr;
+    const QueryTrace* frame = nullptr;
     IndexPair nodes;  ///< indices
     std::vector<FoundTest> tests;
     ExplainedPair pair;

@@ -326,7 +326,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         std::iota(all.begin(), all.end(), std::size_t{0});
         refine(all);
     } else {
-        refine(worth_refining_of(first, run.counts()));
+        refine(settings_to_refine(first, run.counts()));
     }
     if (!run.count(refined)) return std::nullopt;
 

@@ -18,15 +18,15 @@ std::string words_of(const std::vector<std::string>& names) {
 
 bool is_traced(const ViewColumn& column) { return scenes::names_trace(column.names[0]); }
 /// Whether the file has the query's parameters.
-bool is_told(const ViewColumn& column) { return column.is_recorded() || is_traced(column); }
+bool is_from_file(const ViewColumn& column) { return column.is_recorded() || is_traced(column); }
 
 /// The names for commands: a file may be elsewhere when the command is run.
 std::string names_of(const ViewOptions& options, const ViewColumn& column) {
     std::vector<std::string> names = column.names;
     const std::vector<std::string>& known = options.level.scene.names;
     for (std::string& name : names)
-        for (std::size_t i = 0; i < known.size() && i < options.told_names.size(); ++i)
-            if (name == known[i]) name = options.told_names[i];
+        for (std::size_t i = 0; i < known.size() && i < options.column_names.size(); ++i)
+            if (name == known[i]) name = options.column_names[i];
     return words_of(names);
 }
 
@@ -42,7 +42,7 @@ std::string test_words(const ViewOptions& options, const ViewColumn& column) {
 /// The words for the query of one column, without frames and descent.
 std::string query_words(const ViewOptions& options, const ViewColumn& column) {
     const std::string words = names_of(options, column) + options.scene + options.bodies;
-    if (is_told(column)) return words;
+    if (is_from_file(column)) return words;
     return words + " --volume " + column.kind + options.hierarchies + test_words(options, column);
 }
 

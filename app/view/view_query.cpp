@@ -74,7 +74,7 @@ struct Worst {
     WorstPairs fits{PassReason::loose_fit, most_worst}, tests{PassReason::weak_test, most_worst};
     WorstRejections wrong{most_worst};
 
-    void add(const TraceFrame& frame, const Attribution& attribution) {
+    void add(const QueryTrace& frame, const Attribution& attribution) {
         fits.add(frame, attribution);
         tests.add(frame, attribution);
         wrong.add(frame, attribution);
@@ -105,7 +105,7 @@ struct Worst {
 };
 
 /// Tests whose steps a reader looks for first: the worst of each kind, and all wrong rejections.
-std::vector<std::uint32_t> worst_tests(const TraceFrame& frame, const Attribution& attribution) {
+std::vector<std::uint32_t> worst_tests(const QueryTrace& frame, const Attribution& attribution) {
     Worst worst;
     worst.add(frame, attribution);
     std::vector<std::uint32_t> tests;
@@ -132,7 +132,7 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
     Worst worst;
     for (const int number : source.frames()) {
         if (!std::binary_search(in_page.begin(), in_page.end(), number)) continue;
-        const TraceFrame& frame = source.frame(number);
+        const QueryTrace& frame = source.frame(number);
         const Outcomes outcomes = outcomes_of(header, frame);
         const Attribution attribution = source.attribution(frame);
         worst.add(frame, attribution);

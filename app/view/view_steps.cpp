@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-Json view_steps_json(const SceneQuery& query, const TraceFrame& frame,
+Json view_steps_json(const SceneQuery& query, const QueryTrace& frame,
                      std::span<const std::uint32_t> tests) {
     Json result = Json::object();
     for (const std::uint32_t test : tests) {

@@ -32,7 +32,7 @@ std::vector<OverlapOptions> alternative_tests(const TraceHeader& header) {
 
 AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
                                      const AnyHierarchy& b, const Mesh& mesh_b,
-                                     const TraceHeader& header, const TraceFrame& frame,
+                                     const TraceHeader& header, const QueryTrace& frame,
                                      const Attribution& attribution, const OverlapOptions& other) {
     AlternativeTest result;
     result.overlap = other;

@@ -22,7 +22,7 @@ std::vector<OverlapOptions> alternative_tests(const TraceHeader& header);
 /// Repeats the query with another test. The hierarchies must be of the header's volume kind.
 AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
                                      const AnyHierarchy& b, const Mesh& mesh_b,
-                                     const TraceHeader& header, const TraceFrame& frame,
+                                     const TraceHeader& header, const QueryTrace& frame,
                                      const Attribution& attribution, const OverlapOptions& other);
 
 }  // namespace scb

@@ -40,7 +40,7 @@ struct Followers {
 
 /// For each test, the number of intersecting pairs of triangles below its nodes.
 std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b, QueryKind kind,
-                                          const TraceFrame& frame,
+                                          const QueryTrace& frame,
                                           std::span<const IndexPair> contacts) {
     const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b);
     const std::vector<Step>& tests = frame.steps.volumes;
@@ -78,7 +78,7 @@ std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b, 
 }
 
 /// For each test, the work below it.
-std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame) {
+std::vector<Work> work_below(const TraceHeader& header, const QueryTrace& frame) {
     const std::vector<Step>& tests = frame.steps.volumes;
     std::vector<Work> below(tests.size());
     for (const ItemStep& test : frame.steps.items)
@@ -97,7 +97,7 @@ std::vector<Work> work_below(const TraceHeader& header, const TraceFrame& frame)
 
 template <class V>
 std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& b,
-                                     const TraceFrame& frame,
+                                     const QueryTrace& frame,
                                      const std::vector<std::uint64_t>& contacts) {
     const Placement placed = query_placement(a, b, frame.b_to_a);
     std::vector<TestedPair> pairs;
@@ -132,7 +132,7 @@ PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
 
 }  // namespace
 
-Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
+Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
                       std::span<const TestedPair> pairs) {
     const std::vector<Step>& tests = frame.steps.volumes;
     assert(pairs.size() == tests.size());
@@ -174,7 +174,7 @@ Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
 }
 
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, std::span<const IndexPair> contacts) {
+                      const QueryTrace& frame, std::span<const IndexPair> contacts) {
     const std::vector<std::uint64_t> below =
         contacts_below(topology_of(a), topology_of(b), header.kind, frame, contacts);
     return std::visit(
@@ -186,7 +186,7 @@ Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceH
 }
 
 Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
-                      const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
+                      const Mesh& mesh_b, const TraceHeader& header, const QueryTrace& frame,
                       const CollideOptions& options) {
     if (header.kind == QueryKind::self)
         return collide_self(a, mesh_a, joined_vertices(mesh_a), options);
@@ -195,7 +195,7 @@ Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierar
 
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
                                     const AnyHierarchy& b, const Mesh& mesh_b,
-                                    const TraceHeader& header, const TraceFrame& frame) {
+                                    const TraceHeader& header, const QueryTrace& frame) {
     const bool correct = header.volume != VolumeKind::scb || is_sound(header.options.overlap.test);
     if (correct && frame.found.complete && header.options.stop_level < 0) return frame.found.pairs;
     return asked_again(a, mesh_a, b, mesh_b, header, frame, {}).pairs;

@@ -52,24 +52,24 @@ struct TestedPair {
 
 /// Attributes every volume test of a query. `pairs`: one for each test of the frame. Operations of
 /// other engines are unknown, and count as 0.
-Attribution attribute(const TraceHeader& header, const TraceFrame& frame,
+Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
                       std::span<const TestedPair> pairs);
 
 /// Attributes every volume test of a query by the exact verdict on the volumes, with O(N_v)
 /// verdicts. The hierarchies must be of the header's volume kind. `contacts`: all intersecting
 /// pairs of triangles, in any order, see all_contacts.
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
-                      const TraceFrame& frame, std::span<const IndexPair> contacts);
+                      const QueryTrace& frame, std::span<const IndexPair> contacts);
 
 /// Repeats the query of a frame with other options.
 Collision asked_again(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
-                      const Mesh& mesh_b, const TraceHeader& header, const TraceFrame& frame,
+                      const Mesh& mesh_b, const TraceHeader& header, const QueryTrace& frame,
                       const CollideOptions& options);
 
 /// All intersecting pairs of triangles at the pose of a frame. Repeats the query if it is
 /// incomplete, stopped at a level, or used a test that can miss pairs.
 std::vector<IndexPair> all_contacts(const AnyHierarchy& a, const Mesh& mesh_a,
                                     const AnyHierarchy& b, const Mesh& mesh_b,
-                                    const TraceHeader& header, const TraceFrame& frame);
+                                    const TraceHeader& header, const QueryTrace& frame);
 
 }  // namespace scb

@@ -33,7 +33,7 @@ EndedPaths summary(std::span<const End> ends) {
 
 }  // namespace
 
-std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& outcomes,
+std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& outcomes,
                                     std::size_t side, const EndedPathsFilter& filter) {
     std::vector<End> ends;
     std::map<std::uint32_t, std::uint32_t> passed_on;

@@ -28,7 +28,7 @@ struct EndedPathsFilter {
 
 /// The nodes of A (`side` 0) or B (1) at which paths of a traversal ended, ascending. One node may
 /// be below another, since they met different nodes of the other body.
-std::vector<EndedPaths> ended_paths(const TraceFrame& frame, const Outcomes& outcomes,
+std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& outcomes,
                                     std::size_t side, const EndedPathsFilter& filter = {});
 
 /// The nodes without another of these nodes below them: no volume encloses another, so each can be

@@ -4,7 +4,7 @@
 
 namespace scb {
 
-std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcomes& outcomes) {
+std::vector<EndingCounts> endings_by_depth(const QueryTrace& frame, const Outcomes& outcomes) {
     std::vector<EndingCounts> counts;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         const Step& test = frame.steps.volumes[i];
@@ -15,7 +15,7 @@ std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcom
     return counts;
 }
 
-EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes) {
+EndingCounts ending_counts(const QueryTrace& frame, const Outcomes& outcomes) {
     EndingCounts sum{};
     for (const EndingCounts& counts : endings_by_depth(frame, outcomes))
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
@@ -47,7 +47,7 @@ std::vector<Stage> endings_of(const TraceHeader& header) {
 }
 
 std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,
-                                                                  const TraceFrame& frame) {
+                                                                  const QueryTrace& frame) {
     EndingCounts counts{};
     for (const Step& test : frame.steps.volumes) ++counts[static_cast<std::size_t>(test.stage)];
     std::vector<std::pair<std::string, std::uint64_t>> tests = {

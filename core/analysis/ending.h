@@ -15,10 +15,10 @@ namespace scb {
 using EndingCounts = std::array<std::uint64_t, StageTable::most_rows>;
 
 /// How the tests of a frame ended, by the depth of the pair: the depths of both nodes added.
-std::vector<EndingCounts> endings_by_depth(const TraceFrame& frame, const Outcomes& outcomes);
+std::vector<EndingCounts> endings_by_depth(const QueryTrace& frame, const Outcomes& outcomes);
 
 /// The same for all depths together.
-EndingCounts ending_counts(const TraceFrame& frame, const Outcomes& outcomes);
+EndingCounts ending_counts(const QueryTrace& frame, const Outcomes& outcomes);
 
 /// The endings that queries of this kind can have, in order: the stages of the test; then
 /// `triangles_apart` and `triangles_meet` if triangles are tested, else `found`; `neighbors` in a
@@ -30,7 +30,7 @@ std::vector<Stage> endings_of(const TraceHeader& header);
 /// The number of tests of a frame per stage, for this project's tests and other engines':
 /// "overlapping" first, then all stages in order, also stages without a test.
 std::vector<std::pair<std::string, std::uint64_t>> tests_by_stage(const TraceHeader& header,
-                                                                  const TraceFrame& frame);
+                                                                  const QueryTrace& frame);
 
 /// The ending of this name among endings_of, if any.
 std::optional<Stage> ending_of(const TraceHeader& header, std::string_view name);

@@ -18,7 +18,7 @@ Inspection& Inspection::operator+=(const Inspection& other) {
     return *this;
 }
 
-Inspection inspection(const TraceFrame& frame, const Attribution& attribution) {
+Inspection inspection(const QueryTrace& frame, const Attribution& attribution) {
     const std::vector<Step>& tests = frame.steps.volumes;
     Inspection result;
     result.pairs = frame.found.pairs.size();

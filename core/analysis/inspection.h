@@ -22,7 +22,7 @@ struct Inspection {
 };
 
 /// The inspection of one query.
-Inspection inspection(const TraceFrame& frame, const Attribution& attribution);
+Inspection inspection(const QueryTrace& frame, const Attribution& attribution);
 
 /// One frame of several.
 struct InspectedFrame {

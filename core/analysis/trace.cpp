@@ -58,7 +58,7 @@ std::string stage_words(const TraceHeader& header, Stage stage) {
     return std::string(header.stages.row(stage).name);
 }
 
-Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame) {
+Outcomes outcomes_of(const TraceHeader& header, const QueryTrace& frame) {
     const auto nodes =
         pairs_are_nodes(header) ? std::span(frame.found.pairs) : std::span<const IndexPair>();
     return outcomes_of(frame.steps, nodes);
@@ -69,12 +69,12 @@ IndexPair pair_of(const TraceHeader& header, const ItemStep& test) {
     return header.kind == QueryKind::self && b < a ? IndexPair{b, a} : test.items;
 }
 
-IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes) {
+IndexPair numbers_of(const QueryTrace& frame, IndexPair nodes) {
     const auto& [a, b] = frame.trees;
     return {a ? a->number(nodes.a) : nodes.a, b ? b->number(nodes.b) : nodes.b};
 }
 
-std::optional<IndexPair> nodes_of(const TraceFrame& frame, IndexPair numbers) {
+std::optional<IndexPair> nodes_of(const QueryTrace& frame, IndexPair numbers) {
     const auto& [a, b] = frame.trees;
     const IndexPair nodes{a ? a->node_of(numbers.a) : numbers.a,
                           b ? b->node_of(numbers.b) : numbers.b};

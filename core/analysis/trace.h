@@ -82,7 +82,7 @@ std::string stage_words(const TraceHeader& header, Stage stage);
 BuildOptions build_options(const TraceHeader& header);
 
 /// One query.
-struct TraceFrame {
+struct QueryTrace {
     int frame = 0;
     Pose b_to_a;
     Collision found;
@@ -93,21 +93,21 @@ struct TraceFrame {
 };
 
 /// The builder's numbers of two nodes. Users see numbers, never the indices of a frame.
-IndexPair numbers_of(const TraceFrame& frame, IndexPair nodes);
+IndexPair numbers_of(const QueryTrace& frame, IndexPair nodes);
 /// The nodes with these numbers; nothing if one does not exist.
-std::optional<IndexPair> nodes_of(const TraceFrame& frame, IndexPair numbers);
+std::optional<IndexPair> nodes_of(const QueryTrace& frame, IndexPair numbers);
 
 /// Queries of one scene, frame by frame, with all their steps.
 struct Trace {
     TraceHeader header;
-    std::vector<TraceFrame> frames;  ///< ascending by number, each once
+    std::vector<QueryTrace> frames;  ///< ascending by number, each once
 };
 
 /// The pair of triangles that a test found; in a self query the lower index first.
 IndexPair pair_of(const TraceHeader& header, const ItemStep& test);
 
 /// The outcomes of a frame's steps.
-Outcomes outcomes_of(const TraceHeader& header, const TraceFrame& frame);
+Outcomes outcomes_of(const TraceHeader& header, const QueryTrace& frame);
 
 /// Whether A's meshes are the same, and B's. If an engine is involved, only the numbers of vertices
 /// and triangles are compared, since its coordinates may have 32 bits.

@@ -67,8 +67,8 @@ std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b)
 
 /// Index of the first volume test that differs in its nodes, its outcome or its triangle tests.
 /// Nothing if all are the same.
-std::optional<std::size_t> parting_test(const TraceFrame& a, const Outcomes& outcomes_a,
-                                        const TraceFrame& b, const Outcomes& outcomes_b) {
+std::optional<std::size_t> parting_test(const QueryTrace& a, const Outcomes& outcomes_a,
+                                        const QueryTrace& b, const Outcomes& outcomes_b) {
     const auto differ = [](const auto& of_a, const auto& of_b) -> std::size_t {
         const auto first = std::mismatch(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
         return static_cast<std::size_t>(first.first - of_a.begin());
@@ -87,7 +87,7 @@ std::optional<std::size_t> parting_test(const TraceFrame& a, const Outcomes& out
 }
 
 /// The frame of B with the stages of A's table, by name.
-TraceFrame with_stages_of(const TraceHeader& a, const TraceHeader& b, TraceFrame frame) {
+QueryTrace with_stages_of(const TraceHeader& a, const TraceHeader& b, QueryTrace frame) {
     constexpr Stage not_of_a{255};
     std::map<Stage, Stage> renamed;
     for (const Stage stage : b.engine->stages)
@@ -98,7 +98,7 @@ TraceFrame with_stages_of(const TraceHeader& a, const TraceHeader& b, TraceFrame
     return frame;
 }
 
-std::optional<TracedTest> traced(const TraceHeader& header, const TraceFrame& frame,
+std::optional<TracedTest> traced(const TraceHeader& header, const QueryTrace& frame,
                                  const Outcomes& outcomes, std::size_t index) {
     if (index >= frame.steps.volumes.size()) return std::nullopt;
     return traced_test(header, frame, outcomes, index);
@@ -109,7 +109,7 @@ bool same_pose(const Pose& a, const Pose& b) {
 }
 
 /// The volume test that led to the pair. Other engines may not record it.
-std::optional<std::size_t> test_of(const TraceHeader& header, const TraceFrame& frame,
+std::optional<std::size_t> test_of(const TraceHeader& header, const QueryTrace& frame,
                                    const Outcomes& outcomes, bool of_nodes, IndexPair pair) {
     if (of_nodes)
         for (std::size_t i = 0; i < outcomes.size(); ++i)
@@ -122,7 +122,7 @@ std::optional<std::size_t> test_of(const TraceHeader& header, const TraceFrame& 
 /// A query at one frame.
 struct AtFrame {
     const TraceHeader& header;
-    const TraceFrame& frame;
+    const QueryTrace& frame;
     const Outcomes& outcomes;
 };
 
@@ -179,7 +179,7 @@ void compare_pairs(const AtFrame& a, const AtFrame& b, TraceDiff& result) {
     }
 }
 
-TraceFrames frames_of(const Trace& trace) {
+QueryTraces frames_of(const Trace& trace) {
     return [&trace, next = std::size_t{0}]() mutable {
         return next < trace.frames.size() ? &trace.frames[next++] : nullptr;
     };
@@ -187,7 +187,7 @@ TraceFrames frames_of(const Trace& trace) {
 
 }  // namespace
 
-void TraceCounts::add(const TraceHeader& header, const TraceFrame& frame) {
+void TraceCounts::add(const TraceHeader& header, const QueryTrace& frame) {
     const Collision& found = frame.found;
     pairs += found.pairs.size();
     n_v += found.n_v;
@@ -204,7 +204,7 @@ bool operator==(const TraceCounts& a, const TraceCounts& b) {
            (!a.n_u || !b.n_u || a.n_u == b.n_u);
 }
 
-TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const Outcomes& outcomes,
+TracedTest traced_test(const TraceHeader& header, const QueryTrace& frame, const Outcomes& outcomes,
                        std::size_t index) {
     const Steps& steps = frame.steps;
     TracedTest result;
@@ -231,8 +231,8 @@ TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const
     return result;
 }
 
-TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
-               const TraceFrames& frames_b) {
+TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHeader& b,
+               const QueryTraces& frames_b) {
     TraceDiff result;
     result.asked = asked_differently(a, b);
     result.stages = stage_order(a, b);
@@ -247,8 +247,8 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
         !result.meshes_differ && pairs_are_nodes(b) == result.of_nodes &&
         (a.engine || b.engine || a.options.stop_level == b.options.stop_level) &&
         (result.nodes_comparable || !result.of_nodes);
-    const TraceFrame* frame_a = frames_a();
-    const TraceFrame* frame_b = frames_b();
+    const QueryTrace* frame_a = frames_a();
+    const QueryTrace* frame_b = frames_b();
     while (frame_a || frame_b) {
         if (!frame_b || (frame_a && frame_a->frame < frame_b->frame)) {
             result.only_in_a.push_back(frame_a->frame);
@@ -274,7 +274,7 @@ TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHea
             outcomes_b = outcomes_of(b, *frame_b);
         }
         if (result.nodes_comparable && a.engine && b.engine) {
-            const TraceFrame renamed = with_stages_of(a, b, *frame_b);
+            const QueryTrace renamed = with_stages_of(a, b, *frame_b);
             test = parting_test(*frame_a, outcomes_a, renamed, outcomes_of(b, renamed));
         } else if (result.nodes_comparable) {
             test = parting_test(*frame_a, outcomes_a, *frame_b, outcomes_b);

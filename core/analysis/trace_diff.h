@@ -15,7 +15,7 @@ struct TraceCounts {
     std::optional<std::uint64_t> n_u;             ///< unknown for other engines
     std::map<std::string, std::uint64_t> stages;  ///< by name, see stage_words; no zeros
 
-    void add(const TraceHeader& header, const TraceFrame& frame);
+    void add(const TraceHeader& header, const QueryTrace& frame);
     /// N_u is compared only if both have it.
     friend bool operator==(const TraceCounts& a, const TraceCounts& b);
 };
@@ -96,19 +96,19 @@ struct TraceDiff {
 
 /// Returns the frames of a trace one after the other, ascending by number; nullptr at the end. A
 /// frame is valid until the next call.
-using TraceFrames = std::function<const TraceFrame*()>;
+using QueryTraces = std::function<const QueryTrace*()>;
 
 /// Compares the parameters, and then the common frames, even if parameters differ: for two overlap
 /// tests on one scene, the question is where they part. Frames differ if poses, counts or tests
 /// differ. Node indices do not depend on the volume, so tests are compared for different volumes,
 /// too. For different splits, or different trees of other engines, only pairs and counts are
 /// compared; for different meshes only counts. Versions of scb are not compared.
-TraceDiff diff(const TraceHeader& a, const TraceFrames& frames_a, const TraceHeader& b,
-               const TraceFrames& frames_b);
+TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHeader& b,
+               const QueryTraces& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);
 
 /// The volume test `index` of a frame. `outcomes`: outcomes_of the frame.
-TracedTest traced_test(const TraceHeader& header, const TraceFrame& frame, const Outcomes& outcomes,
+TracedTest traced_test(const TraceHeader& header, const QueryTrace& frame, const Outcomes& outcomes,
                        std::size_t index);
 
 }  // namespace scb

@@ -7,11 +7,11 @@
 
 namespace scb {
 
-TraceFrame trace_prefix(const TraceHeader& header, const TraceFrame& frame, std::size_t count) {
+QueryTrace trace_prefix(const TraceHeader& header, const QueryTrace& frame, std::size_t count) {
     const std::size_t all = frame.steps.volumes.size();
     std::vector<std::uint32_t> first(std::min(count, all));
     std::iota(first.begin(), first.end(), 0u);
-    TraceFrame result = with_tests(header, frame, first);
+    QueryTrace result = with_tests(header, frame, first);
     result.found.complete = first.size() == all && frame.found.complete;
     return result;
 }

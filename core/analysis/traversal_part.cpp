@@ -7,9 +7,9 @@
 
 namespace scb {
 
-TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame,
+QueryTrace with_tests(const TraceHeader& header, const QueryTrace& frame,
                       const std::vector<std::uint32_t>& chosen) {
-    TraceFrame result{frame.frame, frame.b_to_a, {}, {}};
+    QueryTrace result{frame.frame, frame.b_to_a, {}, {}};
     result.trees = frame.trees;
     const std::vector<ItemStep>& triangle_tests = frame.steps.items;
     Collision& found = result.found;
@@ -51,7 +51,7 @@ std::optional<std::uint32_t> test_of(const Steps& steps, IndexPair nodes) {
     return std::nullopt;
 }
 
-TraceFrame traversal_part(const TraceHeader& header, const TraceFrame& frame, std::uint32_t root) {
+QueryTrace traversal_part(const TraceHeader& header, const QueryTrace& frame, std::uint32_t root) {
     const std::vector<Step>& tests = frame.steps.volumes;
     std::vector<char> below(tests.size());
     std::vector<std::uint32_t> chosen;

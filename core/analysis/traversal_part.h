@@ -13,7 +13,7 @@ namespace scb {
 
 /// Chosen volume tests of a query and their triangle tests, with the counts and pairs of these
 /// alone. `chosen`: numbers of steps, ascending.
-TraceFrame with_tests(const TraceHeader& header, const TraceFrame& frame,
+QueryTrace with_tests(const TraceHeader& header, const QueryTrace& frame,
                       const std::vector<std::uint32_t>& chosen);
 
 /// The test of two nodes; a query makes it once at most.
@@ -21,7 +21,7 @@ std::optional<std::uint32_t> test_of(const Steps& steps, IndexPair nodes);
 
 /// The part of a query that begins with the test `root`, as a query whose roots are the two nodes.
 /// Depths stay as in the whole query.
-TraceFrame traversal_part(const TraceHeader& header, const TraceFrame& frame, std::uint32_t root);
+QueryTrace traversal_part(const TraceHeader& header, const QueryTrace& frame, std::uint32_t root);
 
 /// The first tests of parts of a query. Together the parts are the whole query except some tests at
 /// the top. Each has at most a quarter of the tests, and none is in another. Returns at most

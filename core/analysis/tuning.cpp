@@ -113,8 +113,8 @@ std::vector<TuneSetting> refined_trials(const TuneSetting& base) {
     return trials;
 }
 
-std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
-                                           std::span<const Work> counts) {
+std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
+                                            std::span<const Work> counts) {
     assert(!trials.empty() && counts.size() == trials.size() && "every trial has counts");
     std::vector<std::size_t> grid;
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -126,7 +126,7 @@ std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
     const auto most = [&](const auto& count) {
         std::uint64_t fewest = count(counts[0]);
         for (const std::size_t i : grid) fewest = std::min(fewest, count(counts[i]));
-        return worth_refining * static_cast<double>(fewest);
+        return refined_up_to * static_cast<double>(fewest);
     };
     const auto n_v = [](const Work& work) { return work.volume_tests; };
     const double most_n_v = most(n_v), most_cost = most(estimated_cost);

@@ -55,11 +55,11 @@ std::vector<TuneSetting> first_trials(const TuneSetting& base);
 std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
 /// The indices of first trials whose volume and split should be refined. With the base's test,
-/// descent and growth, they take at most `worth_refining` times the least N_v, or the least
+/// descent and growth, they take at most `refined_up_to` times the least N_v, or the least
 /// estimated cost, of such trials.
-inline constexpr double worth_refining = 1.3;
-std::vector<std::size_t> worth_refining_of(std::span<const TuneSetting> trials,
-                                           std::span<const Work> counts);
+inline constexpr double refined_up_to = 1.3;
+std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
+                                            std::span<const Work> counts);
 
 /// The indices of the settings, least estimated cost first; equal costs in the order of Work, equal
 /// counts in order.

@@ -46,7 +46,7 @@ VainTests& VainTests::operator+=(const VainTests& other) {
     return *this;
 }
 
-VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame) {
+VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const QueryTrace& frame) {
     VainTests vain;
     for (const ItemStep& test : frame.steps.items) {
         if (test.hit || test.neighbors) continue;

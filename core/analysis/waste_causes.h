@@ -17,7 +17,7 @@ struct VainTests {
 };
 
 /// The vain tests of one query. Degenerate triangles are parallel to none.
-VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const TraceFrame& frame);
+VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const QueryTrace& frame);
 
 /// Properties of a body that are known to make volumes loose, or the tree poor.
 struct BodyCauses {

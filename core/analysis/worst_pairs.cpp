@@ -36,7 +36,7 @@ void keep_worst(std::vector<P>& sorted, std::size_t most) {
 }
 
 /// The test of a frame, with the numbers of its nodes.
-Step numbered(const TraceFrame& frame, std::uint32_t test) {
+Step numbered(const QueryTrace& frame, std::uint32_t test) {
     Step step = frame.steps.volumes[test];
     step.nodes = numbers_of(frame, step.nodes);
     return step;
@@ -44,7 +44,7 @@ Step numbered(const TraceFrame& frame, std::uint32_t test) {
 
 }  // namespace
 
-void WorstPairs::add(const TraceFrame& frame, const Attribution& attribution) {
+void WorstPairs::add(const QueryTrace& frame, const Attribution& attribution) {
     const bool weak = reason_ == PassReason::weak_test;
     // Per test, the cost of the listed pair that it is a part of; parents come first.
     std::vector<std::uint64_t> listed(frame.steps.volumes.size());
@@ -83,7 +83,7 @@ std::vector<FalsePair> WorstPairs::pairs() const {
     return all;
 }
 
-void WorstRejections::add(const TraceFrame& frame, const Attribution& attribution) {
+void WorstRejections::add(const QueryTrace& frame, const Attribution& attribution) {
     for (const WrongRejection& rejection : attribution.wrongly_rejected)
         pairs_.push_back({frame.frame, rejection, numbered(frame, rejection.test)});
     add(std::vector<WronglyRejectedPair>{});

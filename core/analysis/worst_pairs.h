@@ -32,7 +32,7 @@ class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
-    void add(const TraceFrame& frame, const Attribution& attribution);
+    void add(const QueryTrace& frame, const Attribution& attribution);
     /// Adds the pairs that another object kept of other frames.
     void add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts);
     /// The worst one first.
@@ -56,7 +56,7 @@ class WorstRejections {
   public:
     explicit WorstRejections(std::size_t most) : most_(most) {}
 
-    void add(const TraceFrame& frame, const Attribution& attribution);
+    void add(const QueryTrace& frame, const Attribution& attribution);
     /// Adds the pairs that another object kept of other frames.
     void add(const std::vector<WronglyRejectedPair>& pairs);
     /// The worst one first.

@@ -66,7 +66,7 @@ struct EngineQuery {
     std::optional<Pose> b_to_a_before;  ///< the relative pose at the previous frame, if any
     std::vector<EngineEvent> events;
     /// Whether the recording has tests of items, and reported pairs, in this query or in another.
-    bool tells_items = false, tells_pairs = false;
+    bool has_item_tests = false, has_pairs = false;
     bool complete = true;           ///< false: the query ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
     /// The assumed rounding errors of the engine, as lengths: for the volumes that reach farthest

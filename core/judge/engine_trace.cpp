@@ -49,8 +49,8 @@ bool exist(const EngineQuery& query, IndexPair items) {
 
 }  // namespace
 
-TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages) {
-    TraceFrame frame{query.frame, query.b_to_a, {}, {}, {}};
+QueryTrace trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages) {
+    QueryTrace frame{query.frame, query.b_to_a, {}, {}, {}};
     Collision& found = frame.found;
     TestLinks links(query);
     std::vector<std::uint32_t> place;  // per test of volumes: its index in the frame, or no_index
@@ -64,7 +64,7 @@ TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
             const IndexPair items{event.a, event.b};
             const bool meet = event.kind == Kind::items_meet;
             if (!exist(query, items)) continue;
-            if (meet && !query.tells_pairs) found.pairs.push_back(items);
+            if (meet && !query.has_pairs) found.pairs.push_back(items);
             const std::uint32_t led_by = links.led_to_items(items);
             if (!are_objects(query) && led_by != no_index && place[led_by] != no_index)
                 frame.steps.items.push_back({items, place[led_by], meet});

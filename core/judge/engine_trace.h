@@ -10,6 +10,6 @@ namespace scb {
 /// Converts an engine's query to a frame of a trace. Tests name nodes by index; tests of unknown
 /// nodes are left out. A pair of objects becomes the pair of nodes that hold them. `stages` maps
 /// the engine's stage numbers; 0 means "overlapping" and has no entry.
-TraceFrame trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages);
+QueryTrace trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages);
 
 }  // namespace scb

@@ -151,7 +151,7 @@ PairProblem MissedPairs::cause_of(IndexPair items) const {
     if (query_.self) {
         const Ways turned = ways_to({items.b, items.a});
         const Found other = search(turned);
-        if (other.tells_more_than(found)) {
+        if (other.is_more_specific_than(found)) {
             found = other;
             ways = turned;
             problem.items = {items.b, items.a};

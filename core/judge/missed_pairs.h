@@ -41,7 +41,7 @@ class MissedPairs {
         std::uint32_t depth = 0;  ///< sum of both nodes' depths in `deepest`
 
         /// A rejection is a cause. Of two tests that passed, the deeper one is nearer to the cause.
-        bool tells_more_than(const Found& other) const {
+        bool is_more_specific_than(const Found& other) const {
             if (rejected != other.rejected) return rejected < other.rejected;
             if (deepest == no_index || other.deepest == no_index) return deepest < other.deepest;
             return depth > other.depth;

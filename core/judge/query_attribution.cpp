@@ -18,9 +18,9 @@ std::vector<std::uint64_t> contacts_below(const QueryJudgement& judged) {
 }  // namespace
 
 Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
-                        const TraceHeader& header, const TraceFrame& frame) {
+                        const TraceHeader& header, const QueryTrace& frame) {
     // Without results, the pairs below a test are unknown.
-    if (!query.tells_items && !query.tells_pairs) return {};
+    if (!query.has_item_tests && !query.has_pairs) return {};
     const std::vector<std::uint64_t> contacts = contacts_below(judged);
     std::vector<TestedPair> pairs;
     for (std::size_t i = 0; i < judged.tests.size(); ++i) {

@@ -64,7 +64,7 @@ class Judge {
         count_objects();
         if (query_.complete) result_.divisions = check_divisions(query_, result_.tests);
         // Without results there is nothing to compare.
-        if (has_known_items(query_) && (query_.tells_pairs || query_.tells_items)) {
+        if (has_known_items(query_) && (query_.has_pairs || query_.has_item_tests)) {
             result_.exact = contacts_.size();
             if (query_.complete) find_missed();
             find_false();
@@ -103,7 +103,7 @@ class Judge {
                 return take_items(i, event);
             case Kind::pair:
                 // Without tests of triangles, only the reported pair shows that items below meet.
-                if (!have_meshes(query_) || !query_.tells_items)
+                if (!have_meshes(query_) || !query_.has_item_tests)
                     mark_above(links_.led_to_items({event.a, event.b}));
                 return report(i, event);
         }
@@ -125,7 +125,7 @@ class Judge {
                 result_.stray_item_tests.push_back({i, led_by, 0, true});
         }
         if (event.kind == Kind::items_meet) mark_above(led_by);
-        if (event.kind == Kind::items_meet && !query_.tells_pairs) report(i, event);
+        if (event.kind == Kind::items_meet && !query_.has_pairs) report(i, event);
     }
 
     /// Engines test the triangles of a leaf with each other, without a test of the leaf with
@@ -176,7 +176,7 @@ class Judge {
         if (!reported_.insert(pair_key(query_, event.a, event.b)).second) {
             // In a self query, both orders of a pair are one pair.
             // A triangle in several leaves may be tested once per leaf.
-            if (!query_.tells_pairs) return;
+            if (!query_.has_pairs) return;
             if (!query_.self || event.a == event.b ||
                 !ordered_.insert(std::uint64_t{event.a} << 32 | event.b).second)
                 twice_.push_back(i);

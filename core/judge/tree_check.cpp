@@ -254,7 +254,7 @@ std::vector<TreeProblem> check_shape(const EngineNodes& tree, const TreeShape& s
                          std::uint32_t item = no_index) {
         problems.push_back({fault, node, other, item, 0});
     };
-    for (const std::uint32_t number : tree.told_twice()) add(TreeFault::told_twice, number);
+    for (const std::uint32_t number : tree.recorded_twice()) add(TreeFault::recorded_twice, number);
     std::vector<std::uint32_t> lister(tree.size(), no_index);
     for (std::uint32_t i = 0; i < tree.size(); ++i)
         for (const std::uint32_t child : tree.children(i)) {
@@ -341,7 +341,7 @@ std::string words_of(const TreeProblem& problem, const EngineNodes& tree) {
                       triangle = (tree.has_objects ? "object " : "triangle ") +
                                  std::to_string(problem.item);
     switch (problem.fault) {
-        case TreeFault::told_twice:
+        case TreeFault::recorded_twice:
             return node + " is described twice";
         case TreeFault::missing_child:
             return node + " lists " + other + ", which is not described";

@@ -10,7 +10,7 @@ namespace scb {
 /// What can be wrong with a tree. The faults before `bad_volume` concern its links and items, see
 /// check_shape.
 enum class TreeFault {
-    told_twice,        ///< `node` was described before
+    recorded_twice,    ///< `node` was described before
     missing_child,     ///< `node` lists `other`, which is not described
     listed_twice,      ///< `node` is a child of two nodes, or of its own descendant: `other` is the
                        ///< second that lists it

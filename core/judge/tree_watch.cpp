@@ -20,12 +20,12 @@ void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& prob
     const auto last = amounts_.find(problem.node);
     const double before = last == amounts_.end() ? 0 : last->second;
     const bool stale =
-        node.told_at < frame && looked_ >= node.told_at && 2 * before <= problem.amount;
+        node.recorded_at < frame && looked_ >= node.recorded_at && 2 * before <= problem.amount;
     const auto [known, added] = by_node_.try_emplace(problem.node, of_volumes_.size());
     present_.push_back(known->second);
     if (added)
         of_volumes_.push_back({problem, words_of(problem, tree.tree), frame, problem.amount, frame,
-                               stale, node.told_at});
+                               stale, node.recorded_at});
     WatchedProblem& watched = of_volumes_[known->second];
     if (!added) {
         watched.frames += frame != looked_;
@@ -33,15 +33,15 @@ void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& prob
     }
     watched.last = frame;
     watched.problem.inherited = watched.problem.inherited && problem.inherited;
-    if (watched.links_at < 0 && node.links_at > node.told_at) {
+    if (watched.links_at < 0 && node.links_at > node.recorded_at) {
         watched.links_at = node.links_at;
-        watched.kept_from = node.told_at;
+        watched.kept_from = node.recorded_at;
     }
     if (added || !(problem.amount > watched.problem.amount)) return;
     // A newer volume than the stale one may be wrong, too.
-    if (stale || node.told_at > watched.told_at) {
+    if (stale || node.recorded_at > watched.recorded_at) {
         watched.stale = stale;
-        watched.told_at = node.told_at;
+        watched.recorded_at = node.recorded_at;
     }
     const bool inherited = watched.problem.inherited;
     watched.problem = problem;

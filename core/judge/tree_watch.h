@@ -17,7 +17,7 @@ struct WatchedProblem {
     int worst_at = 0;         ///< the frame at which it is worst
     /// An earlier frame had the same volume, and it was right then, or at most half as wrong.
     bool stale = false;
-    int told_at = 0;           ///< the frame at which the wrong volume was recorded
+    int recorded_at = 0;       ///< the frame at which the wrong volume was recorded
     std::uint64_t frames = 1;  ///< number of checked frames with the problem
     int last = 0;              ///< the last of these frames
     bool gaps = false;         ///< a frame between the first and the last is without the problem

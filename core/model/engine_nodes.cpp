@@ -10,7 +10,7 @@ void EngineNodes::add(EngineNode node, std::string node_name,
                       std::span<const std::uint32_t> items) {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     if (!by_number_.emplace(node.number, index).second) {
-        told_twice_.push_back(node.number);
+        recorded_twice_.push_back(node.number);
         return;
     }
     if (!node_name.empty()) names_.emplace(index, std::move(node_name));
@@ -31,7 +31,7 @@ void EngineNodes::relink(std::uint32_t index, std::uint32_t parent, int frame,
     node.item_count = static_cast<std::uint32_t>(items.size());
     children_.insert(children_.end(), children.begin(), children.end());
     items_.insert(items_.end(), items.begin(), items.end());
-    tells_parents_ |= parent != nodes_.front().parent;
+    has_parents_ |= parent != nodes_.front().parent;
 }
 
 std::uint32_t EngineNodes::index_of(std::uint32_t number) const {
@@ -58,14 +58,14 @@ std::string EngineNodes::words(std::size_t index) const {
 }
 
 std::uint32_t EngineNodes::parent(std::size_t index) const {
-    return tells_parents_ ? nodes_[index].parent : no_index;
+    return has_parents_ ? nodes_[index].parent : no_index;
 }
 
 void EngineNodes::set_volume(std::uint32_t index, NodeVolume volume, int frame, std::string fault,
                              double reach) {
     nodes_[index].volume = std::move(volume);
     nodes_[index].reach = reach;
-    nodes_[index].told_at = frame;
+    nodes_[index].recorded_at = frame;
     if (fault.empty())
         volume_faults_.erase(index);
     else

@@ -21,9 +21,9 @@ struct EngineNode {
     std::uint64_t id = 0;             ///< the engine's own identity of the node
     std::uint32_t first_child = 0, child_count = 0, first_item = 0, item_count = 0;
     NodeVolume volume;
-    double reach = 0;  ///< the largest |number| of the volume that is a length
-    int told_at = 0;   ///< the first frame with this volume
-    int links_at = 0;  ///< the first frame with these children and items
+    double reach = 0;     ///< the largest |number| of the volume that is a length
+    int recorded_at = 0;  ///< the first frame with this volume
+    int links_at = 0;     ///< the first frame with these children and items
 };
 
 /// The nodes of an engine's tree, as recorded: with any number of children, and perhaps no tree at
@@ -35,7 +35,7 @@ class EngineNodes {
     bool has_objects = false;  ///< items are objects, not triangles
 
     /// Adds a node and sets `node.first_child` to `node.item_count`. A second node of the same
-    /// number is only noted, see told_twice.
+    /// number is only noted, see recorded_twice.
     void add(EngineNode node, std::string node_name, std::span<const std::uint32_t> children,
              std::span<const std::uint32_t> items);
 
@@ -59,7 +59,7 @@ class EngineNodes {
     /// "node 12", with that name in quotes.
     std::string words(std::size_t index) const;
     /// The numbers of nodes that were recorded again, in the order of the records.
-    const std::vector<std::uint32_t>& told_twice() const { return told_twice_; }
+    const std::vector<std::uint32_t>& recorded_twice() const { return recorded_twice_; }
 
     /// Sets the volume from this frame on. `fault`: why the recorded numbers are no volume, as a
     /// clause; empty if they are one.
@@ -77,8 +77,8 @@ class EngineNodes {
 
   private:
     std::vector<EngineNode> nodes_;
-    std::vector<std::uint32_t> children_, items_, told_twice_;
-    bool tells_parents_ = false;  ///< the recorded parents differ
+    std::vector<std::uint32_t> children_, items_, recorded_twice_;
+    bool has_parents_ = false;  ///< the recorded parents differ
     std::unordered_map<std::uint32_t, std::uint32_t> by_number_;
     std::unordered_map<std::uint32_t, std::string> names_, volume_faults_;  ///< by index
     std::map<std::uint32_t, NodeVolume> object_volumes_;

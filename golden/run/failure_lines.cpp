@@ -137,7 +137,7 @@ const TraceNames trace_names = {"baseline", "new run"};
 Json tests_by_depth(const std::filesystem::path& trace) {
     scenes::TestInput input(trace.string(), "all");
     Json counts = Json::object();
-    while (const TraceFrame* frame = input.next()) {
+    while (const QueryTrace* frame = input.next()) {
         std::map<int, std::int64_t> tests;
         for (const Step& test : frame->steps.volumes) ++tests[test.depth_a + test.depth_b];
         for (const auto& [depth, count] : tests)

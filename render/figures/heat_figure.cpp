@@ -9,7 +9,7 @@
 #include "render/view/palette.h"
 
 namespace scb::render {
-Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
              HeatOf of, std::optional<std::uint32_t> scale_end) {
     Heat heat;
     heat.of = of;
@@ -61,7 +61,7 @@ PanelItem heat_key(const Heat& heat) {
     return scale;
 }
 
-std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const QueryTrace& frame,
                                   const Heat& heat) {
     std::vector<PanelItem> items;
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});

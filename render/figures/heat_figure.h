@@ -25,7 +25,7 @@ struct Heat {
 
 /// `scale_end`: the count at the upper end of the scale; else the first number of the form 1, 2 or
 /// 5 times a power of ten that no count exceeds, which seldom changes from frame to frame.
-Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
              HeatOf of, std::optional<std::uint32_t> scale_end);
 
 /// Both meshes, each triangle in viridis by its count, and B outlined in its color.
@@ -35,7 +35,7 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat);
 PanelItem heat_key(const Heat& heat);
 
 /// Its numbers and its scale.
-std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceFrame& frame,
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const QueryTrace& frame,
                                   const Heat& heat);
 
 }  // namespace scb::render

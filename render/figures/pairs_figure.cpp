@@ -39,7 +39,7 @@ std::vector<std::uint32_t> of_body(const TraceHeader& header, std::vector<IndexP
 std::size_t body_count(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
 
 /// The leaves of one side that overlapped although their triangles are apart.
-std::vector<std::uint32_t> apart_leaves(const TraceHeader& header, const TraceFrame& frame,
+std::vector<std::uint32_t> apart_leaves(const TraceHeader& header, const QueryTrace& frame,
                                         std::size_t side) {
     std::vector<IndexPair> leaves;
     for (const ItemStep& test : frame.steps.items)
@@ -85,7 +85,7 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
 Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.25); }
 
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
-                     const TraceHeader& header, const TraceFrame& frame, const PairsStyle& style) {
+                     const TraceHeader& header, const QueryTrace& frame, const PairsStyle& style) {
     if (!style.leaves) return;
     const Rgba8 color =
         seen_color(ending_color(Stage::triangles_apart, *style.theme), leaf_opacity, *style.theme);
@@ -97,7 +97,7 @@ void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
 
 }  // namespace
 
-std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFrame& frame,
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const QueryTrace& frame,
                                       std::uint32_t first_id) {
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < frame.found.pairs.size(); ++i) {
@@ -114,7 +114,7 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
     return segments;
 }
 
-Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
                 const PairsStyle& style, std::uint32_t first_pair_id) {
     Pane pane;
     for (std::size_t side = 0; side < body_count(header); ++side) {
@@ -142,7 +142,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Trac
 }
 
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                   const TraceFrame& frame, const PairsStyle& style) {
+                                   const QueryTrace& frame, const PairsStyle& style) {
     const Collision& found = frame.found;
     std::vector<PanelItem> items;
     const Theme& theme = *style.theme;
@@ -185,7 +185,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
 }
 
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
-                                    const TraceFrame& frame, const PairsStyle& style) {
+                                    const QueryTrace& frame, const PairsStyle& style) {
     std::vector<PanelItem> items;
     for (std::size_t side = 0; side < body_count(header); ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
@@ -196,7 +196,7 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
 }
 
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
-                                      const TraceFrame& frame) {
+                                      const QueryTrace& frame) {
     std::vector<AnyVolume> region;
     if (!pairs_are_nodes(header)) {
         for (const Segment& segment : contact_segments(bodies, frame, 0))

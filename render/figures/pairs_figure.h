@@ -13,7 +13,7 @@ struct PairsStyle {
 };
 
 /// The segments in which the pairs of triangles meet, in the world; one per pair, in their order.
-std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFrame& frame,
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const QueryTrace& frame,
                                       std::uint32_t first_id);
 
 /// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
@@ -21,20 +21,20 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceFram
 /// translucent and hatched for B, the volumes of leaves that overlapped although their triangles do
 /// not intersect. For a query that stopped at a level: the volumes of the pairs of nodes.
 /// `first_pair_id` is the id of the first pair's segment.
-Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const TraceFrame& frame,
+Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
                 const PairsStyle& style, std::uint32_t first_pair_id);
 
 /// Its numbers and legend.
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                   const TraceFrame& frame, const PairsStyle& style);
+                                   const QueryTrace& frame, const PairsStyle& style);
 
 /// The meaning of its colors.
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
-                                    const TraceFrame& frame, const PairsStyle& style);
+                                    const QueryTrace& frame, const PairsStyle& style);
 
 /// The volumes that a camera following the contact must show: the ends of the segments in which
 /// triangles meet, or the volumes of nodes. Empty without contact.
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
-                                      const TraceFrame& frame);
+                                      const QueryTrace& frame);
 
 }  // namespace scb::render

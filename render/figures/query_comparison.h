@@ -15,7 +15,7 @@ struct ComparedQuery {
     QueryBodies bodies;  ///< with the same ids as the other's, ids of triangles after all ids of
                          ///< nodes
     const TraceHeader* header = nullptr;
-    const TraceFrame* frame = nullptr;
+    const QueryTrace* frame = nullptr;
 };
 using ComparedQueries = std::array<ComparedQuery, 2>;
 

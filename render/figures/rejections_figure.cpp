@@ -14,13 +14,13 @@ namespace scb::render {
 namespace {
 
 /// The ending that a node's color tells, or its most frequent one where that tells a share.
-Stage told_ending(const EndedPaths& node, NodeColor by) {
+Stage shown_ending(const EndedPaths& node, NodeColor by) {
     return by == NodeColor::first ? node.first : by == NodeColor::last ? node.last : node.dominant;
 }
 
 Rgba8 color_of(const EndedPaths& node, NodeColor by, const Theme& theme) {
     if (by == NodeColor::share) return viridis(static_cast<double>(node.rejected) / node.tested);
-    return ending_color(told_ending(node, by), theme);
+    return ending_color(shown_ending(node, by), theme);
 }
 
 double area_of(const QueryBody& body, std::uint32_t triangle) {
@@ -33,7 +33,7 @@ double area_of(const QueryBody& body, std::uint32_t triangle) {
 std::vector<std::uint32_t> tested_triangles(const QueryBody& body, const EndedPaths& node,
                                             NodeColor by) {
     std::vector<std::uint32_t> triangles;
-    const Stage ending = told_ending(node, by);
+    const Stage ending = shown_ending(node, by);
     if (body.tree->is_leaf(node.node) &&
         (ending == Stage::triangles_apart || ending == Stage::triangles_meet))
         for (const std::uint32_t triangle : body.tree->items(node.node))
@@ -112,7 +112,7 @@ std::string volumes_text(std::size_t side, const std::string& name) {
 }
 
 /// The triangles of the leaves at which paths ended because triangles met.
-std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceFrame& frame,
+std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const QueryTrace& frame,
                                              const Outcomes& outcomes, std::size_t side,
                                              EndedPathsFilter filter) {
     filter.endings = {Stage::triangles_meet};
@@ -126,7 +126,7 @@ std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const TraceF
 
 /// The lines in which triangles meet, in front of everything. Found pairs are the rarest ending and
 /// the most interesting one, but most of these triangles are more often apart from others.
-std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& frame,
+std::vector<Segment> meeting_lines(const QueryBodies& bodies, const QueryTrace& frame,
                                    const Outcomes& outcomes, const RejectionsStyle& style) {
     if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return {};
     std::array<std::vector<std::uint32_t>, 2> shown;
@@ -151,7 +151,7 @@ std::vector<Segment> meeting_lines(const QueryBodies& bodies, const TraceFrame& 
 
 }  // namespace
 
-EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+EndedNodes ended_nodes(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
                        const RejectionsStyle& style) {
     EndedNodes ended;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -163,7 +163,7 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame, const
     return ended;
 }
 
-Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
                      const EndedNodes& ended, const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -233,7 +233,7 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
     return groups;
 }
 
-std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const QueryTrace& frame,
                                       const Outcomes& outcomes, const RejectionsStyle& style) {
     const EndingCounts all = ending_counts(frame, outcomes), counts = shown_counts(all, style);
     const auto ended =
@@ -274,7 +274,7 @@ std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& e
 }
 
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                        const TraceFrame& frame, const Outcomes& outcomes,
+                                        const QueryTrace& frame, const Outcomes& outcomes,
                                         const EndedNodes& ended, const RejectionsStyle& style) {
     const EndingCounts counts = ending_counts(frame, outcomes);
     const std::uint64_t paths = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
@@ -295,7 +295,7 @@ std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHe
     return items;
 }
 
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
+PanelChart endings_chart(const TraceHeader& header, const QueryTrace& frame,
                          const Outcomes& outcomes, const RejectionsStyle& style) {
     PanelChart chart;
     chart.title = "by depth of the pair";

@@ -32,13 +32,13 @@ struct RejectionsStyle {
 
 /// The nodes at which paths of a query ended, of both bodies; empty on a side that is not shown.
 using EndedNodes = std::array<std::vector<EndedPaths>, 2>;
-EndedNodes ended_nodes(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+EndedNodes ended_nodes(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
                        const RejectionsStyle& style);
 
 /// Each node at which paths ended, in its ending's color, and hatched for B: as its exact volume,
 /// or, if its triangles were tested, as these. Behind them, faint, are the meshes; in front of all
 /// are the lines in which triangles meet.
-Pane rejections_pane(const QueryBodies& bodies, const TraceFrame& frame, const Outcomes& outcomes,
+Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
                      const EndedNodes& ended, const RejectionsStyle& style);
 
 /// Whether it has only the meshes in the background.
@@ -50,7 +50,7 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
 
 /// The shown endings with their counts, and their shares of all. Without their colors if colors are
 /// a scale.
-std::vector<PanelItem> endings_legend(const TraceHeader& header, const TraceFrame& frame,
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const QueryTrace& frame,
                                       const Outcomes& outcomes, const RejectionsStyle& style);
 
 /// Both bodies' colors, and the numbers of their drawn nodes.
@@ -62,11 +62,11 @@ std::vector<PanelItem> node_color_keys(const RejectionsStyle& style);
 
 /// Its numbers and legend.
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                        const TraceFrame& frame, const Outcomes& outcomes,
+                                        const QueryTrace& frame, const Outcomes& outcomes,
                                         const EndedNodes& ended, const RejectionsStyle& style);
 
 /// The endings of the tests at each depth of pairs, as stacked bars of the shown endings.
-PanelChart endings_chart(const TraceHeader& header, const TraceFrame& frame,
+PanelChart endings_chart(const TraceHeader& header, const QueryTrace& frame,
                          const Outcomes& outcomes, const RejectionsStyle& style);
 
 }  // namespace scb::render

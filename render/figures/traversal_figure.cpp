@@ -43,7 +43,7 @@ struct Number {
     std::string label, value;
 };
 
-std::vector<Number> numbers_of(const TraceHeader& header, const TraceFrame& frame,
+std::vector<Number> numbers_of(const TraceHeader& header, const QueryTrace& frame,
                                const DepthMatrix& matrix) {
     const Collision& found = frame.found;
     const std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
@@ -217,7 +217,7 @@ std::string icicle_note(bool numbers, bool stacks) {
 
 }  // namespace
 
-Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
+Picture compose(const TraversalFigure& figure, const TraceHeader& header, const QueryTrace& frame,
                 int width, int height, Overlay& overlay) {
     const Theme& theme = *figure.theme;
     const FigureLayout layout = figure_layout(width, height);

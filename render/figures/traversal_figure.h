@@ -23,7 +23,7 @@ struct TraversalFigure {
 /// Composes the figure of a frame, with its counts and the legend of outcomes: the picture has no
 /// panes, all is in the overlay. Matrix and icicle are side by side, or above each other if the
 /// picture is taller than wide. A tiny picture has neither legend nor notes.
-Picture compose(const TraversalFigure& figure, const TraceHeader& header, const TraceFrame& frame,
+Picture compose(const TraversalFigure& figure, const TraceHeader& header, const QueryTrace& frame,
                 int width, int height, Overlay& overlay);
 
 }  // namespace scb::render

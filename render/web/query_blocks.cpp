@@ -68,7 +68,7 @@ std::vector<std::uint8_t> worth_bits(const Steps& steps, const Outcomes& outcome
 
 }  // namespace
 
-QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
+QueryBlocks query_blocks(const QueryBodies& bodies, const QueryTrace& frame,
                          const Outcomes& outcomes, const Attribution& attribution,
                          const std::vector<EndingGroup>& groups, BlockStore& store) {
     std::vector<std::uint8_t> bytes = worth_bits(frame.steps, outcomes, attribution);

@@ -25,7 +25,7 @@ struct QueryBlocks {
 };
 
 /// `groups` are the header's groups, see ending_groups. Of `bodies` the trees are needed.
-QueryBlocks query_blocks(const QueryBodies& bodies, const TraceFrame& frame,
+QueryBlocks query_blocks(const QueryBodies& bodies, const QueryTrace& frame,
                          const Outcomes& outcomes, const Attribution& attribution,
                          const std::vector<EndingGroup>& groups, BlockStore& store);
 

@@ -58,7 +58,7 @@ bool MeshState::take(const RecordedMesh& record, int frame, const std::string& w
     finite = std::move(all_finite);
     coordinate_bytes = record.coordinate_bytes;
     reach = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-    told_at = frame;
+    recorded_at = frame;
     ++version;
     return true;
 }

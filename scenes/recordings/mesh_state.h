@@ -18,9 +18,9 @@ struct MeshState {
     int coordinate_bytes = 8;
     /// The first finite state with these triangles, which decides which vertices are joined.
     std::shared_ptr<const Mesh> rest;
-    double reach = 0;  ///< the largest |coordinate|
-    int told_at = 0;   ///< the frame of the latest change
-    int version = 0;   ///< counts the changes
+    double reach = 0;     ///< the largest |coordinate|
+    int recorded_at = 0;  ///< the frame of the latest change
+    int version = 0;      ///< counts the changes
 
     /// Takes a record. Returns whether the mesh has changed. Throws InputError, a sentence that
     /// begins with `what`, if the record is no mesh.

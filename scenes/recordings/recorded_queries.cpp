@@ -27,7 +27,7 @@ constexpr double single_tolerance = 1e-6, double_tolerance = 1e-12;
 /// coordinate only once.
 constexpr double placing_share = 0.125;
 /// The tree that the record is about.
-std::optional<std::uint32_t> tree_told_by(const Record& record) {
+std::optional<std::uint32_t> tree_recorded_by(const Record& record) {
     if (const auto* tree = std::get_if<RecordedTree>(&record)) return tree->tree;
     if (const auto* node = std::get_if<RecordedNode>(&record)) return node->tree;
     if (const auto* refit = std::get_if<RecordedRefit>(&record)) return refit->tree;
@@ -38,8 +38,8 @@ std::optional<std::uint32_t> tree_told_by(const Record& record) {
 
 RecordedQueries::RecordedQueries(const RecordingFile& file)
     : name_(file.path), selection_(file.selection), reader_(file.bytes, file.path) {
-    query_.tells_items = file.summary.item_tests > 0;
-    query_.tells_pairs = file.summary.tells_pairs || file.summary.pairs > 0;
+    query_.has_item_tests = file.summary.item_tests > 0;
+    query_.has_pairs = file.summary.has_pairs || file.summary.pairs > 0;
 }
 
 RecordedQueries::Ended RecordedQueries::next() {
@@ -53,7 +53,7 @@ RecordedQueries::Ended RecordedQueries::next() {
     query_done_ = false;
     while (const Record* record = reader_.next()) {
         std::visit([&](const auto& r) { take(r); }, *record);
-        telling_ = tree_told_by(*record);
+        telling_ = tree_recorded_by(*record);
         if (query_done_) return Ended::query;
         if (next_frame_) return Ended::frame;
     }
@@ -110,7 +110,7 @@ void RecordedQueries::take(const RecordedSetting& setting) {
     const char* end = setting.value.data() + setting.value.size();
     const auto [stop, error] = std::from_chars(setting.value.data(), end, told);
     if (error == std::errc() && stop == end && told >= 0 && told <= max_coordinate)
-        told_tolerance_ = told;
+        recorded_tolerance_ = told;
     else
         note(unusable_, "the tolerance \"" + settings_.back().value + "\" is no length");
 }
@@ -169,8 +169,8 @@ void RecordedQueries::take(const RecordedFrame& frame) {
     if (in_query_)
         fail("frame " + std::to_string(number) +
              " begins within a query; call scb_record_query_end where a query ends");
-    if (!frame_told_) {
-        frame_told_ = true;
+    if (!frame_recorded_) {
+        frame_recorded_ = true;
         frame_ = number;
         return;
     }
@@ -278,9 +278,9 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
     query_.tolerance = tolerance_of(share, length + placing) + askew * (length + distances);
     query_.triangle_tolerance =
         tolerance_of(share, length_of_meshes + placing) + askew * (length_of_meshes + distances);
-    query_.tolerance_slope = told_tolerance_ ? 0 : share + askew;
+    query_.tolerance_slope = recorded_tolerance_ ? 0 : share + askew;
     const double of_numbers = share * (length + placing), of_poses = askew * (length + distances);
-    query_.tolerance_cause = told_tolerance_ && *told_tolerance_ >= of_poses
+    query_.tolerance_cause = recorded_tolerance_ && *recorded_tolerance_ >= of_poses
                                  ? ToleranceCause::setting
                              : of_poses > of_numbers ? ToleranceCause::pose
                              : placing > length      ? ToleranceCause::distance
@@ -310,12 +310,13 @@ double RecordedQueries::reach_of(const TreeState& tree) const {
 
 double RecordedQueries::tolerance_of(double share, double length) const {
     // The setting does not cover this program's own rounding.
-    return told_tolerance_ ? std::max(*told_tolerance_, double_tolerance * length) : share * length;
+    return recorded_tolerance_ ? std::max(*recorded_tolerance_, double_tolerance * length)
+                               : share * length;
 }
 
 NodeTolerance RecordedQueries::node_tolerance_of(const TreeState& tree) const {
     const double share = is_single(tree) ? single_tolerance : double_tolerance;
-    return {tolerance_of(share, mesh_reach(tree)), told_tolerance_ ? double_tolerance : share};
+    return {tolerance_of(share, mesh_reach(tree)), recorded_tolerance_ ? double_tolerance : share};
 }
 
 double RecordedQueries::tolerance_of(const TreeState& tree) const {

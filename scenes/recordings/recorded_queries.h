@@ -156,7 +156,7 @@ class RecordedQueries {
     std::map<std::uint8_t, std::string> stages_;
     std::vector<std::uint8_t> stage_order_;
     std::vector<RecordedSetting> settings_;
-    std::optional<double> told_tolerance_;
+    std::optional<double> recorded_tolerance_;
     EngineQuery query_;
     std::array<std::uint32_t, 2> bodies_of_query_{};
     std::string query_name_;
@@ -170,7 +170,7 @@ class RecordedQueries {
     std::optional<std::uint32_t> telling_;  ///< the tree of the last record
     std::optional<int> next_frame_;         ///< recorded, but not begun yet
     int frame_ = 0;
-    bool frame_told_ = false, in_query_ = false, query_done_ = false, ended_ = false;
+    bool frame_recorded_ = false, in_query_ = false, query_done_ = false, ended_ = false;
 };
 
 }  // namespace scb::scenes

@@ -189,7 +189,7 @@ const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {
     return bodies_.at(frame)[side];
 }
 
-const TraceFrame& RecordedTrace::frame(int number) {
+const QueryTrace& RecordedTrace::frame(int number) {
     if (latest_ == number) return frame_;
     latest_ = number;
     while (true) {
@@ -202,14 +202,14 @@ const TraceFrame& RecordedTrace::frame(int number) {
     return set_frame(queries_->query());
 }
 
-const TraceFrame* RecordedTrace::frame_at(const RecordedQueries& queries) {
+const QueryTrace* RecordedTrace::frame_at(const RecordedQueries& queries) {
     if (!is_wanted(queries) || visited_ == queries.frame()) return nullptr;
     visited_ = queries.frame();
     latest_.reset();
     return &set_frame(queries.query());
 }
 
-const TraceFrame& RecordedTrace::set_frame(const EngineQuery& query) {
+const QueryTrace& RecordedTrace::set_frame(const EngineQuery& query) {
     frame_ = trace_frame(query, stages_);
     for (std::size_t side = 0; side < 2; ++side) frame_.trees[side] = body(side, query.frame).tree;
     return frame_;

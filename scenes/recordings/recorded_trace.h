@@ -47,15 +47,15 @@ class RecordedTrace {
     /// The body of a side at a chosen frame.
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether the recording has pairs, or tests of items, anywhere.
-    bool tells_results() const { return recording_->file->summary.tells_results(); }
+    bool has_results() const { return recording_->file->summary.has_results(); }
     /// The number of tests of volumes in the query of a chosen frame.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
     /// The first query of the two bodies at a chosen frame; valid until another frame is requested.
     /// Frames must be requested in ascending order.
-    const TraceFrame& frame(int number);
+    const QueryTrace& frame(int number);
     /// The query that `queries` has read, if it is the first of the two bodies at a chosen frame;
     /// else null. Valid until the next call.
-    const TraceFrame* frame_at(const RecordedQueries& queries);
+    const QueryTrace* frame_at(const RecordedQueries& queries);
     /// The query of the latest frame() as recorded; valid as long.
     const EngineQuery& query() const { return queries_->query(); }
     /// The best frame to show a test of two nodes, by their numbers: the first in which the test
@@ -74,7 +74,7 @@ class RecordedTrace {
   private:
     RecordedTrace(const RecordedTrace& other);
     bool is_wanted(const RecordedQueries& queries) const;
-    const TraceFrame& set_frame(const EngineQuery& query);
+    const QueryTrace& set_frame(const EngineQuery& query);
     /// Chooses bodies and frames.
     void choose(const std::string& bodies, const std::string& frames);
     /// Reads the bodies at the chosen frames.
@@ -92,7 +92,7 @@ class RecordedTrace {
     std::map<int, std::array<BodyAtFrame, 2>> bodies_;
     std::map<int, std::uint64_t> test_counts_;
     std::unique_ptr<RecordedQueries> queries_;
-    TraceFrame frame_;
+    QueryTrace frame_;
     std::optional<int> latest_;   ///< the frame of the latest frame()
     std::optional<int> visited_;  ///< the frame of the latest frame_at() that was not null
     OwnContacts own_;

@@ -112,7 +112,7 @@ class RecordingContents {
         if (!pair.frames.empty() && pair.frames.back() == frame) return;
         const EngineQuery& query = queries.query();
         const auto found =
-            query.tells_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet;
+            query.has_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet;
         std::pair<std::size_t, std::size_t> here{};
         for (const EngineEvent& event : query.events) {
             here.first += event.kind == found;

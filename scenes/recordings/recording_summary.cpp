@@ -82,7 +82,7 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name,
             summary.body_names[body->body] = shown(body->name);
         }
         if (const auto* setting = std::get_if<RecordedSetting>(record))
-            summary.tells_pairs |= setting->key == "results" && setting->value == "pairs";
+            summary.has_pairs |= setting->key == "results" && setting->value == "pairs";
         if (const auto* query = std::get_if<RecordedQuery>(record)) {
             is_selected = selection.has(*query);
             summary.queries += is_selected;

@@ -29,9 +29,9 @@ struct RecordingSummary {
     std::set<std::uint8_t> stages;  ///< stages at which tests rejected
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
     /// Whether the setting `results` announces recorded pairs, though there may be none.
-    bool tells_pairs = false;
+    bool has_pairs = false;
     /// Whether it has pairs, or tests of items, anywhere.
-    bool tells_results() const { return tells_pairs || pairs + item_tests > 0; }
+    bool has_results() const { return has_pairs || pairs + item_tests > 0; }
     /// By number. Names differ from each other, and have no comma, which separates two names.
     std::map<std::uint32_t, std::string> body_names;
 };

@@ -18,7 +18,7 @@ TestInput::TestInput(const std::string& path, const std::string& frames, const s
                          " is a trace, whose queries have no names and tags; leave it out.");
     bytes_ = trace_bytes(path);
     TraceReader whole(as_bytes(bytes_), path);
-    while (const TraceFrame* frame = whole.next()) {
+    while (const QueryTrace* frame = whole.next()) {
         if (all_frames_.empty()) first_pose_ = frame->b_to_a;
         all_frames_.push_back(frame->frame);
     }
@@ -44,16 +44,16 @@ const std::vector<int>& TestInput::all_frames() const {
     return recorded_ ? recorded_->all_frames() : all_frames_;
 }
 
-const TraceFrame& TestInput::frame(int number) {
+const QueryTrace& TestInput::frame(int number) {
     if (recorded_) return recorded_->frame(number);
-    const TraceFrame* frame = trace_->next();
+    const QueryTrace* frame = trace_->next();
     while (frame != nullptr && frame->frame < number) frame = trace_->next();
     if (frame == nullptr || frame->frame != number)
         throw InputError(path_ + ": it has no frame " + std::to_string(number) + " any more.");
     return *frame;
 }
 
-const TraceFrame* TestInput::next() {
+const QueryTrace* TestInput::next() {
     return next_ == frames().size() ? nullptr : &frame(frames()[next_++]);
 }
 

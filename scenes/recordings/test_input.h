@@ -30,9 +30,9 @@ class TestInput {
     const Pose& first_pose() const { return first_pose_; }
     /// The query of a frame, valid until the next call. Frames must be requested in ascending
     /// order. Throws InputError if there is no such frame.
-    const TraceFrame& frame(int number);
+    const QueryTrace& frame(int number);
     /// The query of the next chosen frame; nullptr at the end.
-    const TraceFrame* next();
+    const QueryTrace* next();
     /// The recording; null if the file is a trace.
     RecordedTrace* recorded() const { return recorded_.get(); }
 

@@ -58,7 +58,7 @@ struct FrameBuilder {
     const TraceHeader& header;
     std::array<TraceNodes, 2>& nodes;
     ByteReader& news;
-    TraceFrame& frame;
+    QueryTrace& frame;
     std::vector<Divided> pending{};
     std::uint32_t last_root = 0;
     std::set<std::uint32_t> roots{};
@@ -173,7 +173,7 @@ struct FrameBuilder {
 
 }  // namespace
 
-std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
+std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const QueryTrace& frame,
                                       std::array<TraceNodes, 2>& nodes) {
     const Outcomes outcomes = outcomes_of(header, frame);
     const std::vector<Step>& tests = frame.steps.volumes;
@@ -216,7 +216,7 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFram
 }
 
 std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> bytes,
-                       std::array<TraceNodes, 2>& nodes, TraceFrame& frame) {
+                       std::array<TraceNodes, 2>& nodes, QueryTrace& frame) {
     ByteReader plain{bytes};
     frame.steps.volumes.clear();
     frame.steps.items.clear();

@@ -16,11 +16,11 @@ std::vector<std::uint8_t> header_bytes(const TraceHeader& header);
 std::optional<TraceHeader> header_of(std::span<const std::uint8_t> bytes);
 
 /// A frame as bytes. Adds the links that it writes to `nodes`.
-std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const TraceFrame& frame,
+std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const QueryTrace& frame,
                                       std::array<TraceNodes, 2>& nodes);
 /// Reads a frame into `frame` and `nodes`. Returns the error as a clause, or an empty text.
 std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> bytes,
-                       std::array<TraceNodes, 2>& nodes, TraceFrame& frame);
+                       std::array<TraceNodes, 2>& nodes, QueryTrace& frame);
 
 /// A packed block unpacks to at most this many times its size plus 1024. Bytes that repeat more are
 /// packed less well, so that a reader can refuse larger lengths.

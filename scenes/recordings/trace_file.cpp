@@ -43,7 +43,7 @@ TraceWriter::TraceWriter(const TraceHeader& header) : header_(header) {
     add_block(out_, head_block, header_bytes(header));
 }
 
-void TraceWriter::add(const TraceFrame& frame) {
+void TraceWriter::add(const QueryTrace& frame) {
     assert(frame.frame >= 0 && frame.frame < most_frames && "no scene has such a frame");
     if (frame.steps.volumes.size() > most_of_a_frame) refuse_large(frame.frame, "tests");
     const std::vector<std::uint8_t> plain = frame_bytes(header_, frame, nodes_);
@@ -136,7 +136,7 @@ void TraceReader::contradict(const std::string& what) const {
     throw InputError(name_ + " is not a valid trace: " + what + "; record it again.");
 }
 
-const TraceFrame* TraceReader::next() {
+const QueryTrace* TraceReader::next() {
     if (next_ == frames_.size()) return nullptr;
     const PackedFrame& next = frames_[next_];
     const auto plain = unpack(next.packed, static_cast<std::size_t>(next.plain_size));
@@ -151,14 +151,14 @@ const TraceFrame* TraceReader::next() {
 
 std::vector<std::uint8_t> encode_trace(const Trace& trace) {
     TraceWriter writer(trace.header);
-    for (const TraceFrame& frame : trace.frames) writer.add(frame);
+    for (const QueryTrace& frame : trace.frames) writer.add(frame);
     return writer.finish();
 }
 
 Trace decode_trace(std::span<const std::uint8_t> bytes, std::string_view name) {
     TraceReader reader(bytes, name);
     Trace trace{reader.header(), {}};
-    while (const TraceFrame* frame = reader.next()) trace.frames.push_back(*frame);
+    while (const QueryTrace* frame = reader.next()) trace.frames.push_back(*frame);
     return trace;
 }
 

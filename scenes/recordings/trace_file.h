@@ -57,7 +57,7 @@ class TraceWriter {
     /// Frames must be added ascending by number, each once, as recorded by collide: counts other
     /// than N_u are not stored, since they follow from the tests. Throws InputError if the frame
     /// has more than 2^31 volume tests, or takes more than 2^31 bytes.
-    void add(const TraceFrame& frame);
+    void add(const QueryTrace& frame);
     /// The whole file. Nothing may be added after it.
     std::vector<std::uint8_t> finish();
 
@@ -82,7 +82,7 @@ class TraceReader {
 
     const TraceHeader& header() const { return header_; }
     /// The next frame, which the next call overwrites; nullptr at the end.
-    const TraceFrame* next();
+    const QueryTrace* next();
 
   private:
     /// A frame, deflated.
@@ -104,7 +104,7 @@ class TraceReader {
     std::vector<PackedFrame> frames_;
     std::size_t next_ = 0;
     std::array<TraceNodes, 2> nodes_;
-    TraceFrame frame_;
+    QueryTrace frame_;
     int last_frame_ = -1;
 };
 

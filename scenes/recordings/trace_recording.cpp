@@ -142,7 +142,7 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
     }
 }
 
-void TraceRecording::add(const TraceFrame& frame, const std::array<Pose, 2>& poses) {
+void TraceRecording::add(const QueryTrace& frame, const std::array<Pose, 2>& poses) {
     writer_.add(RecordedFrame{static_cast<std::uint32_t>(frame.frame)});
     for (std::uint32_t side = 0; side < 2; ++side)
         writer_.add(RecordedPose{side, rows_of(poses[side])});

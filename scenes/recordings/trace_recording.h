@@ -16,7 +16,7 @@ class TraceRecording {
                    std::array<const AnyHierarchy*, 2> hierarchies);
 
     /// Frames must be added ascending. `poses`: the poses of A and B.
-    void add(const TraceFrame& frame, const std::array<Pose, 2>& poses);
+    void add(const QueryTrace& frame, const std::array<Pose, 2>& poses);
     /// The whole file. Nothing may be added after it.
     std::string finish();
 

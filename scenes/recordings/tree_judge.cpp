@@ -25,7 +25,7 @@ void TreeJudge::keep_mesh(std::uint32_t number, const MeshState& mesh) {
     constexpr std::size_t most = 8;
     std::deque<EarlierMesh>& kept = earlier_[number];
     if (!kept.empty() && kept.back().version == mesh.version) return;
-    kept.push_back({mesh.version, mesh.told_at, mesh.finite});
+    kept.push_back({mesh.version, mesh.recorded_at, mesh.finite});
     if (kept.size() > most) kept.pop_front();
 }
 

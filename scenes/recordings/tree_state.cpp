@@ -54,7 +54,7 @@ void TreeState::begin(const RecordedTree& record) {
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         const EngineNode& node = tree[i];
         const NodeState& of_node = node_states[i];
-        made.before[node_key(node.number, tree.items(i))] = {of_node.volume, node.told_at,
+        made.before[node_key(node.number, tree.items(i))] = {of_node.volume, node.recorded_at,
                                                              of_node.links, node.links_at};
     }
     made.name = shown(record.name);
@@ -102,14 +102,15 @@ void TreeState::set_volume(std::uint32_t index, const RecordedVolume& volume, in
     WordHash told;
     told.add(static_cast<std::uint64_t>(volume.kind));
     for (const double value : volume.values) told.add(std::bit_cast<std::uint64_t>(value));
-    int told_at = frame;
+    int recorded_at = frame;
     const std::uint64_t last = std::exchange(node_states[index].volume, told.value);
     // An engine may record all volumes again, also those that it forgot to change.
     if (last == told.value) return;
     if (last == 0) {
         // In a rebuilt tree, the node may have its earlier volume.
         const auto old = before.find(node_key(tree[index].number, tree.items(index)));
-        if (old != before.end() && old->second.volume == told.value) told_at = old->second.told_at;
+        if (old != before.end() && old->second.volume == told.value)
+            recorded_at = old->second.recorded_at;
     }
     std::string fault;
     NodeVolume made = node_volume(volume, directions, fault);
@@ -117,7 +118,7 @@ void TreeState::set_volume(std::uint32_t index, const RecordedVolume& volume, in
                                              [](double value) { return value != 0; });
     has_long = has_long || std::any_of(volume.values.begin(), volume.values.end(), is_long);
     single = single && std::all_of(volume.values.begin(), volume.values.end(), is_of_32_bits);
-    tree.set_volume(index, std::move(made), told_at, std::move(fault),
+    tree.set_volume(index, std::move(made), recorded_at, std::move(fault),
                     scenes::reach_of(volume, directions));
 }
 

@@ -21,7 +21,7 @@ struct NodeState {
 /// A node of the tree before a rebuild.
 struct EarlierNode {
     std::uint64_t volume = 0;  ///< hash
-    int told_at = 0;           ///< frame
+    int recorded_at = 0;       ///< frame
     std::uint64_t links = 0;   ///< hash
     int links_at = 0;          ///< frame
 };

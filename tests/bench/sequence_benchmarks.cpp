@@ -77,7 +77,7 @@ struct Spheres {
 };
 
 void ask(const Spheres& spheres, const render::QueryBodies& bodies, const TraceHeader& header,
-         int frame, TraceFrame& result) {
+         int frame, QueryTrace& result) {
     const auto& [a, b] = std::pair(spheres.scene.bodies[0].mesh, spheres.scene.bodies[1].mesh);
 
     StepRecorder recorder{std::move(result.steps)};
@@ -93,7 +93,7 @@ void ask(const Spheres& spheres, const render::QueryBodies& bodies, const TraceH
 enum class What { rejections, pairs };
 
 void describe(render::SceneFigure& figure, What what, const render::QueryBodies& bodies,
-              const TraceHeader& header, const TraceFrame& frame) {
+              const TraceHeader& header, const QueryTrace& frame) {
     if (what == What::pairs) {
         const render::PairsStyle style;
         figure.pane = render::pairs_pane(bodies, header, frame, style, 1u << 30);
@@ -216,7 +216,7 @@ void sequence(benchmark::State& state, What what) {
         // As many as `scb render` has of both.
         render::EncodeQueue queue(8, std::max(1u, std::thread::hardware_concurrency()));
         render::Overlay overlay;
-        TraceFrame frame;
+        QueryTrace frame;
         double peak_after_20 = 0;
         int drawn = 0;
         const ProcessorTime before = ProcessorTime::now();

@@ -28,7 +28,7 @@ void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
         std::make_shared<const scenes::Recording>(scenes::read_recording(file)), "", "all");
     const TraceHeader& header = recorded.header();
     for (const int number : recorded.frames()) {
-        const TraceFrame& frame = recorded.frame(number);
+        const QueryTrace& frame = recorded.frame(number);
         const Outcomes outcomes = outcomes_of(header, frame);
         const EndingCounts counts = ending_counts(frame, outcomes);
         std::uint64_t ended = 0;

@@ -22,13 +22,13 @@ SCB_FUZZ(input) {
     const std::optional<TraceHeader> header = scenes::header_of(take_part(input));
     if (!header) return;
     std::array<scenes::TraceNodes, 2> nodes, written;
-    TraceFrame frame;
+    QueryTrace frame;
     while (!input.empty()) {
         const auto part = take_part(input);
         if (!scenes::read_frame(*header, part, nodes, frame).empty()) return;
         // What was read is written as something that reads as the same.
         std::array<scenes::TraceNodes, 2> again = written;
-        TraceFrame copy;
+        QueryTrace copy;
         const std::vector<std::uint8_t> bytes = scenes::frame_bytes(*header, frame, written);
         fuzz::require(scenes::read_frame(*header, bytes, again, copy).empty(),
                       "a frame that was written can be read");

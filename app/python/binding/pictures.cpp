@@ -54,7 +54,7 @@ SharedImage draw_pairs(app::QueryViewOptions& options, bool leaves, bool recorde
     app::QuerySource& source = sources[0];
     if (source.frames().size() != 1)
         refuse("frame " + options.query.frames, "a picture has one frame.");
-    const TraceFrame& frame = source.frame(source.frames()[0]);
+    const QueryTrace& frame = source.frame(source.frames()[0]);
     Drawing drawing(options.picture);
     const app::QueryView view(options, sources, drawing.renderer);
     const render::PairsStyle style{leaves, options.picture.theme()};

@@ -38,12 +38,12 @@ class Queries {
 
     FrameTests frame(std::int64_t number) {
         const std::lock_guard lock(mutex_);
-        const TraceFrame& frame = seek(number);  // may replace the source
+        const QueryTrace& frame = seek(number);  // may replace the source
         return FrameTests(source_->header(), frame);
     }
     PassCounts waste(std::int64_t number) {
         const std::lock_guard lock(mutex_);
-        const TraceFrame& frame = seek(number);
+        const QueryTrace& frame = seek(number);
         return source_->attribution(frame).counts;
     }
 
@@ -54,14 +54,14 @@ class Queries {
         last_ = -1;
     }
     /// The query of a frame; valid until the next call.
-    const TraceFrame& seek(std::int64_t number) {
+    const QueryTrace& seek(std::int64_t number) {
         const std::vector<int>& frames = source_->frames();
         if (!std::binary_search(frames.begin(), frames.end(), number))
             refuse("frame " + std::to_string(number),
                    "there is no query of it; there are queries of " +
                        name_list(frames, [](int f) { return std::to_string(f); }) + ".");
         if (number <= last_) open();
-        const TraceFrame& frame = source_->frame(static_cast<int>(number));
+        const QueryTrace& frame = source_->frame(static_cast<int>(number));
         last_ = number;
         return frame;
     }

@@ -15,10 +15,10 @@ const Element& first_of(const std::vector<Element>& elements, const Element& non
 
 }  // namespace
 
-FrameTests::FrameTests(const TraceHeader& header, const TraceFrame& frame)
+FrameTests::FrameTests(const TraceHeader& header, const QueryTrace& frame)
     : all_([&] {
           auto all = std::make_shared<All>(All{header, frame, outcomes_of(header, frame), {}});
-          TraceFrame& told = all->frame;
+          QueryTrace& told = all->frame;
           for (Step& test : told.steps.volumes) test.nodes = numbers_of(frame, test.nodes);
           if (pairs_are_nodes(header))
               for (IndexPair& pair : told.found.pairs) pair = numbers_of(frame, pair);

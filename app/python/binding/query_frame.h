@@ -13,9 +13,9 @@ namespace scb::python {
 /// their memory.
 class FrameTests {
   public:
-    FrameTests(const TraceHeader& header, const TraceFrame& frame);
+    FrameTests(const TraceHeader& header, const QueryTrace& frame);
 
-    const TraceFrame& frame() const { return all_->frame; }
+    const QueryTrace& frame() const { return all_->frame; }
     /// Per test of volumes, in the order of the tests.
     py::array node_a() const;
     py::array node_b() const;
@@ -36,7 +36,7 @@ class FrameTests {
   private:
     struct All {
         TraceHeader header;
-        TraceFrame frame;
+        QueryTrace frame;
         Outcomes outcomes;
         std::set<Stage> occurring;  ///< in `outcomes`
     };

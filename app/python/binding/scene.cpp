@@ -31,7 +31,7 @@ SharedScene load_scene(const py::args& names, const py::object& pose,
 }
 
 /// A body's poses: one, or one per frame.
-std::vector<scenes::PoseKey> told_poses(const py::handle& matrices, const std::string& name) {
+std::vector<scenes::PoseKey> given_poses(const py::handle& matrices, const std::string& name) {
     const py::array array = py::array::ensure(matrices);
     const bool is_one = matrices.is_none() || !array || array.ndim() != 3;
     std::vector<Pose> poses;
@@ -63,8 +63,8 @@ SharedScene scene_of(const py::dict& bodies, const py::dict& poses, const std::s
         const auto [place, is_new] = places.try_emplace(mesh.mesh.get(), scene->meshes.size());
         if (is_new) scene->meshes.push_back({mesh.name, *mesh.mesh});
         scenes::Motion motion;
-        motion.told = told_poses(poses.contains(key) ? py::object(poses[key]) : py::none(),
-                                 "poses['" + body + "']");
+        motion.told = given_poses(poses.contains(key) ? py::object(poses[key]) : py::none(),
+                                  "poses['" + body + "']");
         const auto frames = static_cast<int>(motion.told.size());
         if (frames > 1 && scene->frames > 1 && frames != scene->frames)
             refuse("poses['" + body + "']",

@@ -113,7 +113,7 @@ TEST(Attribution, NothingIsClaimedOfAPairThatIsNotKnown) {
 TEST(Attribution, OfASelfQueryFindsTheContactsBelowEachTest) {
     const BuiltMesh body(random_soup(17, 60, 0.4));
     const TraceHeader header = asking_self(VolumeKind::scb);
-    const TraceFrame frame = record_frame(body, body, 0, Pose{}, header);
+    const QueryTrace frame = record_frame(body, body, 0, Pose{}, header);
     const AnyHierarchy& hierarchy = body.hierarchies[static_cast<std::size_t>(header.volume)];
     const std::vector<IndexPair>& contacts = frame.found.pairs;
     const Attribution found = attribute(hierarchy, hierarchy, header, frame, contacts);

@@ -11,7 +11,7 @@
 namespace scb {
 namespace {
 
-TraceFrame recorded(VolumeKind kind, TraceHeader& header) {
+QueryTrace recorded(VolumeKind kind, TraceHeader& header) {
     static const BuiltMesh a(random_soup(1, 400, 0.15)), b(random_soup(2, 300, 0.15));
     header.volume = kind;
     return record_trace(a, b, header, {4}).frames[0];
@@ -41,7 +41,7 @@ TEST(DepthMatrix, OfASmallQueryByHand) {
 TEST(DepthMatrix, SumsAreTheQuerysCounts) {
     for (const VolumeKind kind : all_volume_kinds()) {
         TraceHeader header;
-        const TraceFrame frame = recorded(kind, header);
+        const QueryTrace frame = recorded(kind, header);
         const DepthMatrix matrix = depth_matrix(frame.steps);
         std::uint64_t tests = 0, rejected = 0;
         std::size_t deepest = 0;
@@ -92,7 +92,7 @@ TEST(TestSizes, AreOneMoreThanThoseOfTheChildren) {
         for (const std::size_t most : {std::numeric_limits<std::size_t>::max(), std::size_t{2}}) {
             TraceHeader header;
             header.options.max_pairs = most;
-            const TraceFrame frame = recorded(kind, header);
+            const QueryTrace frame = recorded(kind, header);
             const std::vector<std::uint32_t> sizes = subtree_sizes(frame.steps);
             ASSERT_EQ(sizes.size(), frame.found.n_v);
             EXPECT_EQ(sizes[0], frame.found.n_v);

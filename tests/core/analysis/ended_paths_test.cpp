@@ -16,7 +16,7 @@ const BuiltMesh& mesh() {
     return built;
 }
 
-TraceFrame some_frame(const TraceHeader& header) {
+QueryTrace some_frame(const TraceHeader& header) {
     Pose pose;
     pose.translation = Vec3(0.3, 0.11, 0.02);
     return record_frame(mesh(), mesh(), 3, pose, header);
@@ -33,7 +33,7 @@ std::vector<TraceHeader> headers() {
 
 TEST(Endings, AreTheTestsThatWereNotPassedOn) {
     for (const TraceHeader& header : headers()) {
-        const TraceFrame frame = some_frame(header);
+        const QueryTrace frame = some_frame(header);
         const Outcomes outcomes = outcomes_of(header, frame);
         std::uint64_t passed_on = 0;
         for (const Stage outcome : outcomes)
@@ -60,7 +60,7 @@ TEST(Endings, AreTheTestsThatWereNotPassedOn) {
 }
 
 TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
-    TraceFrame frame;
+    QueryTrace frame;
     frame.steps.volumes = {{{0, 0}, 0, 0, Stage::overlapping},
                            {{1, 0}, 1, 0, Stage::ball_ball},
                            {{2, 0}, 1, 0, Stage::overlapping},
@@ -89,7 +89,7 @@ TEST(Endings, AreFoundByTheirNames) {
 TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
     for (const TraceHeader& header : headers())
         for (const std::size_t side : {0u, 1u}) {
-            const TraceFrame frame = some_frame(header);
+            const QueryTrace frame = some_frame(header);
             const Outcomes outcomes = outcomes_of(header, frame);
             std::map<std::uint32_t, std::vector<Stage>> ends;
             std::map<std::uint32_t, std::uint32_t> tested;
@@ -124,7 +124,7 @@ TEST(EndedPathsOf, SumsUpThePathsThatEndedAtEachNode) {
 
 TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
-    const TraceFrame frame = some_frame(header);
+    const QueryTrace frame = some_frame(header);
     const Outcomes outcomes = outcomes_of(header, frame);
     const std::vector<std::uint16_t> depths = node_depths(mesh().topology());
     EndedPathsFilter filter;
@@ -149,7 +149,7 @@ TEST(EndedPathsOf, KeepsWhatTheFilterAsksFor) {
 
 TEST(EndedPathsOf, InnermostNodesHoldNoOther) {
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::corrected);
-    const TraceFrame frame = some_frame(header);
+    const QueryTrace frame = some_frame(header);
     const std::vector<EndedPaths> front = ended_paths(frame, outcomes_of(header, frame), 0);
     const std::vector<EndedPaths> inner = innermost(front, tree_shape(mesh().topology()));
     const auto& nodes = mesh().topology().nodes;

@@ -23,7 +23,7 @@ struct MadeQuery {
     static constexpr std::uint32_t none = no_step;
 
     TraceHeader header;
-    TraceFrame frame;
+    QueryTrace frame;
 
     MadeQuery() { header.engine.emplace(); }
 

@@ -11,12 +11,12 @@ namespace {
 TEST(TracePrefix, AreTheQueryUpToThere) {
     const BuiltMesh mesh(height_field(9));
     for (const TraceHeader& header : queries_to_divide()) {
-        const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
+        const QueryTrace whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
         const Outcomes of_whole = outcomes_of(header, whole);
         const std::size_t all = whole.found.n_v;
         std::size_t pairs = 0;
         for (std::size_t count = 0; count <= all; count += 7) {
-            const TraceFrame part = trace_prefix(header, whole, count);
+            const QueryTrace part = trace_prefix(header, whole, count);
             EXPECT_EQ(part.found.n_v, count);
             EXPECT_EQ(test_count(part.found.stages), count);
             EXPECT_EQ(part.found.n_p, part.steps.items.size());
@@ -34,7 +34,7 @@ TEST(TracePrefix, AreTheQueryUpToThere) {
         }
         // All of them, and more than there are.
         for (const std::size_t count : {all, all + 10}) {
-            const TraceFrame part = trace_prefix(header, whole, count);
+            const QueryTrace part = trace_prefix(header, whole, count);
             EXPECT_EQ(part.steps, whole.steps);
             EXPECT_EQ(part.found.pairs, whole.found.pairs);
             EXPECT_EQ(part.found.n_u, whole.found.n_u);

@@ -38,7 +38,7 @@ TEST(Outcomes, FollowsTheHierarchies) {
                 TraceHeader header = asking(kind, OverlapTest::symmetric);
                 header.options.descent = descent;
                 header.options.stop_level = level;
-                const TraceFrame frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
+                const QueryTrace frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
                 const Outcomes outcomes = outcomes_of(header, frame);
                 const auto& tests = frame.steps.volumes;
                 const auto& nodes_a = mesh_a().topology().nodes;
@@ -75,7 +75,7 @@ TEST(Outcomes, FollowsTheHierarchies) {
 TEST(Outcomes, PairsMayBeLeftOver) {
     TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
     header.options.max_pairs = 1;
-    const TraceFrame frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
+    const QueryTrace frame = record_trace(mesh_a(), mesh_b(), header, {4}).frames[0];
     const Outcomes outcomes = outcomes_of(header, frame);
     EXPECT_EQ(outcomes.back(), Stage::triangles_meet);
     EXPECT_GT(std::count(outcomes.begin(), outcomes.end(), Stage::left_over), 0);
@@ -137,7 +137,7 @@ TEST(TraceDiff, TwoOverlapTestsPartWhereTheirStagesFirstDo) {
     EXPECT_EQ(d.first->a->parent, d.first->b->parent);
     // The counts of the sum are the sums over the frames.
     std::uint64_t n_v = 0;
-    for (const TraceFrame& f : b.frames) n_v += f.found.n_v;
+    for (const QueryTrace& f : b.frames) n_v += f.found.n_v;
     EXPECT_EQ(d.sum_b.n_v, n_v);
 
     const std::string text = words_of(*d.first, d.bodies);
@@ -185,7 +185,7 @@ TEST(TraceDiff, FindsATriangleTestThatWasChanged) {
 TEST(TraceDiff, FindsTrianglesThatWereChanged) {
     const Trace a = slide(OverlapTest::symmetric);
     Trace b = a;
-    TraceFrame& frame = b.frames[1];
+    QueryTrace& frame = b.frames[1];
     const auto met = std::find_if(frame.steps.items.begin(), frame.steps.items.end(),
                                   [](const ItemStep& t) { return t.hit; });
     ASSERT_NE(met, frame.steps.items.end());
@@ -385,7 +385,7 @@ TEST(TraceDiff, OtherMeshesAreComparedByCountsAlone) {
 
 // Leaves of other engines have several triangles.
 TEST(TracedTest, OfSeveralTrianglesSaysHowManyAndNamesOneThatIntersects) {
-    TraceFrame frame;
+    QueryTrace frame;
     frame.steps.volumes = {{{5, 7}, 0, 0, Stage::overlapping}};
     frame.steps.items = {{{1, 2}, 0, false}, {{3, 4}, 0, true}, {{5, 6}, 0, true}};
     Outcomes outcomes = {Stage::triangles_meet};

@@ -6,11 +6,11 @@
 namespace scb {
 
 /// One query on two meshes, recorded.
-inline TraceFrame record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame,
+inline QueryTrace record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame,
                                const Pose& b_to_a, const TraceHeader& header) {
     const auto kind = static_cast<std::size_t>(header.volume);
     StepRecorder recorder;
-    TraceFrame result{frame, b_to_a, {}, {}};
+    QueryTrace result{frame, b_to_a, {}, {}};
     result.found = header.kind == QueryKind::self
                        ? collide_self(a.hierarchies[kind], a.mesh, joined_vertices(a.mesh),
                                       header.options, recorder)

@@ -12,11 +12,11 @@ namespace {
 TEST(TraversalPart, IsTheQueryBelowATest) {
     const BuiltMesh mesh(height_field(9));
     for (const TraceHeader& header : queries_to_divide()) {
-        const TraceFrame whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
+        const QueryTrace whole = record_frame(mesh, mesh, 3, pose_to_divide(), header);
         const Outcomes outcomes = outcomes_of(header, whole);
         const std::vector<std::uint32_t> sizes = subtree_sizes(whole.steps);
         for (std::uint32_t root = 0; root < sizes.size(); root += root < 20 ? 1 : 31) {
-            const TraceFrame part = traversal_part(header, whole, root);
+            const QueryTrace part = traversal_part(header, whole, root);
             EXPECT_EQ(part.found.n_v, sizes[root]);
             EXPECT_EQ(part.found.n_p, part.steps.items.size());
             ASSERT_FALSE(part.steps.volumes.empty());
@@ -35,7 +35,7 @@ TEST(TraversalPart, IsTheQueryBelowATest) {
                 EXPECT_EQ(of_part[i], outcomes[*at]);
             }
         }
-        const TraceFrame all = traversal_part(header, whole, 0);
+        const QueryTrace all = traversal_part(header, whole, 0);
         EXPECT_EQ(all.steps, whole.steps);
         EXPECT_EQ(all.found.pairs, whole.found.pairs);
         EXPECT_EQ(all.found.n_u, whole.found.n_u);
@@ -48,7 +48,7 @@ TEST(TraversalPart, TheLargestAreApartAndNotTooLarge) {
     Pose pose;
     pose.translation = Vec3(0.3, 0.11, 0.02);
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
-    const TraceFrame whole = record_frame(mesh, mesh, 3, pose, header);
+    const QueryTrace whole = record_frame(mesh, mesh, 3, pose, header);
     const std::vector<std::uint32_t> sizes = subtree_sizes(whole.steps);
     const std::vector<std::uint32_t> parts = largest_parts(whole.steps, 1000);
     std::uint64_t sum = 0;
@@ -92,7 +92,7 @@ TEST(TraversalPart, OfAnEnginesQueryTestsKeepTheirParentsAndTriangles) {
     query.triangles({5, 5}, false);
     query.triangles({6, 5}, true);
     query.test(2, {4, 0}, false);
-    const TraceFrame part = traversal_part(query.header, query.frame, 2);
+    const QueryTrace part = traversal_part(query.header, query.frame, 2);
     EXPECT_EQ(parents_of(part.steps), (std::vector<std::uint32_t>{MadeQuery::none, 0, 0}));
     EXPECT_EQ(part.steps.items, (std::vector<ItemStep>{{{5, 5}, 1, false}, {{6, 5}, 1, true}}));
     EXPECT_EQ(part.found.pairs, (std::vector<IndexPair>{{6, 5}}));

@@ -18,7 +18,7 @@ TEST(TriangleHeat, CountsTheTestsOfNodesThatHoldATriangleAndItsOwn) {
     Pose pose;
     pose.translation = Vec3(0.3, 0.11, 0.02);
     for (const VolumeKind kind : {VolumeKind::scb, VolumeKind::obb}) {
-        const TraceFrame frame =
+        const QueryTrace frame =
             record_frame(mesh, mesh, 0, pose, asking(kind, OverlapTest::symmetric));
         const Topology& topology = mesh.topology();
         const TreeShape shape = tree_shape(topology);
@@ -46,7 +46,7 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
     for (const int stop_level : {-1, 3}) {
         TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
         header.options.stop_level = stop_level;
-        const TraceFrame frame = record_frame(mesh, mesh, 0, pose, header);
+        const QueryTrace frame = record_frame(mesh, mesh, 0, pose, header);
         ASSERT_FALSE(frame.found.pairs.empty());
         const std::vector<bool> wasted = wasted_tests(frame.steps, outcomes_of(header, frame));
         ASSERT_EQ(wasted.size(), frame.found.n_v);

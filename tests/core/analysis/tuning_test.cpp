@@ -121,7 +121,7 @@ TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
     counts[place(extents)] = {1, 1, 1};  // not with the test of the base
     std::vector<std::size_t> expected = {boxes, two, balls};
     std::sort(expected.begin(), expected.end());
-    EXPECT_EQ(worth_refining_of(trials, counts), expected);
+    EXPECT_EQ(settings_to_refine(trials, counts), expected);
 }
 
 TEST(BestFirst, OrdersByCostThenVolumeTestsThenPlace) {

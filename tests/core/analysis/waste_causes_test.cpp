@@ -109,7 +109,7 @@ TEST(WasteCauses, SayWhichBodyIsLargerAndWhereSurfacesAreParallel) {
 
 TEST(VainTests, CountPairsThatAreNearlyParallelInTheirPose) {
     const Mesh mesh = grid(1);
-    TraceFrame frame;
+    QueryTrace frame;
     frame.b_to_a.rotation = about_x(9);
     frame.steps.items = {{{0, 0}, 0, false}, {{0, 1}, 0, false}, {{1, 1}, 0, true}};
     const VainTests near = vain_tests(mesh, mesh, frame);

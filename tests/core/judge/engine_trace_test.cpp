@@ -19,7 +19,7 @@ TEST(EngineTrace, HasTheTestsInTheirOrderAndWhatLedToEach) {
                          {Kind::volumes, 0, 1, 1},    {Kind::volumes, 0, 3, 3},
                          {Kind::items_meet, 0, 0, 0}, {Kind::volumes, 6, 3, 4},
                          {Kind::pair, 0, 0, 0}};
-    const TraceFrame frame = trace_frame(rows.query, {{5, Stage::slab_ball}, {6, Stage::slab_a}});
+    const QueryTrace frame = trace_frame(rows.query, {{5, Stage::slab_ball}, {6, Stage::slab_a}});
     EXPECT_EQ(frame.frame, 7);
     EXPECT_EQ(frame.steps.volumes, (std::vector<Step>{{{0, 0}, 0, 0, Stage::overlapping, none},
                                                       {{1, 2}, 1, 1, Stage::slab_ball, 0},
@@ -43,7 +43,7 @@ TEST(EngineTrace, StepsHaveTheParentsThatTheEngineRecorded) {
                          {Kind::volumes, 0, 1, 1},
                          {Kind::volumes, 0, 1, 1, 1},
                          {Kind::volumes, 0, 3, 3, 2}};
-    const TraceFrame frame = trace_frame(rows.query, {});
+    const QueryTrace frame = trace_frame(rows.query, {});
     EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{none, 0, 0, 1}))
         << "not the latest; the first test is of no node";
 }
@@ -54,7 +54,7 @@ TEST(EngineTrace, LeavesOutTestsOfNodesThatThereAreNot) {
                          {Kind::volumes, 0, 1, 99},   {Kind::volumes, 0, 1, 1},
                          {Kind::volumes, 0, 3, 3},    {Kind::items_apart, 0, 0, 0},
                          {Kind::items_apart, 0, 9, 0}};
-    const TraceFrame frame = trace_frame(rows.query, {});
+    const QueryTrace frame = trace_frame(rows.query, {});
     EXPECT_EQ(frame.steps.volumes.size(), 3u);
     EXPECT_EQ(frame.found.n_v, 3u);
     EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{none, 0, 1}));
@@ -81,7 +81,7 @@ TEST(EngineTrace, PairsAreThoseReportedOrElseThoseWhoseTestsMet) {
                          {Kind::pair, 0, 0, 4}};
     using Pairs = std::vector<IndexPair>;
     EXPECT_EQ(trace_frame(rows.query, {}).found.pairs, (Pairs{{2, 2}, {3, 3}}));
-    rows.query.tells_pairs = false;
+    rows.query.has_pairs = false;
     rows.query.complete = false;
     std::erase_if(rows.query.events, [](const EngineEvent& e) { return e.kind == Kind::pair; });
     EXPECT_EQ(trace_frame(rows.query, {}).found.pairs, (Pairs{{0, 0}, {1, 1}}));
@@ -98,7 +98,7 @@ TEST(EngineTrace, PairsOfObjectsAreThoseOfTheNodesThatHoldThem) {
                          {Kind::pair, 0, 3, 0},
                          {Kind::pair, 0, 1, 2},
                          {Kind::pair, 0, 1, 50}};
-    const TraceFrame frame = trace_frame(rows.query, {});
+    const QueryTrace frame = trace_frame(rows.query, {});
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{4, 5}, {6, 3}}));
     EXPECT_TRUE(frame.steps.items.empty()) << "objects are no triangles";
     EXPECT_EQ(frame.found.n_p, 1u);

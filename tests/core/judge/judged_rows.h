@@ -30,7 +30,7 @@ struct Rows {
         }
         query.b_to_a.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
         query.b_to_a.translation = Vec3(0, 0.1, -0.1);
-        query.tells_items = query.tells_pairs = true;
+        query.has_item_tests = query.has_pairs = true;
         query.tolerance = 1e-9;
         for (std::uint32_t i = 0; i < 4; ++i) contacts.push_back({i, i});
         visit(0, 0);

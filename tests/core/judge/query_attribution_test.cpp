@@ -13,7 +13,7 @@ using Kind = EngineEvent::Kind;
 Attribution attributed(const Rows& rows) {
     TraceHeader header;
     header.engine.emplace();
-    const TraceFrame frame =
+    const QueryTrace frame =
         trace_frame(rows.query, {{1, Stage::slab_a}, {2, Stage::slab_b}, {5, Stage::slab_ball}});
     return attribution(rows.query, rows.judged(), header, frame);
 }
@@ -106,7 +106,7 @@ TEST(QueryAttribution, WithoutAVolumeNothingIsClaimed) {
 TEST(QueryAttribution, WithoutResultsNothingIsClaimed) {
     Rows rows;
     EXPECT_FALSE(attributed(rows).passed.empty());
-    rows.query.tells_items = rows.query.tells_pairs = false;
+    rows.query.has_item_tests = rows.query.has_pairs = false;
     EXPECT_TRUE(attributed(rows).passed.empty());
 }
 

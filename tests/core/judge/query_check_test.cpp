@@ -103,7 +103,7 @@ TEST(QueryCheck, AShallowCutIsNotWithinRounding) {
     EngineQuery query;
     query.sides = {EngineSide{&trees[0], &shapes[0], &small},
                    EngineSide{&trees[1], &shapes[1], &needle}};
-    query.tells_items = query.tells_pairs = true;
+    query.has_item_tests = query.has_pairs = true;
     query.tolerance = query.triangle_tolerance = 1e-9;
     query.events = {{Kind::items_apart, 0, 0, 0}};
     ASSERT_TRUE(triangles_overlap(corners(small, 0), corners(needle, 0)));
@@ -231,7 +231,7 @@ TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
 
 TEST(QueryCheck, PairsAloneTellWhatATestLedTo) {
     Rows rows;
-    rows.query.tells_items = false;
+    rows.query.has_item_tests = false;
     std::erase_if(rows.query.events,
                   [](const EngineEvent& event) { return event.kind == Kind::items_meet; });
     EXPECT_EQ(rows.judged().wasted_loose, 0u);
@@ -278,7 +278,7 @@ TEST(QueryCheck, PairsThatIntersectAreCountedWhereNoResultsWereRecorded) {
     Rows rows;
     std::erase_if(rows.query.events,
                   [](const EngineEvent& event) { return event.kind != Kind::volumes; });
-    rows.query.tells_items = rows.query.tells_pairs = false;
+    rows.query.has_item_tests = rows.query.has_pairs = false;
     EXPECT_EQ(rows.judged().without_results, 4u);
     EXPECT_TRUE(rows.judged().pairs.empty());
 }

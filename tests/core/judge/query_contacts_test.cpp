@@ -44,7 +44,7 @@ struct ObjectSets {
         }
         query.b_to_a.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
         query.b_to_a.translation = Vec3(0.1, 0, -0.2);
-        query.tells_pairs = true;
+        query.has_pairs = true;
         query.tolerance = 1e-9;
     }
     ObjectSets(const ObjectSets&) = delete;

@@ -78,7 +78,7 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
         EXPECT_EQ(problems[i].problem.inherited, i == 2);
         EXPECT_TRUE(problems[i].stale);
         EXPECT_EQ(problems[i].since, 2);
-        EXPECT_EQ(problems[i].told_at, 0);
+        EXPECT_EQ(problems[i].recorded_at, 0);
         EXPECT_EQ(problems[i].frames, 2u);
     }
 }
@@ -134,7 +134,7 @@ TEST(TreeWatch, AVolumeIsStaleWhereItBecameTwiceAsWrong) {
     EXPECT_EQ(node->worst_at, 1);
     EXPECT_NEAR(node->problem.amount, 0.51, 1e-12);
     EXPECT_TRUE(node->stale);
-    EXPECT_EQ(node->told_at, 0);
+    EXPECT_EQ(node->recorded_at, 0);
 }
 
 TEST(TreeWatch, AFrameCountsOnceHoweverManyQueriesItHas) {
@@ -152,19 +152,19 @@ TEST(TreeWatch, AFrameCountsOnceHoweverManyQueriesItHas) {
 }
 
 TEST(TreeWatch, AVolumeIsStaleWhereItWasRightWhenItWasTold) {
-    for (const bool looked_when_told : {true, false}) {
+    for (const bool looked_when_recorded : {true, false}) {
         WatchedRow row;
         row.look(0);
         row.tell(1, 1);
-        if (looked_when_told) row.look(1);
+        if (looked_when_recorded) row.look(1);
         // Triangle 1 moves, and no volume with it.
         for (std::uint32_t i = 3; i < 6; ++i) row.mesh.vertices[i] += Vec3(0, 0.5, 0);
         ++row.volume_version;
         row.look(2);
         for (const WatchedProblem& problem : row.watch.problems())
             if (problem.problem.node == 1) {
-                EXPECT_EQ(problem.stale, looked_when_told);
-                EXPECT_EQ(problem.told_at, 1);
+                EXPECT_EQ(problem.stale, looked_when_recorded);
+                EXPECT_EQ(problem.recorded_at, 1);
                 EXPECT_EQ(problem.since, 2);
             }
         EXPECT_EQ(row.watch.problems().size(), 3u) << "nodes 4, 1 and 0";

@@ -39,7 +39,7 @@ TEST(EngineNodes, TheSecondNodeOfANumberIsNotTaken) {
     nodes.push_back({3, 2, {}, {0, 1, 2}, {}});
     const EngineNodes tree = tree_of(nodes);
     EXPECT_EQ(tree.size(), 7u);
-    EXPECT_EQ(tree.told_twice(), Indices{3});
+    EXPECT_EQ(tree.recorded_twice(), Indices{3});
     EXPECT_EQ(tree.items(3).size(), 1u);
     EXPECT_EQ(tree.parent(3), 1u);
 }
@@ -62,12 +62,12 @@ TEST(EngineNodes, AVolumeTakesThePlaceOfTheOneBeforeAndOfItsFault) {
     tree.set_volume(2, {}, 4, "its radius is negative");
     EXPECT_FALSE(has_volume(tree[2].volume));
     EXPECT_EQ(tree.volume_fault(2), "its radius is negative");
-    EXPECT_EQ(tree[2].told_at, 4);
+    EXPECT_EQ(tree[2].recorded_at, 4);
     tree.set_volume(3, {}, 4, "its half is not finite");
     tree.set_volume(2, Ball{Vec3::Zero(), 1}, 5, "");
     EXPECT_TRUE(has_volume(tree[2].volume));
     EXPECT_EQ(tree.volume_fault(2), "");
-    EXPECT_EQ(tree[2].told_at, 5);
+    EXPECT_EQ(tree[2].recorded_at, 5);
     EXPECT_EQ(tree.volume_fault(1), "");
     EXPECT_EQ(tree.volume_fault(3), "its half is not finite");
 }

@@ -22,7 +22,7 @@ struct Query {
     TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
     std::unique_ptr<Tree> tree_of_mesh =
         std::make_unique<Tree>(mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)]);
-    TraceFrame frame;
+    QueryTrace frame;
     Outcomes outcomes;
     QueryBodies bodies;
 

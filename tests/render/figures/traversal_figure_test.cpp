@@ -20,8 +20,8 @@ TraceHeader scb_header() {
 }
 
 /// A frame of these steps, with the counts that they have.
-TraceFrame frame_of(const Steps& steps) {
-    TraceFrame frame;
+QueryTrace frame_of(const Steps& steps) {
+    QueryTrace frame;
     frame.steps = steps;
     frame.found.n_v = steps.volumes.size();
     for (const Step& test : steps.volumes) {
@@ -37,7 +37,7 @@ TraceFrame frame_of(const Steps& steps) {
 
 /// Five tests: the roots, divided; a child rejected and one divided; below it triangles that meet
 /// and a pair that is rejected.
-TraceFrame small_frame() {
+QueryTrace small_frame() {
     return frame_of({{{{0, 0}, 0, 0, Stage::overlapping, no_step},
                       {{1, 0}, 1, 0, Stage::slab_cylinder, 0},
                       {{2, 0}, 1, 0, Stage::overlapping, 0},
@@ -48,7 +48,7 @@ TraceFrame small_frame() {
 
 /// The tests of a pair whose nodes overlap down to `depth`, all of the others rejected: every
 /// level has one of each.
-TraceFrame staircase(int depth, Stage stage) {
+QueryTrace staircase(int depth, Stage stage) {
     Steps steps;
     steps.volumes.push_back({{0, 0}, 0, 0, Stage::overlapping, no_step});
     for (int d = 1; d <= depth; ++d) {
@@ -62,7 +62,7 @@ TraceFrame staircase(int depth, Stage stage) {
 
 /// A full tree of divisions, whose leaves are at one depth: of every 8 in the order of their tests
 /// the first `apart` are rejected, the others have triangles that meet.
-TraceFrame comb(int levels, std::size_t apart) {
+QueryTrace comb(int levels, std::size_t apart) {
     Steps steps;
     struct Node {
         std::uint32_t index;
@@ -98,7 +98,7 @@ std::vector<EndingGroup> groups_of(const TraceHeader& header) {
     return ending_groups(endings_of(header.volume, header.options), light_theme);
 }
 
-Icicle icicle_of(const TraceFrame& frame, int columns, int rows) {
+Icicle icicle_of(const QueryTrace& frame, int columns, int rows) {
     const TraceHeader header = scb_header();
     return icicle(frame.steps, outcomes_of(header, frame), groups_of(header), columns, rows, 8);
 }
@@ -126,7 +126,7 @@ TEST(Icicle, OfASmallQueryByHand) {
 
 TEST(Icicle, RunsAndStacksOfARowDoNotOverlapAndStayInside) {
     for (const int columns : {1, 7, 100, 683})
-        for (const TraceFrame& frame :
+        for (const QueryTrace& frame :
              {small_frame(), comb(9, 3), staircase(50, Stage::slab_ball)}) {
             const Icicle icicle = icicle_of(frame, columns, 1000);
             std::vector<std::tuple<int, int, int>> parts;
@@ -152,7 +152,7 @@ TEST(Icicle, RunsAndStacksOfARowDoNotOverlapAndStayInside) {
 TEST(Icicle, NarrowTestsAreStackedInProportion) {
     // About 20 leaves in a column.
     for (const std::size_t apart : {1u, 2u, 6u, 7u}) {
-        const TraceFrame frame = comb(13, apart);
+        const QueryTrace frame = comb(13, apart);
         const Icicle icicle = icicle_of(frame, 400, 100);
         std::size_t rejected = 0, meeting = 0;
         for (const IcicleStack& stack : icicle.stacks) {
@@ -173,7 +173,7 @@ TEST(Icicle, NarrowTestsAreStackedInProportion) {
 }
 
 TEST(Icicle, APartBeginsAtItsDepth) {
-    TraceFrame frame = small_frame();
+    QueryTrace frame = small_frame();
     for (Step& test : frame.steps.volumes) test.depth_a += 5;
     const Icicle icicle = icicle_of(frame, 500, 100);
     EXPECT_EQ(icicle.first_depth, 5);
@@ -182,7 +182,7 @@ TEST(Icicle, APartBeginsAtItsDepth) {
 
 TEST(Icicle, SaysWhetherItHasNumbersAndStacks) {
     const TraceHeader header = scb_header();
-    const auto drawn = [&](const TraceFrame& frame, int height) {
+    const auto drawn = [&](const QueryTrace& frame, int height) {
         Overlay overlay;
         overlay.begin();
         FigureStyle style;
@@ -199,7 +199,7 @@ TEST(Icicle, SaysWhetherItHasNumbersAndStacks) {
 }
 
 TEST(Icicle, DepthsShareARowWhereTheyAreTooMany) {
-    const TraceFrame frame = staircase(400, Stage::ball_ball);
+    const QueryTrace frame = staircase(400, Stage::ball_ball);
     for (const auto& [rows, most, per_row] :
          {std::tuple(401, 401, 1), {201, 400, 2}, {201, 201, 2}, {1, 1, 401}}) {
         const Icicle icicle = icicle_of(frame, 50, most);
@@ -209,7 +209,7 @@ TEST(Icicle, DepthsShareARowWhereTheyAreTooMany) {
 }
 
 TEST(Icicle, OfNothingIsEmpty) {
-    const Icicle icicle = icicle_of(TraceFrame{}, 100, 100);
+    const Icicle icicle = icicle_of(QueryTrace{}, 100, 100);
     EXPECT_EQ(icicle.rows, 0);
     EXPECT_TRUE(icicle.runs.empty());
 }
@@ -231,7 +231,7 @@ TEST(ShortCount, HasAtMostFourCharacters) {
 // ------------------------------------------------------------------------------------- pictures
 
 Image drawn(Drawing& drawing, const TraversalFigure& figure, const TraceHeader& header,
-            const TraceFrame& frame, int width, int height) {
+            const QueryTrace& frame, int width, int height) {
     Overlay overlay;
     const Picture picture = compose(figure, header, frame, width, height, overlay);
     return drawing.renderer.draw(picture, &overlay).image;
@@ -272,7 +272,7 @@ TEST(TraversalFigure, AreasAreProportionalToTests) {
 
 TEST(TraversalFigure, SaysThatNothingOverlaps) {
     Drawing drawing;
-    const TraceFrame none = frame_of({{{{0, 0}, 0, 0, Stage::ball_ball}}, {}});
+    const QueryTrace none = frame_of({{{{0, 0}, 0, 0, Stage::ball_ball}}, {}});
     const auto counts = colors_of(drawn(drawing, {}, scb_header(), none, 1280, 720));
     EXPECT_GT(count_in(counts, light_theme.accent), 50);
     // The only test is as wide as all tests.
@@ -318,7 +318,7 @@ TEST(TraversalFigure, LeavesTheMarginsFree) {
                                         {320, 480},
                                         {1000, 300},
                                         {600, 600}})
-        for (const TraceFrame& frame : {small_frame(), comb(9, 3), staircase(900, Stage::slab_ball),
+        for (const QueryTrace& frame : {small_frame(), comb(9, 3), staircase(900, Stage::slab_ball),
                                         staircase(0, Stage::slab_ball)}) {
             const Image image = drawn(drawing, figure, header, frame, width, height);
             const int margin = 6;

@@ -77,7 +77,7 @@ bool survives(const Bytes& bytes) {
         return false;
     }
     int last = -1;
-    for (const TraceFrame& frame : trace.frames) {
+    for (const QueryTrace& frame : trace.frames) {
         EXPECT_GT(frame.frame, last);
         last = frame.frame;
         const auto& bodies = trace.header.bodies;

@@ -28,7 +28,7 @@ TEST(RecordedQueries, SumsUpAllThatThereIs) {
     EXPECT_EQ(summary.volume_tests, 4u);
     EXPECT_EQ(summary.item_tests, 2u);
     EXPECT_EQ(summary.pairs, 1u);
-    EXPECT_FALSE(summary.tells_pairs);
+    EXPECT_FALSE(summary.has_pairs);
     EXPECT_EQ(summary_of(recording_of({}), "x.scbrec").frames, std::vector{0});
 }
 
@@ -80,7 +80,7 @@ TEST(RecordedQueries, TellsPairsWhereTheSettingOrAPairSaysSo) {
         std::vector<Record> records = before;
         append(records, two_balls());
         append(records, query_with({{tag, 0, 0}}));
-        return ReadSteps(records).query(0).tells_pairs;
+        return ReadSteps(records).query(0).has_pairs;
     };
     constexpr auto a_test = static_cast<std::uint8_t>(RecordTag::volumes_overlap),
                    one_pair = static_cast<std::uint8_t>(RecordTag::pair);
@@ -101,7 +101,7 @@ TEST(RecordedQueries, AQueryThatTheFileBreaksOffInIsNotComplete) {
 }
 
 TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
-    const auto pose_told = [](const std::array<double, 12>& rows) {
+    const auto recorded_pose = [](const std::array<double, 12>& rows) {
         std::vector<Record> records = two_balls();
         records.emplace_back(RecordedPose{1, rows});
         ReadSteps read(records);
@@ -112,7 +112,7 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     const std::array<double, 12> exact = {0.36, 0.48, -0.8, 7, -0.8, 0.6, 0, 8, 0.48, 0.64, 0.6, 9};
     std::array<double, 12> rounded = exact;
     for (double& number : rounded) number = static_cast<double>(static_cast<float>(number));
-    const BodyState body = pose_told(rounded);
+    const BodyState body = recorded_pose(rounded);
     EXPECT_FALSE(body.is_stretched());
     EXPECT_GT(body.defect, 1e-9);
     EXPECT_LT(rigidity_defect(body.pose), 1e-15);
@@ -123,10 +123,10 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     // One of 64 bits stays as it is, and one that is scaled too.
     std::array<double, 12> nearly = exact;
     nearly[0] += 1e-13;
-    EXPECT_EQ(pose_told(nearly).pose.rotation(0, 0), nearly[0]);
+    EXPECT_EQ(recorded_pose(nearly).pose.rotation(0, 0), nearly[0]);
     nearly = exact;
     nearly[3] = 1e71;
-    EXPECT_EQ(pose_told(nearly).pose_fault, "is not finite");
+    EXPECT_EQ(recorded_pose(nearly).pose_fault, "is not finite");
 }
 
 // A vertex that is not finite must not hide an index of a missing vertex.

@@ -47,7 +47,7 @@ struct RecordedAndOwn {
         const auto kind = static_cast<std::size_t>(volume);
         TraceRecording recording(trace.header, {&body_a().mesh, &body_b().mesh},
                                  {&body_a().hierarchies[kind], &body_b().hierarchies[kind]});
-        for (const TraceFrame& frame : trace.frames) recording.add(frame, {Pose{}, frame.b_to_a});
+        for (const QueryTrace& frame : trace.frames) recording.add(frame, {Pose{}, frame.b_to_a});
         folder.write("own.scbrec", recording.finish());
     }
 };
@@ -73,8 +73,8 @@ TEST(RecordedTrace, HasWhatTheTraceOfOwnQueriesHas) {
         EXPECT_EQ(recorded.frames(), (std::vector{0, 3, 6}));
         EXPECT_TRUE(same_meshes(recorded.header(), both.trace.header));
         EXPECT_EQ(endings_of(recorded.header()), endings_of(both.trace.header));
-        for (const TraceFrame& own : both.trace.frames) {
-            const TraceFrame& frame = recorded.frame(own.frame);
+        for (const QueryTrace& own : both.trace.frames) {
+            const QueryTrace& frame = recorded.frame(own.frame);
             EXPECT_EQ(frame.steps, own.steps) << own.frame;
             EXPECT_EQ(frame.found.pairs, own.found.pairs);
             EXPECT_EQ(frame.found.stages, own.found.stages);
@@ -128,7 +128,7 @@ TEST(RecordedTrace, AttributesTestsAsThoseOfOwnQueriesAre) {
         const AnyHierarchy &a = body_a().hierarchies[kind], &b = body_b().hierarchies[kind];
         RecordedTrace recorded(both.path, "", "all");
         std::uint64_t wrong = 0, missed = 0;
-        for (const TraceFrame& own : both.trace.frames) {
+        for (const QueryTrace& own : both.trace.frames) {
             const TraceHeader& header = both.trace.header;
             const Attribution of_own = attribute(
                 a, b, header, own, all_contacts(a, body_a().mesh, b, body_b().mesh, header, own));
@@ -221,7 +221,7 @@ TEST(RecordedTrace, ReadsObjectsInTreesWithAnyNumberOfChildren) {
     EXPECT_EQ(header.engine->volumes, "AABB");
     ASSERT_EQ(header.engine->stages.size(), 1u);
     EXPECT_EQ(stage_words(header, header.engine->stages[0]), "stage 7");
-    const TraceFrame& frame = recorded.frame(5);
+    const QueryTrace& frame = recorded.frame(5);
     EXPECT_EQ(frame.found.pairs, (std::vector<IndexPair>{{1, 1}}));
     const Outcomes outcomes = outcomes_of(header, frame);
     EXPECT_EQ(parents_of(frame.steps), (std::vector<std::uint32_t>{no_step, 0, 0}));
@@ -239,7 +239,7 @@ TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
     RecordedTrace recorded(folder / "objects.scbrec", "", "all");
     EXPECT_EQ(recorded.all_frames(), (std::vector{5, 6}));
     for (const auto& [number, first] : {std::pair{5, 10u}, {6, 70u}}) {
-        const TraceFrame& frame = recorded.frame(number);
+        const QueryTrace& frame = recorded.frame(number);
         EXPECT_EQ(numbers_of(frame, {0, 3}), (IndexPair{first, first + 3}));
         EXPECT_EQ(nodes_of(frame, {first, first + 3}), (IndexPair{0, 3}));
         EXPECT_EQ(nodes_of(frame, {first, 3}), std::nullopt);
@@ -255,7 +255,7 @@ TEST(RecordedTrace, CallsNodesByTheNumbersThatTheyHaveAtTheFrame) {
     const Tree own(body_b().hierarchies[0]);
     EXPECT_FALSE(own.has_own_numbers());
     EXPECT_EQ(own.node_words(2), "node 2");
-    const TraceFrame none;
+    const QueryTrace none;
     EXPECT_EQ(numbers_of(none, {4, 5}), (IndexPair{4, 5}));
     EXPECT_EQ(nodes_of(none, {4, 5}), (IndexPair{4, 5}));
 }
@@ -264,18 +264,18 @@ TEST(RecordedTrace, SaysOfWhichNodesTheChildrenWereTested) {
     const TemporaryFolder folder;
     folder.write("objects.scbrec", broadphase());
     RecordedTrace recorded(folder / "objects.scbrec", "", "all");
-    const auto words = [&](const TraceFrame& frame, std::size_t test) {
+    const auto words = [&](const QueryTrace& frame, std::size_t test) {
         const TracedTest traced =
             traced_test(recorded.header(), frame, outcomes_of(recorded.header(), frame), test);
         const BodyNames names = body_names(recorded.header());
         return words_of(traced, names) + "; " + words_of_parent(traced, names);
     };
-    const TraceFrame& both = recorded.frame(5);
+    const QueryTrace& both = recorded.frame(5);
     EXPECT_EQ(words(both, 0), "overlap, passed on to the children of both; these are the roots");
     EXPECT_EQ(words(both, 2),
               "rejected at stage 7; reached from the nodes (10, 10) at depths (0, 0), where both "
               "nodes were divided");
-    const TraceFrame& one = recorded.frame(6);
+    const QueryTrace& one = recorded.frame(6);
     EXPECT_EQ(words(one, 0),
               "overlap, passed on to the children of world's node; these are the roots");
     EXPECT_EQ(words(one, 1),
@@ -297,11 +297,11 @@ TEST(RecordedTrace, ComparesPairsOfNodesByTheirNumbers) {
     TestInput c(folder / "objects.scbrec", "5"), d(folder / "objects.scbrec", "6");
     TraceHeader later = d.header();
     later.engine->trees = c.header().engine->trees;
-    TraceFrame moved;
+    QueryTrace moved;
     const TraceDiff other = diff(
         c.header(), [&] { return c.next(); }, later,
-        [&]() -> const TraceFrame* {
-            const TraceFrame* frame = d.next();
+        [&]() -> const QueryTrace* {
+            const QueryTrace* frame = d.next();
             if (frame == nullptr) return nullptr;
             moved = *frame;
             moved.frame = 5;
@@ -334,7 +334,7 @@ TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
     std::set<std::string> names;
     for (const Stage stage : stages) names.insert(stage_words(header, stage));
     EXPECT_EQ(names.size(), stages.size());
-    const TraceFrame& frame = recorded.frame(0);
+    const QueryTrace& frame = recorded.frame(0);
     std::uint64_t sum = 0;
     for (const auto& [name, count] : tests_by_stage(header, frame)) sum += count;
     EXPECT_EQ(sum, frame.found.n_v);
@@ -440,7 +440,7 @@ TEST(TestInput, GivesTheFramesOfEachKindOfFile) {
         EXPECT_EQ(input.all_frames(), (std::vector{0, 3, 6}));
         EXPECT_EQ(input.recorded() != nullptr, path == both.path);
         for (const std::size_t i : {1u, 2u}) {
-            const TraceFrame* frame = input.next();
+            const QueryTrace* frame = input.next();
             ASSERT_NE(frame, nullptr);
             EXPECT_EQ(frame->frame, both.trace.frames[i].frame);
             EXPECT_EQ(frame->steps, both.trace.frames[i].steps);

@@ -58,7 +58,7 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
         EXPECT_EQ(judged.trees[0].nodes, 2 * mesh_a().mesh.triangles.size() - 1);
         EXPECT_EQ(judged.verdict(), Verdict::valid);
         std::uint64_t pairs = 0, tests = 0;
-        for (const TraceFrame& frame : trace.frames) pairs += frame.found.pairs.size();
+        for (const QueryTrace& frame : trace.frames) pairs += frame.found.pairs.size();
         for (const FrameJudgement& frame : judged.frames) tests += frame.pairs;
         EXPECT_GT(pairs, 0u);
         EXPECT_EQ(tests, pairs);
@@ -87,7 +87,7 @@ TEST(RecordingJudgement, CountsWasteAsTheAttributionOfOwnQueriesDoes) {
         const Trace trace = trace_of(volume);
         const auto kind = static_cast<std::size_t>(volume);
         PassCounts sum;
-        for (const TraceFrame& frame : trace.frames)
+        for (const QueryTrace& frame : trace.frames)
             sum += attribute(mesh_a().hierarchies[kind], mesh_b().hierarchies[kind], trace.header,
                              frame, frame.found.pairs)
                        .counts;
@@ -105,7 +105,7 @@ TEST(RecordingJudgement, NamesTheWrongRejectionsOfThePrintedTest) {
     const RecordingJudgement judged = judge(recording_of(trace));
     std::uint64_t wrong = 0, wrongly_rejected = 0;
     for (const FrameJudgement& frame : judged.frames) wrong += frame.wrong;
-    for (const TraceFrame& frame : trace.frames)
+    for (const QueryTrace& frame : trace.frames)
         wrongly_rejected +=
             attribute(mesh_a().hierarchies[0], mesh_b().hierarchies[0], trace.header, frame, {})
                 .wrongly_rejected.size();
@@ -171,7 +171,7 @@ TEST(RecordingJudgement, AStaleBoxIsNamedWithItsFrameAndNode) {
     EXPECT_EQ(problem.problem.node, forgotten);
     EXPECT_EQ(problem.since, 3);
     EXPECT_TRUE(problem.stale);
-    EXPECT_EQ(problem.told_at, 0);
+    EXPECT_EQ(problem.recorded_at, 0);
     EXPECT_NEAR(problem.problem.amount, 0.3, 0.15);
 }
 

@@ -11,7 +11,7 @@ namespace scb::scenes {
 inline std::vector<std::vector<std::uint8_t>> plain_frames(const Trace& trace) {
     std::array<TraceNodes, 2> nodes;
     std::vector<std::vector<std::uint8_t>> frames;
-    for (const TraceFrame& frame : trace.frames)
+    for (const QueryTrace& frame : trace.frames)
         frames.push_back(frame_bytes(trace.header, frame, nodes));
     return frames;
 }

@@ -33,7 +33,7 @@ inline void expect_same(const Trace& a, const Trace& b) {
     EXPECT_EQ(a.header.source, b.header.source);
     ASSERT_EQ(a.frames.size(), b.frames.size());
     for (std::size_t i = 0; i < a.frames.size(); ++i) {
-        const TraceFrame &f = a.frames[i], &g = b.frames[i];
+        const QueryTrace &f = a.frames[i], &g = b.frames[i];
         EXPECT_EQ(f.frame, g.frame);
         EXPECT_EQ(f.b_to_a.rotation, g.b_to_a.rotation);
         EXPECT_EQ(f.b_to_a.translation, g.b_to_a.translation);

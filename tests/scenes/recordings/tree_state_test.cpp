@@ -25,7 +25,7 @@ TEST(TreeState, ANodeThatIsToldTwiceIsAsItWasFirst) {
     ASSERT_EQ(tree.size(), 2u);
     EXPECT_EQ(std::get<Ball>(tree[0].volume).radius, 1);
     EXPECT_EQ(std::get<Ball>(tree[1].volume).radius, 2);
-    EXPECT_EQ(tree.told_twice(), std::vector<std::uint32_t>{5});
+    EXPECT_EQ(tree.recorded_twice(), std::vector<std::uint32_t>{5});
 }
 
 // An engine that rotates its tree records the nodes that changed.
@@ -38,18 +38,18 @@ TEST(TreeState, ANodeThatIsRecordedInALaterFrameIsAnotherOne) {
     ReadSteps read(records);
     read.read_all();
     const EngineNodes& rotated = read.queries.trees().at(0).tree;
-    EXPECT_TRUE(rotated.told_twice().empty());
+    EXPECT_TRUE(rotated.recorded_twice().empty());
     EXPECT_EQ(rotated.children(0)[0], 2u);
     EXPECT_EQ(rotated[0].links_at, 1);
-    EXPECT_EQ(rotated[0].told_at, 0) << "it kept its volume";
+    EXPECT_EQ(rotated[0].recorded_at, 0) << "it kept its volume";
     EXPECT_EQ(rotated[1].links_at, 0);
-    EXPECT_EQ(rotated[1].told_at, 1);
+    EXPECT_EQ(rotated[1].recorded_at, 1);
     EXPECT_EQ(std::get<Ball>(rotated[1].volume).radius, 2);
     // In one go, the second node of a number is a fault.
     append(records, {node_of(1, {}, {0}, 2)});
     ReadSteps twice(records);
     twice.read_all();
-    EXPECT_EQ(twice.queries.trees().at(0).tree.told_twice(), std::vector{1u});
+    EXPECT_EQ(twice.queries.trees().at(0).tree.recorded_twice(), std::vector{1u});
 }
 
 TEST(TreeState, ANodeThatListsAnEarlierOneBecomesItsParent) {
@@ -93,9 +93,9 @@ TEST(TreeState, ATreeThatIsBuiltAnewKnowsWhichNodesAreTheSame) {
     read.read_all();
     const EngineNodes& tree = read.queries.trees().at(0).tree;
     EXPECT_EQ(tree[0].links_at, 1);
-    EXPECT_EQ(tree[0].told_at, 0);
+    EXPECT_EQ(tree[0].recorded_at, 0);
     EXPECT_EQ(tree[1].links_at, 0);
-    EXPECT_EQ(tree[1].told_at, 1);
+    EXPECT_EQ(tree[1].recorded_at, 1);
 }
 
 TEST(TreeState, TheReachOfATreeIsThatOfItsVolumesNow) {

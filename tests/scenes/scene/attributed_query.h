@@ -14,7 +14,7 @@ namespace scb::scenes {
 struct AttributedQuery {
     const BuiltMesh &a, &b;
     TraceHeader header;
-    TraceFrame frame;
+    QueryTrace frame;
     std::vector<IndexPair> contacts;
     Attribution result;
 

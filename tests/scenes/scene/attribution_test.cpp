@@ -210,7 +210,7 @@ TEST(Attribution, OfAQueryThatEndsAtItsFirstPairCountsOnlyWhatWasTested) {
     const std::vector<IndexPair> contacts =
         collide(a.hierarchies[0], a.mesh, b.hierarchies[0], b.mesh, pose, {}).pairs;
     header.options.max_pairs = 1;
-    const TraceFrame frame = record_frame(a, b, 0, pose, header);
+    const QueryTrace frame = record_frame(a, b, 0, pose, header);
     ASSERT_FALSE(frame.found.complete);
     const Attribution r = attribute(a.hierarchies[0], b.hierarchies[0], header, frame, contacts);
     EXPECT_EQ(r.counts.all.volume_tests, frame.found.n_v);
@@ -303,7 +303,7 @@ TEST(AllContacts, AreThoseOfAFullQueryWhereTheQueryEndedEarly) {
         first.options.max_pairs = 1;
         coarse.options.stop_level = 6;
         for (const TraceHeader& header : {first, coarse}) {
-            const TraceFrame frame = record_frame(a, b, 0, pose, header);
+            const QueryTrace frame = record_frame(a, b, 0, pose, header);
             ASSERT_NE(frame.found.pairs, full);
             std::vector<IndexPair> all =
                 all_contacts(a.hierarchies[i], a.mesh, b.hierarchies[i], b.mesh, header, frame);

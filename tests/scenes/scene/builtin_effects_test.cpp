@@ -45,7 +45,7 @@ TEST(BuiltinScenes, Line8LosesAllPairsToOneWrongRejectionOfThePrintedTest) {
 
     // The volumes do overlap, by its certificate.
     const TraceHeader header = asking(VolumeKind::scb, OverlapTest::printed);
-    const TraceFrame frame =
+    const QueryTrace frame =
         record_frame(shown.a(), shown.b(), 0, shown.pose(shown.scene.default_frame), header);
     const auto kind = static_cast<std::size_t>(VolumeKind::scb);
     const std::vector<IndexPair> contacts =

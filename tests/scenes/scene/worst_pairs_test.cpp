@@ -14,10 +14,10 @@ namespace scb::scenes {
 namespace {
 
 TEST(WorstRejections, AreTheSameInWhateverOrderFramesAreAdded) {
-    TraceFrame early, late;
+    QueryTrace early, late;
     early.frame = 1;
     late.frame = 2;
-    for (TraceFrame* frame : {&early, &late})
+    for (QueryTrace* frame : {&early, &late})
         for (std::uint32_t i = 0; i < 3; ++i)
             frame->steps.volumes.push_back({{i, i}, 0, 0, Stage::ball_slab});
     Attribution found;
