@@ -71,7 +71,7 @@ TEST(QueryCheck, TrianglesOfALeafNeedNoTestOfTheLeafWithItself) {
     rows.query.self = true;
     rows.query.b_to_a = Pose{};
     rows.contacts.clear();
-    rows.query.events = {{Kind::volumes, 0, 0, 0}, {Kind::items_apart, 0, 0, 1}};
+    rows.query.events = {{Kind::volumes, 0, 5, 6}, {Kind::items_apart, 0, 0, 1}};
     EXPECT_TRUE(rows.judged().stray_item_tests.empty());
     rows.query.events[1].b = 2;
     EXPECT_EQ(rows.judged().stray_item_tests.size(), 1u) << "of two leaves";
