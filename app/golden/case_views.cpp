@@ -15,7 +15,7 @@ void add_views(golden::SuiteResult& result, const std::filesystem::path& folder,
         options.level.picture.gl = golden.gl;
         for (const std::string& trace : c.traces)
             options.level.scene.names.push_back((folder / trace).string());
-        options.column_names = c.traces;
+        options.names_in_commands = c.traces;
         std::string html;
         try {
             html = view_page(options, console);

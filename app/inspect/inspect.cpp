@@ -27,7 +27,8 @@ void print_report(const InspectOptions& options, const InspectReport& report) {
 /// The first case that `scb explain` can explain; null if there is none.
 const scenes::ProblemCase* explainable(const std::vector<scenes::ProblemGroup>& groups) {
     for (const scenes::ProblemGroup& group : groups)
-        if (group.cases.front().has_volumes) return &group.cases.front();
+        for (const scenes::ProblemCase& one : group.cases)
+            if (one.has_volumes) return &one;
     return nullptr;
 }
 
@@ -57,8 +58,8 @@ void note_next(const scenes::RecordingJudgement& judged, const InspectOptions& o
     const scenes::ProblemCase* const problem = at_fault ? at_fault : explainable(judged.missed);
     if (problem)
         console.note("scb: `" + explain_command(*problem, judged, options) + "` explains " +
-                     (at_fault ? "the first test at fault, step by step."
-                               : "the test at which the first missed pair was lost."));
+                     (at_fault ? "a test at fault, step by step."
+                               : "the test at which a missed pair was lost."));
 }
 
 int status_of(scenes::Verdict verdict) {

@@ -44,12 +44,14 @@ Problem of_group(const scenes::ProblemGroup& group, const std::string& title,
             first.query.name};
 }
 
-/// The title of a problem, with its query if the recording has queries of several pairs of bodies,
-/// or if the query has a name.
+/// The title of a problem, with its bodies if the recording has queries of several pairs of bodies,
+/// and with the query's name if it has one.
 std::string title_of(const Problem& problem, const scenes::Recording& recording) {
     std::string title = problem.title;
     if (recording.pairs.size() > 1 && problem.bodies.size() == 2)
-        title += " · " + problem.bodies[0] + " and " + problem.bodies[1];
+        title += " · " + problem.bodies[0] +
+                 (problem.bodies[0] == problem.bodies[1] ? std::string(" against itself")
+                                                         : " and " + problem.bodies[1]);
     if (!problem.query.empty()) title += " · \"" + scenes::shown(problem.query) + "\"";
     return title;
 }

@@ -39,7 +39,7 @@ struct PictureOptions {
     std::optional<PixelPosition> pick{};  ///< the pixel whose content is to be printed
     VideoOptions video{};
     ShardOptions shards{};
-    std::function<std::string()> shown_command{};  ///< for picture_texts; none: no command
+    std::function<std::string()> shown_command{};  ///< for the text in PNG files; may be empty
 
     /// Throws InputError if an option is invalid.
     void check() const;

@@ -15,7 +15,8 @@ class Command;
 struct ShardOptions {
     std::string shard;                ///< "K/N"; empty: all parts are made here
     std::vector<std::string> merged;  ///< the files of all shards, if they are joined here
-    /// The words of the command line that are the same in all shards of a run.
+    /// The words of the command line that are the same in all shards of a run; set if `shard` is.
+    /// Valid as long as the command.
     std::function<std::vector<std::string>()> words{};
 
     bool is_shard() const { return !shard.empty(); }

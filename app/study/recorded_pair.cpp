@@ -42,7 +42,7 @@ ExplainedNode described(const BodyAtFrame& body, const EngineSide& side, std::ui
     if (side.shape->is_reachable(node)) result.depth = static_cast<int>(side.shape->depths[node]);
     const std::string name = side.tree->name_of(node);
     result.remark = (name.empty() ? "" : "'" + name + "', ") + volume_title(told.volume) +
-                    format(" told at frame %d", told.recorded_at);
+                    format(" recorded at frame %d", told.recorded_at);
     return result;
 }
 

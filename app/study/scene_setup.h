@@ -13,10 +13,10 @@
 
 namespace scb::app {
 
-/// Takes a line for the reader about a surprising option.
+/// Receives a sentence for the user about an option that may surprise.
 using Note = std::function<void(const std::string& line)>;
 
-/// A scene by its names, and the frame or queries of it.
+/// The names of a scene, and the frame or queries to choose from it.
 struct SceneOptions {
     std::vector<std::string> names;
     std::vector<double> pose;

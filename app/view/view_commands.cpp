@@ -25,8 +25,8 @@ std::string names_of(const ViewOptions& options, const ViewColumn& column) {
     std::vector<std::string> names = column.names;
     const std::vector<std::string>& known = options.level.scene.names;
     for (std::string& name : names)
-        for (std::size_t i = 0; i < known.size() && i < options.column_names.size(); ++i)
-            if (name == known[i]) name = options.column_names[i];
+        for (std::size_t i = 0; i < known.size() && i < options.names_in_commands.size(); ++i)
+            if (name == known[i]) name = options.names_in_commands[i];
     return words_of(names);
 }
 

@@ -77,10 +77,10 @@ struct TraceDiff {
     std::vector<FrameDifference> frames;    ///< of these, frames that differ
     TraceCounts sum_a, sum_b;               ///< over the common frames
     std::vector<std::string> stages;        ///< all stage names of these, in order
-    bool nodes_comparable = true;           ///< false if the meshes or the splits differ
+    bool nodes_comparable = true;           ///< false if the meshes or the trees differ
     bool meshes_differ = false;
     bool of_engines = false;       ///< whether another engine made one of them
-    bool trees_known = true;       ///< false if only one of them has its trees, as recordings do
+    bool trees_known = true;       ///< false if only one is a recording: a trace has no trees
     std::optional<Parting> first;  ///< of tests; nothing if nodes are not comparable
     bool of_nodes = false;         ///< whether A's pairs are pairs of nodes, see pairs_are_nodes
     /// False if the meshes, the levels to stop at, or the nodes of pairs differ.

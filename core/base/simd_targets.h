@@ -5,7 +5,8 @@
 #include "scb/simd_level.h"
 
 // Disables targets that SimdLevel does not have, since each costs time to build. Include this
-// before <hwy/foreach_target.h>, which includes a file once for each target.
+// before <hwy/foreach_target.h>, which includes a file once for each target, and before
+// <hwy/highway.h> in files of one target.
 #define HWY_DISABLED_TARGETS \
     (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 

@@ -11,7 +11,6 @@
 #include "core/packed/grown_slab.h"
 #include "core/packed/packed_query.h"
 #include "core/packed/packed_steps.h"
-#include "scb/triangle_overlap.h"
 
 namespace scb {
 
@@ -53,9 +52,7 @@ void decide_undecided(const AnyQuery& query, PackedFindings& found) {
     found.n_exact += found.undecided.size();
     decide_in_doubles(query.a, query.b, query.b_to_a, query.level, found);
     for (const IndexPair& pair : found.undecided)
-        if (triangles_overlap(corners(query.a, pair.a),
-                              transform_corners(query.b_to_a, corners(query.b, pair.b))))
-            found.pairs.push_back(pair);
+        if (triangles_meet(query.a, query.b, query.b_to_a, pair)) found.pairs.push_back(pair);
     found.undecided.clear();
 }
 

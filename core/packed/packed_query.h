@@ -14,6 +14,7 @@
 #include "scb/packed_hierarchy.h"
 #include "scb/placement.h"
 #include "scb/simd_level.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 
@@ -184,6 +185,11 @@ void divide_nodes(const AnyPackedQuery& query, PackedSteps& steps, PackedLists& 
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found);
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found);
+
+/// The exact test of a triangle of A and a triangle of B.
+inline bool triangles_meet(const Mesh& a, const Mesh& b, const Pose& b_to_a, IndexPair pair) {
+    return triangles_overlap(corners(a, pair.a), transform_corners(b_to_a, corners(b, pair.b)));
+}
 
 /// Decides the undecided pairs for which doubles are certain.
 void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,

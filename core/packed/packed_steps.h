@@ -40,6 +40,7 @@ class PackedSteps {
     StepNumbers<CalledObserver> numbers_;
     const LeafQuery& leaves_;
     const Mesh &a_, &b_;
+    const Pose& b_to_a_;
     std::unordered_map<std::uint64_t, Overlap> overlaps_;  ///< never iterated
 };
 

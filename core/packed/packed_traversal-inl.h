@@ -20,8 +20,7 @@ namespace HWY_NAMESPACE {
 
 /// The traversal of two packed hierarchies, compiled for one layout. Pairs wait in one list for
 /// each combination of inner nodes and leaves. A batch of one list at a time is divided, with its
-/// cache lines prefetched. `Steps`: PackedSteps&, which
-/// receives every test, or NoObserver.
+/// cache lines prefetched. `Steps`: PackedSteps&, which receives every test, or NoObserver.
 template <class Codec, class Steps = NoObserver>
 class PackedTraversal {
   public:

@@ -13,6 +13,8 @@
 namespace scb {
 
 void refuse_to_open(const std::string& path, int error) {
+    // Not std::generic_category: a sanitized program checks the type of that object by a pipe, and
+    // there may be no descriptor for one.
     const bool too_many = error == EMFILE || error == ENFILE;
     throw InputError(
         path + ": cannot be opened (" + std::strerror(error) + "); " +

@@ -24,7 +24,7 @@ struct NoObserver {};
 template <class O>
 inline constexpr bool observed = !std::same_as<O, NoObserver>;
 
-/// An observer by its pointers.
+/// Calls an observer through its pointers.
 struct CalledObserver {
     const ObserverCalls& calls;
 

@@ -162,11 +162,13 @@ Mesh isolated_mesh(const std::string& path) {
     MeshGreeting greeting{};
     if (!reader.read(std::as_writable_bytes(std::span(greeting)))) {
         const std::optional<ProcessEnd> end = reader.wait();
-        if (end && end->by_signal)
-            throw MeshReaderError(path + ": its reader, a process of " + reader.program() +
-                                  ", was ended by " + signal_words(end->code) +
-                                  " before it read the file; try again, and check the limits of "
-                                  "memory (ulimit -s, -v).");
+        if (end && end->by_signal) {
+            const bool asked = end->code == SIGINT || end->code == SIGTERM || end->code == SIGHUP;
+            throw MeshReaderError(
+                path + ": its reader, a process of " + reader.program() + ", was ended by " +
+                signal_words(end->code) + " before it read the file; try again" +
+                (asked ? "." : ", and check the limits of memory (ulimit -s, -v)."));
+        }
         fail_to_start(path, reader.program(), "it ended without an answer");
     }
     if (greeting != mesh_greeting)

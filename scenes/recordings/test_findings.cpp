@@ -23,7 +23,7 @@ double sharp_margin(const EngineQuery& query, const JudgedTest& test) {
     const PairExplanation found =
         explain_nodes(volume(0, test.nodes.a), volume(1, test.nodes.b), query.b_to_a,
                       tolerance_of(query, test.nodes), Stage::overlapping);
-    return std::max(test.margin, found.certificate.margin);
+    return found.verified ? std::max(test.margin, found.certificate.margin) : test.margin;
 }
 
 std::string apart_words(double margin) { return format("%.6g", margin) + " apart"; }
@@ -111,10 +111,11 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     }
     if (test.verdict != TestVerdict::wrong) return;
     ++row.wrong;
-    // The search takes up to a millisecond, so only listed cases have it.
-    const double depth =
-        stage.wrong < ProblemGroup::most_cases ? sharp_margin(query, test) : test.margin;
-    stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
+    // The search takes up to a millisecond, so only listed cases have it. Another margin may be far
+    // below the depth, and is not taken for the least depth.
+    const bool is_sharp = stage.wrong < ProblemGroup::most_cases;
+    const double depth = is_sharp ? sharp_margin(query, test) : test.margin;
+    if (is_sharp) stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
     stage.most_depth = std::max(stage.most_depth, depth);
     ++stage.wrong;
     note("a test that rejected volumes which overlap, at stage \"" +

@@ -77,17 +77,31 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                                const Pose& b_to_a, const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
-/// How a test of two volumes rejects in these queries. It stands behind the stages that have names.
+/// The stage of a test of two volumes that rejects in these queries: lanes do not say which bound
+/// rejects. It is a stage behind the named ones, so stage_name and StageCounts do not have it.
 inline constexpr Stage packed_rejection = static_cast<Stage>(named_stage_count);
 
-/// The same in the calling thread, and `calls` receives every test, the volume tests of a node's
-/// children one by one. The nodes of a step are the bits of a PackedRef. The roots are not tested:
-/// children of the roots have no parent. If both roots are leaves, their triangles follow no step.
-/// Whether triangles meet is tested exactly for the observer, so a query takes longer by far. Also
-/// throws std::length_error as collide does, and exceptions of the observer.
+/// The same from the roots, in the calling thread, and `calls` receives every test: the volume
+/// tests of a node's children one by one, and after a test of two leaves the tests of their
+/// triangles, decided exactly. So such a query takes longer by far; `level` does not change its
+/// volume tests. If it gives up, the observer has received the tests so far.
+///
+/// The nodes of a step are the bits of a PackedRef, and depths are depths in the packed
+/// hierarchies. The roots are not tested with each other, so tests of a root with the children of
+/// the other have no parent. If both roots are leaves, ItemStep::step is no_step.
+///
+/// Allocates in proportion to the pairs of nodes that overlap. Also throws std::length_error as
+/// collide does, and exceptions of the observer.
 template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options,
                                const ObserverCalls& calls);
+
+/// The same with an observer of the caller's type.
+template <class Codec, Observer O>
+PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                               const Pose& b_to_a, const PackedOptions& options, O& observer) {
+    return collide_packed(a, b, b_to_a, options, calls_of(observer));
+}
 
 }  // namespace scb

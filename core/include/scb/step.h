@@ -39,7 +39,8 @@ struct Step {
 struct ItemStep {
     /// The triangles of A and B.
     IndexPair items;
-    /// Number of the step, of two leaves that overlap, that led to this test.
+    /// Number of the step, of two leaves that overlap, that led to this test; no_step if no step
+    /// did, see collide_packed.
     std::uint32_t step = 0;
     /// Whether the triangles have a point in common.
     bool hit = false;

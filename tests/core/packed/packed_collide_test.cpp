@@ -298,9 +298,14 @@ TEST(CollidePacked, ReportsEachTestToAnObserver) {
                 const PackedCollider<Codec> side_a{packed_a, a.mesh}, side_b{packed_b, b.mesh};
                 StepRecorder recorder;
                 const PackedCollision observed =
-                    collide_packed(side_a, side_b, pose, {}, calls_of(recorder));
+                    collide_packed(side_a, side_b, pose, {SimdLevel::best, 3}, recorder);
                 expect_same(observed, collide_packed(side_a, side_b, pose));
                 expect_steps(recorder.steps, packed_a, packed_b, observed);
+                for (const SimdLevel level : available_simd_levels()) {
+                    StepRecorder again;
+                    expect_same(collide_packed(side_a, side_b, pose, {level}, again), observed);
+                    EXPECT_EQ(again.steps, recorder.steps);
+                }
                 hits += observed.pairs.size();
                 for (const Step& step : recorder.steps.volumes)
                     rejected += step.stage == packed_rejection;
@@ -319,6 +324,29 @@ TEST(CollidePacked, ReportsEachTestToAnObserver) {
     expect_observed(BuiltMesh(height_field(24)), one, {Mat3::Identity(), {0.2, 0.2, 0}});
     EXPECT_GT(hits, 0u);
     EXPECT_GT(rejected, hits);
+}
+
+TEST(CollidePacked, AnObserverReceivesTheTestsUntilTheQueryGivesUp) {
+    const Mesh mesh = random_soup(73, 1500, 0.3);
+    const auto packed = build_packed<FloatCodec<8>>(mesh);
+    const PackedCollider<FloatCodec<8>> side{packed, mesh};
+    StepRecorder recorder;
+    const PackedCollision some =
+        collide_packed(side, side, Pose{}, {SimdLevel::best, 1, 1}, recorder);
+    EXPECT_FALSE(some.complete);
+    EXPECT_TRUE(some.pairs.empty());
+    EXPECT_EQ(recorder.steps.volumes.size(), some.n_v);
+    EXPECT_EQ(recorder.steps.items.size(), some.n_p);
+    EXPECT_LT(some.n_v, collide_packed(side, side, Pose{}).n_v);
+
+    struct Thrower {
+        int left = 100;
+        void volume_test(const Step&) {
+            if (left-- == 0) throw InputError("enough");
+        }
+        void item_test(const ItemStep&) {}
+    } thrower;
+    EXPECT_THROW(collide_packed(side, side, Pose{}, {}, thrower), InputError);
 }
 
 TEST(CollidePacked, OfOneTriangleEach) {
