@@ -208,17 +208,6 @@ TEST(InspectCommand, OtherTestsAreWholeQueries) {
     EXPECT_EQ(inspect("spheres-l1 --frame 60 --volume obb")["other_tests"].size(), 0u);
 }
 
-/// The texts between the two marks, one after the other.
-std::vector<std::string> all_between(const std::string& text, const std::string& begin,
-                                     const std::string& end) {
-    std::vector<std::string> found;
-    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
-        at += begin.size();
-        found.push_back(text.substr(at, text.find(end, at) - at));
-    }
-    return found;
-}
-
 TEST(InspectCommand, ReplacesNothingThatTheSceneWasReadFrom) {
     namespace fs = std::filesystem;
     const TemporaryFolder folder;

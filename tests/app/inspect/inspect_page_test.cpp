@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/app/inspect/inspect_run.h"
 
@@ -21,6 +23,17 @@ std::string html_in(const std::string& folder, const std::string& ending = ".htm
             text += file_text(entry.path());
     }
     return text;
+}
+
+/// The texts between the two marks, one after the other.
+std::vector<std::string> all_between(const std::string& text, const std::string& begin,
+                                     const std::string& end) {
+    std::vector<std::string> found;
+    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
+        at += begin.size();
+        found.push_back(text.substr(at, text.find(end, at) - at));
+    }
+    return found;
 }
 
 TEST(InspectPage, NamesAMeshOnceInTitles) {
