@@ -8,11 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-std::uint64_t count(const json& entry, const std::string& reason) {
-    return entry["inner"][reason].get<std::uint64_t>() +
-           entry["leaves"][reason].get<std::uint64_t>();
-}
-
 TEST(InspectCommand, AddsUpToWhatCollideCounts) {
     for (const char* options : {"", "--volume obb", "--volume ball",
                                 "--test extents --descent area", "--max-pairs 5", "--level 6"}) {
