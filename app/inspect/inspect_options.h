@@ -19,7 +19,8 @@ struct InspectOptions {
     std::vector<std::string> of_pictures;  ///< given options that only pictures use
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< the given options of the scene, see given_text
-    std::string of_recording;              ///< the same without frames
+    // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
+    std::string of_meshes, of_frames;
     ViewOptions view;                      ///< only its texts of given options
     int top = 10;
     bool asks_top = false;  ///< --top was given

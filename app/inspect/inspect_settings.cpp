@@ -117,9 +117,8 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     InspectSettings result{
         std::move(*tuning), {}, {}, render::volume_title(source.header()), recorded};
     result.command =
-        "scb collide" +
-        (recording.changes_meshes ? options.of_recording + " --frames " + std::to_string(counted[0])
-                                  : options.of_scene) +
+        "scb collide" + options.of_meshes +
+        (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames) +
         setting_options(result.tuning.rows[result.tuning.recommended()].setting);
     return result;
 }

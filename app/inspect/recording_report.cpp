@@ -102,8 +102,7 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::s
 }
 
 std::string tests_text(const RecordingJudgement& judged) {
-    if (judged.stages.empty()) return "Tests: none were recorded.\n\n";
-    if (judged.total(&FrameJudgement::volume_tests) == 0)
+    if (judged.stages.empty() || judged.total(&FrameJudgement::volume_tests) == 0)
         return "Tests: no tests of volumes were recorded.\n\n";
     std::size_t width = 5;
     for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));

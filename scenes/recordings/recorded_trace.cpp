@@ -86,8 +86,11 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
     };
     auto chosen = pairs.begin();
     if (!bodies.empty()) {
-        chosen = std::find_if(pairs.begin(), pairs.end(),
-                              [&](const QueriedPair& pair) { return words(pair) == bodies; });
+        const auto has_words = [&](const QueriedPair& pair) { return words(pair) == bodies; };
+        chosen = std::find_if(pairs.begin(), pairs.end(), has_words);
+        if (std::count_if(pairs.begin(), pairs.end(), has_words) > 1)
+            throw InputError("--bodies " + bodies + ": several pairs of bodies of " + path +
+                             " have these names, which contain commas; rename a body.");
         if (chosen == pairs.end() && bodies == "A,B" && pairs.size() == 1) chosen = pairs.begin();
     }
     if (chosen == pairs.end() || (bodies.empty() && pairs.size() > 1)) {

@@ -16,7 +16,6 @@ void tell_apart(std::map<std::uint32_t, std::string>& names) {
     std::set<std::string> taken;
     for (auto& [number, name] : names) {
         if (name.empty()) name = "body " + std::to_string(number);
-        std::replace(name.begin(), name.end(), ',', ';');
         while (!taken.insert(name).second) name += " (" + std::to_string(number) + ")";
     }
 }

@@ -389,6 +389,22 @@ TEST(RecordedTrace, IsOfThePairThatIsNamed) {
     EXPECT_EQ(RecordedTrace(queries_of_two_pairs(), "left,right", "all").frames(), std::vector{4});
 }
 
+TEST(RecordedTrace, IsOfNoPairWhereCommasInNamesMakeTwoPairsAlike) {
+    const auto opened = [](const char* first, const char* second, const std::string& bodies) {
+        std::vector<Record> records = two_balls();
+        append(records, {RecordedBody{0, 0, first}, RecordedBody{1, 1, "b,c"},
+                         RecordedBody{2, 0, second}, RecordedBody{3, 1, "c"}, RecordedFrame{0}});
+        for (const std::uint32_t a : {0u, 2u})
+            append(records, {RecordedQuery{a, a + 1}, RecordedQueryEnd{}});
+        const auto recording = std::make_shared<const Recording>(read_recording(
+            std::make_shared<const RecordingFile>(recording_of(records), "x.scbrec")));
+        return RecordedTrace(recording, bodies, "all").sides();
+    };
+    EXPECT_EQ(opened("a", "x,y", "a,b,c"), (std::array<std::size_t, 2>{0, 1}));
+    EXPECT_EQ(opened("a", "x,y", "x,y,c"), (std::array<std::size_t, 2>{2, 3}));
+    EXPECT_THROW(opened("a", "a,b", "a,b,c"), InputError);
+}
+
 TEST(RecordedTrace, ShowsTheFirstQueryOfAFrame) {
     RecordedTrace recorded(queries_of_two_pairs(), "left,C", "all");
     EXPECT_EQ(recorded.body(1, 4).pose.translation, Vec3(1, 0, 0));

@@ -72,7 +72,7 @@ TEST(Recording, TellsItsBodiesApartByTheirNames) {
     std::vector<std::string> names;
     for (const Body& body : recording.scene.bodies) names.push_back(body.name);
     EXPECT_EQ(names,
-              (std::vector<std::string>{"x", "x (2)", "x (2) (2)", "left; right", "body 4"}));
+              (std::vector<std::string>{"x", "x (2)", "x (2) (2)", "left, right", "body 4"}));
 }
 
 TEST(Recording, IsCalledByTheSettingThatWasToldLastOrByItsFile) {
