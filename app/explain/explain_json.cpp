@@ -88,7 +88,8 @@ Json certificate_json(const ExplainedPair& pair) {
         result["direction"] = json_of(certificate.direction);
         result["gap"] = certificate.margin;
     } else {
-        result["point"] = json_of(Vec3(center(pair.a) + certificate.point));
+        if (pair.found.verified)
+            result["point"] = json_of(Vec3(center(pair.a) + certificate.point));
         result["depth"] = certificate.margin;
     }
     result["verified"] = pair.found.verified;

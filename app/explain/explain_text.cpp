@@ -167,9 +167,11 @@ std::string exact_text(const ExplainedPair& pair) {
             return "disjoint: at least " + number(certificate.margin) + " apart along " +
                    point(certificate.direction) + checked;
         case Contact::overlapping:
-            return "overlapping: " + point(Vec3(center(pair.a) + certificate.point)) +
-                   " is in both, and B is at least " + number(certificate.margin) + " deep in A" +
-                   checked;
+            return "overlapping: " +
+                   (pair.found.verified
+                        ? point(Vec3(center(pair.a) + certificate.point)) + " is in both, and "
+                        : std::string()) +
+                   "B is at least " + number(certificate.margin) + " deep in A" + checked;
         case Contact::touching:
             break;
     }

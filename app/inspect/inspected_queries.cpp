@@ -35,6 +35,7 @@ InspectedQueries open_recording(const InspectOptions& options) {
         result.sources.emplace_back(result.recording, options.query);
         header = result.sources.front().header();
     } catch (const InputError& error) {
+        if (!options.query.bodies.empty()) throw;  // perhaps there are no such bodies
         result.no_waste = error.what();
     }
     return result;

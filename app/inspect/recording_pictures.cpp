@@ -155,6 +155,7 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
     const std::string stem = of_file.file_stem(recording.scene.name);
     NamedOptions named;
     name_selection(named, recording.file->selection);
+    name_picture(named, options);
     std::vector<ProblemPicture> drawn;
     std::optional<scenes::RecordedBodies> at_frame;
     for (const Problem& problem : problems) {

@@ -35,10 +35,10 @@ Pose made_rigid(Pose pose) {
 BodyPose body_pose(const Pose& told) {
     BodyPose body;
     body.pose.translation = told.translation;
-    body.is_finite = told.rotation.allFinite() && is_usable(told.translation);
-    if (!body.is_finite) {
+    body.is_finite = told.rotation.allFinite() && told.translation.allFinite();
+    if (!body.is_finite || !is_usable(told.translation)) {
         body.pose = Pose{};
-        body.pose_fault = "is not finite";
+        body.pose_fault = body.is_finite ? "is beyond 1e70" : "is not finite";
         return body;
     }
     Vec3 lengths;

@@ -83,7 +83,8 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     ++stage.tests;
     ++row.volume_tests;
     ++tests_;
-    unjudged_ += test.verdict == TestVerdict::unjudged;
+    const bool is_unknown = names_unknown_node(query, test.nodes);
+    unjudged_ += test.verdict == TestVerdict::unjudged && !is_unknown;
     const auto words = [&] { return pair_words("nodes", event.a, event.b) + test_words(number); };
     const auto note = [&](const std::string& what, const std::string& more = {}) {
         const IndexPair nodes{event.a, event.b};
@@ -94,7 +95,7 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
                    number,
                    have_volumes(query, nodes)});
     };
-    if (names_unknown_node(query, test.nodes)) note("a test of a node that its tree does not have");
+    if (is_unknown) note("a test of a node that its tree does not have");
     if (test.repeated && repeated_++ == 0) first_repeated_ = query_words(name) + ": " + words();
     if (test.verdict == TestVerdict::false_positive) {
         ++stage.false_positives;

@@ -126,7 +126,8 @@ void add_tree(RecordingWriter& writer, std::uint32_t number, const std::string& 
 
 TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*, 2> meshes,
                                std::array<const AnyHierarchy*, 2> hierarchies)
-    : tests_triangles_(header.options.stop_level < 0) {
+    : tests_triangles_(header.options.stop_level < 0),
+      bodies_(header.kind == QueryKind::self ? 1 : 2) {
     writer_.add(RecordedSetting{"engine", "scb " + header.scb_version});
     if (tests_triangles_) writer_.add(RecordedSetting{"results", "pairs"});
     for (const TraceField& field : fields_of(header))
@@ -134,7 +135,7 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
     for (const Stage stage : stages_of(header.volume, header.options.overlap))
         writer_.add(
             RecordedStage{static_cast<std::uint8_t>(stage), std::string(stage_name(stage))});
-    for (std::uint32_t side = 0; side < 2; ++side) {
+    for (std::uint32_t side = 0; side < bodies_; ++side) {
         const std::string& name = header.bodies[side].name;
         writer_.add(recorded(*meshes[side], side, name));
         add_tree(writer_, side, name, *hierarchies[side]);
@@ -144,9 +145,9 @@ TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*
 
 void TraceRecording::add(const QueryTrace& frame, const std::array<Pose, 2>& poses) {
     writer_.add(RecordedFrame{static_cast<std::uint32_t>(frame.frame)});
-    for (std::uint32_t side = 0; side < 2; ++side)
+    for (std::uint32_t side = 0; side < bodies_; ++side)
         writer_.add(RecordedPose{side, rows_of(poses[side])});
-    writer_.add(RecordedQuery{0, 1});
+    writer_.add(RecordedQuery{0, bodies_ - 1});
     const auto event = [&](RecordTag tag, IndexPair pair) {
         writer_.add(RecordedEvent{static_cast<std::uint8_t>(tag), pair.a, pair.b});
     };

@@ -23,6 +23,7 @@ class TraceRecording {
   private:
     RecordingWriter writer_;
     bool tests_triangles_;
+    std::uint32_t bodies_;  ///< one in a self query, else two
 };
 
 }  // namespace scb::scenes

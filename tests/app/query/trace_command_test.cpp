@@ -241,6 +241,28 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     EXPECT_EQ(files_in(folder.path), files);
 }
 
+TEST_F(TraceCommand, RecordsOfABodyAgainstItselfHaveOneBody) {
+    const std::string file = folder / "self.scbrec";
+    for (const char* volume : {"scb", "obb"}) {
+        SCOPED_TRACE(volume);
+        ASSERT_EQ(run_scb("trace soup --frames 0 --bodies A,A --records -o " + file + " --volume " +
+                          volume)
+                      .status,
+                  0);
+        const ProgramRun run = run_scb("inspect " + file);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_TRUE(run.out.starts_with("Valid.\n")) << run.out;
+        const std::string counts = run_scb("collide --csv " + file + " --volume " + volume).out,
+                          own = run_scb(std::string("collide --csv soup --frames 0 --bodies A,A "
+                                                    "--volume ") +
+                                        volume)
+                                    .out;
+        // The columns after these compare with the recording.
+        const std::string row = own.substr(own.find('\n') + 1);
+        EXPECT_NE(counts.find(row.substr(0, row.size() - 1)), std::string::npos) << counts << own;
+    }
+}
+
 TEST_F(TraceCommand, OfFilesThatAreGoneNamesItselfAndThem) {
     write_text(folder / "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     write_text(folder / "b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 0 1\n3 0 1 2\n");

@@ -167,6 +167,10 @@ TEST(RecordedQueries, APoseMayStretchItsBody) {
     EXPECT_EQ(sheared.pose.translation, Vec3(5, 0, 0));
     EXPECT_EQ(body_with({1, 0, 0, 0, 1, 0, 1, 1, 0}).pose_fault, "makes the body flat");
     EXPECT_EQ(body_with({NAN, 0, 0, 0, 1, 0, 0, 0, 1}).pose_fault, "is not finite");
+    Pose far;
+    far.translation[0] = 1e71;
+    EXPECT_TRUE(body_pose(far).is_finite);
+    EXPECT_EQ(body_pose(far).pose_fault, "is beyond 1e70");
     EXPECT_EQ(body_with({0, 0, 0, 0, 0, 0, 0, 0, 0}).pose_fault, "makes the body flat");
 }
 
