@@ -126,7 +126,7 @@ TEST(RecordedQueries, MakesAPoseOf32BitsRigid) {
     EXPECT_EQ(recorded_pose(nearly).pose.rotation(0, 0), nearly[0]);
     nearly = exact;
     nearly[3] = 1e71;
-    EXPECT_EQ(recorded_pose(nearly).pose_fault, "is not finite");
+    EXPECT_EQ(recorded_pose(nearly).pose_fault, "is beyond 1e70");
 }
 
 // A vertex that is not finite must not hide an index of a missing vertex.
