@@ -112,11 +112,15 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     }
     if (test.verdict != TestVerdict::wrong) return;
     ++row.wrong;
-    // The search takes up to a millisecond, so only listed cases have it. Another margin may be far
-    // below the depth, and is not taken for the least depth.
-    const bool is_sharp = stage.wrong < ProblemGroup::most_cases;
+    // The search takes up to a millisecond, so only listed cases and candidates for the least depth
+    // have it, and not too many. Another margin may be far below the depth, but is a bound of it.
+    constexpr std::size_t most_searches = 1000;
+    const bool is_listed = stage.wrong < ProblemGroup::most_cases;
+    const bool is_sharp =
+        searches_ < most_searches && (is_listed || test.margin < stage.least_depth);
+    searches_ += is_sharp;
     const double depth = is_sharp ? sharp_margin(query, test) : test.margin;
-    if (is_sharp) stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
+    stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
     stage.most_depth = std::max(stage.most_depth, depth);
     ++stage.wrong;
     note("a test that rejected volumes which overlap, at stage \"" +

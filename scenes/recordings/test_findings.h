@@ -51,6 +51,7 @@ class TestFindings {
     std::map<std::uint8_t, StageJudgement> stages_;
     ProblemGroups problems_;
     std::uint64_t tests_ = 0, unjudged_ = 0, repeated_ = 0;
+    std::size_t searches_ = 0;  ///< for sharper depths of wrong tests
     std::string first_repeated_;
     std::uint64_t divided_ = 0, lacks_ = 0;  ///< see DivisionCounts
     DivisionCounts::Lack first_lack_;

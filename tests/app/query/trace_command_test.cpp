@@ -252,7 +252,9 @@ TEST_F(TraceCommand, RecordsOfABodyAgainstItselfHaveOneBody) {
         const ProgramRun run = run_scb("inspect " + file);
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_TRUE(run.out.starts_with("Valid.\n")) << run.out;
-        const std::string counts = run_scb("collide --csv " + file + " --volume " + volume).out,
+        const std::string counts =
+                              run_scb("collide --csv --bodies A,A " + file + " --volume " + volume)
+                                  .out,
                           own = run_scb(std::string("collide --csv soup --frames 0 --bodies A,A "
                                                     "--volume ") +
                                         volume)
