@@ -9,8 +9,11 @@
 
 namespace scb {
 
-/// The message of the InputError that `read` throws if this process may open no more files.
+/// The message of the InputError that `read` throws if this process may open no more files. With
+/// files, `read` must succeed.
 inline std::string refusal_without_files(const std::function<void()>& read) {
+    // A sanitized program checks the type of an object by a pipe, but each type only once.
+    read();
     rlimit before{};
     ::getrlimit(RLIMIT_NOFILE, &before);
     const rlimit none{0, before.rlim_max};
@@ -18,7 +21,7 @@ inline std::string refusal_without_files(const std::function<void()>& read) {
     try {
         read();
     } catch (const InputError& error) {
-        // First: a sanitized program checks the type of `error` by a pipe.
+        // Before the type of `error` is checked.
         ::setrlimit(RLIMIT_NOFILE, &before);
         return error.what();
     }
