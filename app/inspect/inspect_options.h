@@ -21,7 +21,7 @@ struct InspectOptions {
     std::string of_scene;                  ///< the given options of the scene, see given_text
     // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
     std::string of_meshes, of_frames;
-    ViewOptions view;                      ///< only its texts of given options
+    ViewOptions view;  ///< only its texts of given options
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

@@ -30,6 +30,18 @@ const char* const named_queries = R"({"stage": 1, "name": "balls"}
 {"end": true}
 )";
 
+TEST(NamedQueries, OfBodiesThatCannotBePlacedAreStillJudged) {
+    const TemporaryFolder folder;
+    std::string text = named_queries;
+    text.replace(text.find("1, 0]}") + 3, 1, "1e71");
+    const std::string file = folder.write("far.jsonl", text);
+    for (const char* bodies : {"", " --bodies arm,shelf"}) {
+        const ProgramRun run = run_scb("inspect " + file + bodies);
+        EXPECT_EQ(run.status, 4) << run.out << run.err;
+        EXPECT_NE(run.out.find("is beyond 1e70"), std::string::npos) << run.out;
+    }
+}
+
 TEST(NamedQueries, AreSelectedByCommands) {
     const TemporaryFolder folder;
     const std::string file = folder.write("q.jsonl", named_queries);
@@ -55,6 +67,7 @@ TEST(NamedQueries, AreSelectedByCommands) {
         {"inspect --query lif " + file, "--query lif: "},
         {"inspect --query rest --tag grasp " + file, "--query rest --tag grasp: "},
         {"inspect --query lift --frames 1 " + file, "has no frame 1"},
+        {"inspect --bodies arm,shelve " + file, "--bodies arm,shelve: "},
         {"collide cone --query lift", "--query lift: "},
         {"stats cone --tag grasp", "--tag grasp: "}};
     for (const auto& [command, words] : refused) {
