@@ -7,6 +7,7 @@
 
 #include "app/explain/explain_pictures.h"
 #include "app/explain/explain_report.h"
+#include "app/study/query_source.h"
 #include "app/study/recorded_pair.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -188,6 +189,7 @@ int explain_recording(const ExplainOptions& options, const Console& console) {
     const auto [i, j] = options.nodes();
     const IndexPair numbers{checked_number(i, option), checked_number(j, option)};
     const std::unique_ptr<RecordedTrace> trace = open_trace(options, numbers);
+    note_left_out(*trace, console.notes());
     const RecordedPair found = recorded_pair(*trace, trace->frames()[0], numbers, option);
     const std::string title = printable(found.header().scene) + ", " +
                               printable(found.header().engine->name) + ", frame " +

@@ -19,6 +19,7 @@
 #include "app/report/count_table.h"
 #include "app/report/scene_report.h"
 #include "app/report/trace_report.h"
+#include "app/study/query_source.h"
 #include "app/study/scene_query.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
@@ -389,8 +390,10 @@ int run(CollideCommandOptions& options, const Console& console) {
     const bool whole = !options.first && options.limits.levels.empty() &&
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
     if (options.scene.is_recording() && whole) {
-        recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames);
+        recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames,
+                         options.scene.selection);
         check_recorded(*recorded, options.scene.names[0]);
+        note_left_out(*recorded, console.notes());
         options.query.bodies =
             recorded->header().bodies[0].name + "," + recorded->header().bodies[1].name;
     }

@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/report/trace_report.h"
+#include "app/study/query_source.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
 #include "scenes/recordings/recording_input.h"
@@ -79,6 +80,8 @@ int run(const DiffOptions& options, const Console& console) {
     };
     scenes::TestInput a(options.a, "all", options.bodies, selection(options.a, options.b)),
         b(options.b, "all", options.bodies, selection(options.b, options.a));
+    for (const scenes::TestInput* input : {&a, &b})
+        if (input->recorded()) note_left_out(*input->recorded(), console.notes());
     Progress progress(console, a.frames().size());
     const auto next_of_a = [&] {
         const QueryTrace* frame = a.next();
@@ -111,10 +114,11 @@ void add_diff(const Command& program, const Console& console, Action& action) {
     command.add_option("--bodies", options->bodies, "Two bodies of a recording: A,B");
     command
         .add_option("--query", options->selection.name,
-                    "Of recordings only the queries of this name")
+                    "Compare only queries of this name, of recordings")
         .type_name("NAME");
     command
-        .add_option("--tag", options->selection.tag, "Of recordings only the queries with this tag")
+        .add_option("--tag", options->selection.tag,
+                    "Compare only queries with this tag, of recordings")
         .type_name("TAG");
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(

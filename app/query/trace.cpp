@@ -12,6 +12,7 @@
 #include "app/query/query_options.h"
 #include "app/report/count_table.h"
 #include "app/report/trace_report.h"
+#include "app/study/query_source.h"
 #include "app/study/scene_query.h"
 #include "core/analysis/trace_words.h"
 #include "core/base/exit_status.h"
@@ -157,7 +158,8 @@ void print_events_json(const TraceHeader& header, const QueryTrace& frame) {
 }
 
 /// `given`: options on the command line that only a new trace can use.
-int print(const TraceOptions& options, const std::vector<std::string>& given) {
+int print(const TraceOptions& options, const std::vector<std::string>& given,
+          const Console& console) {
     const std::string& path = options.scene.names[0];
     if (!options.scene.is_recording() || !asks_for_recorded(given)) refuse_for_trace(given, path);
     if (!options.output.empty())
@@ -168,6 +170,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given) {
     // Reads all frames before printing, so that a bad file gives no partial output.
     scenes::TestInput input(path, options.query.frames, options.query.bodies,
                             options.scene.selection);
+    if (input.recorded()) note_left_out(*input.recorded(), console.notes());
     const TraceHeader& header = input.header();
     if (options.json) {
         std::string start =
@@ -221,7 +224,7 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         .only_typed();
     command.add_flag(
         "--records", options->records,
-        "Write meshes, hierarchies and every test as records, as another engine would");
+        "Write a recording with meshes, hierarchies and tests, as `scb_record.h` does");
     command.add_flag("--events", options->events, "Print every test of the trace");
     command.add_flag("--json", options->json, "Print the trace as JSON");
     command.footer(
@@ -245,7 +248,7 @@ void add_trace(const Command& program, const Console& console, Action& action) {
                                  ": -o writes what this program's own query of its meshes and "
                                  "poses does; say of which volumes with --volume, or print the "
                                  "recorded query without -o.");
-            return recorded ? print(*options, given) : record(*options, console);
+            return recorded ? print(*options, given, console) : record(*options, console);
         };
     });
 }

@@ -217,4 +217,14 @@ std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame, st
                                header().options.overlap, most);
 }
 
+void note_left_out(const scenes::RecordedTrace& recorded, const Note& note) {
+    const std::uint64_t count = recorded.left_out();
+    if (count == 0) return;
+    const TraceHeader& header = recorded.header();
+    note("scb: " + recorded.recording().file->path + ": " + std::to_string(count) +
+         (count == 1 ? " later query of " : " later queries of ") + header.bodies[0].name +
+         " and " + header.bodies[1].name + (count == 1 ? " is" : " are") +
+         " left out, since the first query of each frame counts; --query and --tag select others.");
+}
+
 }  // namespace scb::app

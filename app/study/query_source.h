@@ -69,4 +69,7 @@ class QuerySource {
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
 };
 
+/// Notes the queries of a recording that are left out, since they are not the first of their frame.
+void note_left_out(const scenes::RecordedTrace& recorded, const Note& note);
+
 }  // namespace scb::app

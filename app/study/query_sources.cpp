@@ -142,9 +142,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
     for (const int frame : sources[0].frames())
         of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
     of_both.bodies = sources[0].header().bodies[0].name + "," + sources[0].header().bodies[1].name;
-    SceneOptions of_own = scene;
-    of_own.selection = {};  // the recorded queries have chosen the frames
-    sources.emplace_back(of_own, own, of_both, limits, false);
+    sources.emplace_back(scene, own, of_both, limits, false);
     if (names[1] == recorded_name) std::swap(sources[0], sources[1]);
     return sources;
 }
@@ -188,9 +186,10 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         sources = beside_recording(scene, hierarchy, query, limits, compare);
     } else if (compare.names.empty()) {
         sources.emplace_back(scene, hierarchy, query, limits, asks_for_recorded(compare.given));
-        if (sources[0].is_recording()) return sources;
-        note_doubts(hierarchy, {sources[0].query().kind}, note);
-        note_doubts(scene, query, {sources[0].query().kind}, note);
+        if (!sources[0].is_recording()) {
+            note_doubts(hierarchy, {sources[0].query().kind}, note);
+            note_doubts(scene, query, {sources[0].query().kind}, note);
+        }
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
             sources.emplace_back(scene, side.hierarchy, side.query, limits, false);
@@ -198,6 +197,8 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         }
         note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, note);
     }
+    for (const QuerySource& source : sources)
+        if (source.is_recording()) note_left_out(*source.recorded(), note);
     return sources;
 }
 

@@ -28,11 +28,7 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
         if (!pose.empty())
             throw InputError("--pose: " + names[0] +
                              " is recorded, and has its poses; leave out --pose.");
-        if (!selection.empty())
-            throw InputError(selection.words() +
-                             ": recorded queries have names and tags, and this command makes its "
-                             "own queries of the meshes and poses; leave it out.");
-        return scenes::scene_of_recording(names[0], list_of_frames);
+        return scenes::scene_of_recording(names[0], list_of_frames, selection);
     }
     if (!selection.empty())
         throw InputError(selection.words() +

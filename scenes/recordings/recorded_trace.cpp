@@ -65,6 +65,7 @@ RecordedTrace::RecordedTrace(const RecordedTrace& other)
       stages_(other.stages_),
       bodies_(other.bodies_),
       test_counts_(other.test_counts_),
+      left_out_(other.left_out_),
       queries_(std::make_unique<RecordedQueries>(*recording_->file)) {}
 
 std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
@@ -123,8 +124,11 @@ void RecordedTrace::read_bodies() {
     RecordedQueries queries(*recording_->file);
     BodyCopies copies;
     for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next()) {
-        if (ended != Ended::query || !is_wanted(queries) || bodies_.contains(queries.frame()))
+        if (ended != Ended::query || !is_wanted(queries)) continue;
+        if (bodies_.contains(queries.frame())) {
+            ++left_out_;
             continue;
+        }
         const std::vector<EngineEvent>& events = queries.query().events;
         test_counts_[queries.frame()] = static_cast<std::uint64_t>(std::count_if(
             events.begin(), events.end(),

@@ -174,8 +174,9 @@ Recording read_recording(const std::string& path, const QuerySelection& selectio
     return read_recording(std::make_shared<const RecordingFile>(path, selection));
 }
 
-Scene scene_of_recording(const std::string& path, const std::string& frames) {
-    Recording recording = read_recording(path);
+Scene scene_of_recording(const std::string& path, const std::string& frames,
+                         const QuerySelection& selection) {
+    Recording recording = read_recording(path, selection);
     if (recording.changes_meshes) {
         std::vector<int> wanted = {recording.scene.default_frame};
         if (frames == auto_frames && !recording.pairs.empty())

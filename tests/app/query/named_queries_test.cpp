@@ -77,6 +77,58 @@ TEST(NamedQueries, AreSelectedByCommands) {
     }
 }
 
+/// Two triangles: the query "apart", and, at another pose in the same frame, "through".
+const char* const two_poses = R"({"setting": "engine", "value": "E"}
+{"mesh": 0, "name": "m", "coordinate_bytes": 8, "coordinates": [0,0,0, 1,0,0, 0,1,0], "indices": [0,1,2]}
+{"tree": 0, "of_mesh": 0}
+{"node": 0, "in_tree": 0, "items": [0], "volume": ["ball", 0, 0, 0, 1]}
+{"body": 0, "name": "arm", "of_tree": 0}
+{"body": 1, "name": "shelf", "of_tree": 0}
+{"frame": 0}
+{"pose": 0, "rows": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"pose": 1, "rows": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 5]}
+{"query": [0, 1], "name": "apart"}
+{"tests": [[1, 0, 0]]}
+{"complete": true}
+{"pose": 1, "rows": [1, 0, 0, 0.25, 0, 0, 1, 0, 0, 1, 0, -0.25]}
+{"query": [0, 1], "name": "through"}
+{"tests": [[0, 0, 0], ["meet", 0, 0], ["pair", 0, 0]]}
+{"complete": true}
+{"end": true}
+)";
+
+TEST(NamedQueries, OfOneFrameHaveTheirOwnPosesInEveryCommand) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("q.jsonl", two_poses);
+    const auto collide = [&file](const std::string& options) {
+        return json::parse(run_scb("collide --json " + options + file).out)["frames"][0];
+    };
+    const json first = collide(""), through = collide("--query through ");
+    EXPECT_EQ(first["pairs"], 0) << first;
+    EXPECT_EQ(first["recorded"]["pairs"], 0) << first;
+    EXPECT_EQ(through["pairs"], 1) << through;
+    EXPECT_EQ(through["recorded"]["pairs"], 1) << through;
+    EXPECT_EQ(through["recorded"]["false"], 0) << through;
+    // Also in commands that make their own queries of the recorded meshes.
+    EXPECT_EQ(collide("--first --query through ")["pairs"], 1);
+    EXPECT_EQ(collide("--first --query apart ")["pairs"], 0);
+    const std::string trace = folder / "own.scbrec";
+    ASSERT_EQ(run_scb("trace --volume scb --query through -o " + trace + " " + file).status, 0);
+    EXPECT_EQ(json::parse(run_scb("trace --json " + trace).out)["frames"][0]["pairs"], 1);
+}
+
+TEST(NamedQueries, ThatAreLeftOutAreNoted) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("q.jsonl", two_poses);
+    const std::string note = "1 later query of arm and shelf is left out";
+    for (const std::string& command :
+         {"collide " + file, "trace " + file, "explain --pair 0,0 " + file,
+          "render pairs " + file + " -o " + folder / "p",
+          "view " + file + " -o " + folder / "v.html"})
+        EXPECT_NE(run_scb(command).err.find(note), std::string::npos) << command;
+    EXPECT_EQ(run_scb("collide --query apart " + file).err.find("left out"), std::string::npos);
+}
+
 /// The first picture of a problem, as SVG.
 std::string problem_svg(const std::string& recording, const std::string& out) {
     const ProgramRun run = run_scb("inspect " + recording + " --svg --no-view -o " + out);
