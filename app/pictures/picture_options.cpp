@@ -103,8 +103,8 @@ void add_output_size(const Command& command, PictureOptions& options, const char
     if (!options.output.empty()) output.show_default();
     command
         .add_flag("--open", options.open,
-                  "Open the result with the desktop's program: the page, video, sheet or picture, "
-                  "or the folder of several pictures")
+                  "Open the result in the desktop's default program for such files. If there are "
+                  "several pictures, open their folder")
         .only_typed();
     command.add_option("--size", options.size, "Size of a picture in pixels")
         .type_name("WxH")

@@ -143,7 +143,8 @@ void add_rejections_options(const Command& command, RejectionsOptions& options) 
     command.add_option("--body", options.body, "Draw only the nodes of this body; counts stay")
         .type_name("NAME")
         .shareable();
-    command.add_option("--opacity", options.opacity, "Opacity of the volumes, above 0 to 1")
+    command
+        .add_option("--opacity", options.opacity, "Opacity of the volumes: more than 0, at most 1")
         .check(real_number)
         .show_default()
         .shareable();

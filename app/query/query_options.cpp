@@ -59,17 +59,18 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .shareable();
     command
         .add_option("--query", options.selection.name,
-                    "Of a recording only the queries of this name")
+                    "If the input is a recording: use only queries of this name")
         .type_name("NAME")
         .shareable();
     command
-        .add_option("--tag", options.selection.tag, "Of a recording only the queries with this tag")
+        .add_option("--tag", options.selection.tag,
+                    "If the input is a recording: use only queries with this tag")
         .type_name("TAG")
         .shareable();
     if (with_frame)
         command
             .add_option("--frames,--frame", options.frames,
-                        "The frame, one number. Default: the scene's own")
+                        "Number of one frame. Default: the default frame of the scene")
             .type_name("N")
             .shareable();
 }
@@ -94,11 +95,13 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
         choices_of(std::span<const SplitMethod>(methods), split_method_name);
     add_choice(command, "--growth", options.growth,
                choices_of(std::span<const BallGrowth>(growths), ball_growth_name),
-               "How minimum balls are grown: ritter or radius")
+               "A minimum ball of 26 extremal points grows to contain all points: its center moves "
+               "(ritter) or stays (radius)")
         .type_name("RULE")
         .shareable();
     const std::string divided =
-        "How nodes are divided: paper (Section 3), or cost (slower to build, quicker to query)";
+        "Split of triangles in the build: as in Section 3 of the paper (paper), or by cost (cost: "
+        "slower build, quicker queries)";
     if (splits != nullptr)
         command.add_option("--split", *splits, divided)
             .type_name("LIST")
@@ -164,8 +167,8 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
     const std::vector<Choice<DescentRule>> rules =
         choices_of(all_descent_rules(), descent_rule_name);
     add_choice(command, "--descent", options.descent, rules,
-               "Which of two nodes is divided: the larger by radius, area or volume, or A's and "
-               "B's in turn: " +
+               "Of two overlapping nodes, a query divides the one with the larger radius, area or "
+               "volume, or A's and B's in turn: " +
                    offered(rules))
         .type_name("RULE")
         .shareable();

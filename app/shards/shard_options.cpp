@@ -27,8 +27,9 @@ void add_shard_options(const Command& command, ShardOptions& options, const std:
                                      "--terminal", "--video", "--fps"});
     };
     command
-        .add_option("--shard", options.shard,
-                    "Make the K-th of N shares of the " + parts + "; `scb merge` joins the shares")
+        .add_option(
+            "--shard", options.shard,
+            "Process share K of N of the " + parts + ", K from 1; `scb merge` joins the results")
         .type_name("K/N")
         .only_typed();
     command.add_option("--merged", options.merged, "").only_typed().hide();
