@@ -65,19 +65,39 @@ AnyPacked build_packed_any(const PackedLayout& layout, VolumeKind kind, const Me
     return kind == VolumeKind::scb2 ? of_codec<Scb2>(layout, built) : of_codec<Scb>(layout, built);
 }
 
-PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
-                               const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
-                               PackedWorkspace* workspace, PackedFront* front) {
+namespace {
+
+/// Calls `query` with the two sides.
+template <class Query>
+auto of_sides(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, const Mesh& mesh_b,
+              const Query& query) {
     if (a.index() != b.index())
         throw InputError(
             "the two packed hierarchies have different layouts or volumes; pack both to one.");
     return std::visit(
         [&]<class Codec>(const PackedHierarchy<Codec>& of_a) {
-            return collide_packed<Codec>({of_a, mesh_a},
-                                         {*std::get_if<PackedHierarchy<Codec>>(&b), mesh_b}, b_to_a,
-                                         options, workspace, front);
+            return query(PackedCollider<Codec>{of_a, mesh_a},
+                         PackedCollider<Codec>{*std::get_if<PackedHierarchy<Codec>>(&b), mesh_b});
         },
         a);
+}
+
+}  // namespace
+
+PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
+                               PackedWorkspace* workspace, PackedFront* front) {
+    return of_sides(a, mesh_a, b, mesh_b, [&](const auto& side_a, const auto& side_b) {
+        return collide_packed(side_a, side_b, b_to_a, options, workspace, front);
+    });
+}
+
+PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, const Mesh& mesh_b,
+                    const Pose& b_to_a, const PackedOptions& options, PackedWorkspace* workspace,
+                    PackedFront* front) {
+    return of_sides(a, mesh_a, b, mesh_b, [&](const auto& side_a, const auto& side_b) {
+        return touches(side_a, side_b, b_to_a, options, workspace, front);
+    });
 }
 
 std::string validate(const AnyPacked& packed, const Mesh& mesh) {

@@ -139,6 +139,7 @@ PackedFront& PackedFront::operator=(PackedFront&&) noexcept = default;
 void PackedFront::clear() {
     parts_->schedule = {};
     parts_->pairs.clear();
+    parts_->met.reset();
 }
 
 std::uint64_t PackedFront::made() const { return parts_->schedule.made; }

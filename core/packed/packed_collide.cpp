@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "core/base/parallel_for.h"
@@ -70,7 +71,7 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     };
     while (!lists.empty() && !limit.is_passed()) {
         if (query.steps == nullptr)
-            divide_nodes(query.nodes, query.level, lists, found);
+            divide_nodes(query.nodes, query.level, {}, lists, found);
         else
             divide_nodes(query.nodes, *query.steps, lists, found);
         test_leaves(query.leaves, query.level, lists.leaf_leaf, open, found);
@@ -80,6 +81,25 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     decide_open(query.leaves, query.level, open, found);
     decide_undecided(query, found);
     count();
+}
+
+/// Traverses the pairs of the lists up to the first triangles that intersect. Batches are small, so
+/// that little work is done beyond these, and grow, so that a query without a pair takes little
+/// longer than one for all pairs. Of several pairs of a batch, the first counts in sorted order.
+std::optional<IndexPair> first_pair(const AnyQuery& query, Work& work) {
+    constexpr PackedPace least{2, 4}, most{8, 64};
+    auto& [lists, open, found] = work;
+    RefPairs leaves;
+    for (PackedPace pace = least; !lists.empty();
+         pace = {std::min(2 * pace.nodes, most.nodes), std::min(2 * pace.leaves, most.leaves)}) {
+        divide_nodes(query.nodes, query.level, pace, lists, found);
+        leaves.move_last(lists.leaf_leaf, pace.leaves);  // a front may have many
+        test_leaves(query.leaves, query.level, leaves, open, found);
+        decide_open(query.leaves, query.level, open, found);
+        if (found.pairs.empty()) decide_undecided(query, found);
+        if (!found.pairs.empty()) return *std::min_element(found.pairs.begin(), found.pairs.end());
+    }
+    return std::nullopt;
 }
 
 /// The share of `list` that is chunk `i` of `count`.
@@ -182,6 +202,42 @@ PackedWorkspace::~PackedWorkspace() = default;
 PackedWorkspace::PackedWorkspace(PackedWorkspace&&) noexcept = default;
 PackedWorkspace& PackedWorkspace::operator=(PackedWorkspace&&) noexcept = default;
 
+namespace {
+
+/// Fills the lists with the pairs at which a query begins: the front's, if it is valid, or the
+/// roots. Makes a front first if that is due.
+template <class Codec>
+void begin(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b, const Placement& placed,
+           const PackedOptions& options, PackedWorkspace::Parts& memory, PackedFront* front) {
+    auto& [work, chunks, room] = memory;
+    const Pose& b_to_a = placed.b_to_a;
+    bool from_front = false;
+    if (front != nullptr) {
+        auto& [schedule, pairs, met] = front->parts();
+        const FrontBodies bodies = {root_ball(a.hierarchy), root_ball(b.hierarchy),
+                                    a.hierarchy.leaf_radius + b.hierarchy.leaf_radius};
+        if (const auto plan = schedule.next(bodies, b_to_a, placed.margin)) {
+            try {
+                const Placement there = placement_of(a, b, plan->b_to_a);
+                work.lists.add(a.hierarchy.root, b.hierarchy.root);
+                PairLimit none{PackedOptions{}.give_up_after};
+                run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
+                    options.threads, none);
+            } catch (...) {
+                front->clear();  // it would have pairs of another pose
+                throw;
+            }
+            std::swap(pairs, work.found.kept);
+            work.found.kept.clear();
+        }
+        from_front = schedule.is_good();
+        if (from_front) work.lists.append(pairs);
+    }
+    if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
+}
+
+}  // namespace
+
 template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options,
@@ -192,34 +248,46 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
         return collide_packed(a, b, b_to_a, options, &own, front);
     }
     auto& [work, chunks, room] = workspace->parts();
-    PackedFindings& found = work.found;
     work.clear();
-    PairLimit limit{options.give_up_after};
     const Placement placed = placement_of(a, b, b_to_a);
-    bool from_front = false;
-    if (front != nullptr) {
-        auto& [schedule, pairs] = front->parts();
-        const FrontBodies bodies = {root_ball(a.hierarchy), root_ball(b.hierarchy),
-                                    a.hierarchy.leaf_radius + b.hierarchy.leaf_radius};
-        if (const auto plan = schedule.next(bodies, b_to_a, placed.margin)) {
-            try {
-                const Placement there = placement_of(a, b, plan->b_to_a);
-                work.lists.add(a.hierarchy.root, b.hierarchy.root);
-                run(query_of(a, b, there, options.level, float_above(plan->skin)), work, chunks,
-                    options.threads, limit);
-            } catch (...) {
-                front->clear();  // it would have pairs of another pose
-                throw;
-            }
-            std::swap(pairs, found.kept);
-            found.kept.clear();
-        }
-        from_front = schedule.is_good();
-        if (from_front) work.lists.append(pairs);
-    }
-    if (!from_front) work.lists.add(a.hierarchy.root, b.hierarchy.root);
+    begin(a, b, placed, options, workspace->parts(), front);
+    PairLimit limit{options.give_up_after};
     run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads, limit);
-    return result_of(found, limit, room);
+    return result_of(work.found, limit, room);
+}
+
+template <class Codec>
+PackedTouch touches(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                    const Pose& b_to_a, const PackedOptions& options, PackedWorkspace* workspace,
+                    PackedFront* front) {
+    if (workspace == nullptr) {
+        PackedWorkspace own;
+        return touches(a, b, b_to_a, options, &own, front);
+    }
+    std::optional<IndexPair>* const met = front == nullptr ? nullptr : &front->parts().met;
+    PackedTouch result;
+    if (met != nullptr && *met) {
+        ++result.n_p;
+        ++result.n_exact;
+        if (triangles_meet(a.mesh, b.mesh, b_to_a, **met)) {
+            ++front->parts().schedule.used;
+            result.pair = *met;
+            return result;
+        }
+    }
+    PackedOptions alone = options;
+    alone.threads = 1;
+    Work& work = workspace->parts().work;
+    work.clear();
+    const Placement placed = placement_of(a, b, b_to_a);
+    // A front has all pairs that are near. While bodies meet, making it costs more than it saves.
+    begin(a, b, placed, alone, workspace->parts(), met != nullptr && *met ? nullptr : front);
+    result.pair = first_pair(query_of(a, b, placed, options.level, 0), work);
+    if (met != nullptr) *met = result.pair;
+    result.n_v = work.found.n_v;
+    result.n_p += work.found.n_p;
+    result.n_exact += work.found.n_exact;
+    return result;
 }
 
 template <class Codec>
@@ -246,7 +314,10 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                                             const PackedOptions&, PackedWorkspace*, PackedFront*); \
     template PackedCollision collide_packed(const PackedCollider<__VA_ARGS__>&,                    \
                                             const PackedCollider<__VA_ARGS__>&, const Pose&,       \
-                                            const PackedOptions&, const ObserverCalls&);
+                                            const PackedOptions&, const ObserverCalls&);           \
+    template PackedTouch touches(const PackedCollider<__VA_ARGS__>&,                               \
+                                 const PackedCollider<__VA_ARGS__>&, const Pose&,                  \
+                                 const PackedOptions&, PackedWorkspace*, PackedFront*);
 SCB_FOR_EACH_CODEC(SCB_COLLIDE)
 #undef SCB_COLLIDE
 

@@ -11,10 +11,11 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-void divide_nodes(const AnyPackedQuery& query, PackedLists& lists, PackedFindings& found) {
+void divide_nodes(const AnyPackedQuery& query, const PackedPace& pace, PackedLists& lists,
+                  PackedFindings& found) {
     std::visit(
         [&]<class Codec>(const PackedQuery<Codec>& some) {
-            PackedTraversal<Codec>(some, lists, found).run();
+            PackedTraversal<Codec>(some, lists, found).run(pace);
         },
         query);
 }
@@ -37,9 +38,9 @@ namespace scb {
 HWY_EXPORT(divide_nodes);
 HWY_EXPORT(divide_once);
 
-void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
-                  PackedFindings& found) {
-    SCB_AT_LEVEL(divide_nodes, level)(query, lists, found);
+void divide_nodes(const AnyPackedQuery& query, SimdLevel level, const PackedPace& pace,
+                  PackedLists& lists, PackedFindings& found) {
+    SCB_AT_LEVEL(divide_nodes, level)(query, pace, lists, found);
 }
 
 void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,

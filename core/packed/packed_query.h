@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/packed/front_schedule.h"
@@ -68,6 +69,13 @@ class RefPairs {
         std::copy_n(from.a_begin() + first, count, a_end());
         std::copy_n(from.b_begin() + first, count, b_end());
         size_ += count;
+    }
+
+    /// Moves the last pairs of another list, at most `most`, to the end of this list.
+    void move_last(RefPairs& from, std::size_t most) {
+        const std::size_t count = std::min(most, from.size_);
+        from.size_ -= count;
+        append(from, from.size_, count);
     }
 
     /// Moves the last pairs, at most `most`, into the arrays.
@@ -168,13 +176,21 @@ struct OpenPairs {
     }
 };
 
+/// How far a traversal goes before the pairs of leaves that it found are tested.
+struct PackedPace {
+    static constexpr std::size_t most_nodes = 32;
+    std::size_t nodes = most_nodes;  ///< pairs of one list to divide before another list is chosen
+    std::size_t leaves = 256;  ///< pairs of leaves to wait for: their tests are long runs of the
+                               ///< same code
+};
+
 /// Divides every pair once, except pairs of leaves.
 void divide_once(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
                  PackedFindings& found);
 
-/// Divides pairs until only pairs of leaves are left, or many pairs of leaves wait.
-void divide_nodes(const AnyPackedQuery& query, SimdLevel level, PackedLists& lists,
-                  PackedFindings& found);
+/// Divides pairs until only pairs of leaves are left, or `pace.leaves` pairs of leaves wait.
+void divide_nodes(const AnyPackedQuery& query, SimdLevel level, const PackedPace& pace,
+                  PackedLists& lists, PackedFindings& found);
 
 /// The same, and `steps` receives every test.
 void divide_nodes(const AnyPackedQuery& query, PackedSteps& steps, PackedLists& lists,
@@ -198,6 +214,7 @@ void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLev
 struct PackedFront::Parts {
     FrontSchedule schedule;
     PackedLists pairs;
+    std::optional<IndexPair> met;  ///< the triangles that the last call of touches() found
 };
 
 // Always inline: GCC treats a function that only prefetches as a function without effect, and

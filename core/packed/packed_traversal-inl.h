@@ -36,16 +36,16 @@ class PackedTraversal {
           steps_(steps) {}
 
     /// Runs until no pair is left to divide, or many pairs of leaves wait.
-    void run() {
-        while (lists_.leaf_leaf.size() < enough) {
+    void run(const PackedPace& pace = {}) {
+        while (lists_.leaf_leaf.size() < pace.leaves) {
             if (!lists_.inner_leaf.empty())
-                divide(&PackedLists::inner_leaf,
+                divide(pace, &PackedLists::inner_leaf,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
             else if (!lists_.leaf_inner.empty())
-                divide(&PackedLists::leaf_inner,
+                divide(pace, &PackedLists::leaf_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
             else if (!lists_.inner_inner.empty())
-                divide(&PackedLists::inner_inner,
+                divide(pace, &PackedLists::inner_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
             else
                 return;
@@ -85,8 +85,7 @@ class PackedTraversal {
     static constexpr int W = child_lanes<Codec::width>;
     using Part = ChildLanes<Codec>;
     static constexpr int n = Part::n;
-    static constexpr std::size_t enough = 256;  // tests of leaves are long runs of the same code
-    static constexpr std::size_t batch = 32, ahead = 4;
+    static constexpr std::size_t ahead = 4;
     /// The skin adds to the lengths, and is rounded as often as they are.
     HWY_INLINE float margin(const Offset& o) const {
         const float rounded = Part::distance_bound * float_unit * (o.length + skin_);
@@ -115,9 +114,9 @@ class PackedTraversal {
     }
 
     template <class Divide>
-    HWY_INLINE void divide(RefPairs PackedLists::*which, Divide each) {
-        std::uint32_t a[batch], b[batch];
-        std::size_t count = (lists_.*which).take(a, b, batch);
+    HWY_INLINE void divide(const PackedPace& pace, RefPairs PackedLists::*which, Divide each) {
+        std::uint32_t a[PackedPace::most_nodes], b[PackedPace::most_nodes];
+        std::size_t count = (lists_.*which).take(a, b, pace.nodes);
         if (skin_ > 0) count = keep_small(a, b, count, found_.kept.*which);
         lists_.reserve(count * (W * W + 16));
         for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair({a[i]}, {b[i]});

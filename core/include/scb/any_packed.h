@@ -34,6 +34,12 @@ PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const Any
                                const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// `touches` for hierarchies of one layout. Throws InputError where A and B have different layouts
+/// or volumes.
+PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, const Mesh& mesh_b,
+                    const Pose& b_to_a, const PackedOptions& options = {},
+                    PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
+
 /// `validate` for any layout.
 std::string validate(const AnyPacked& packed, const Mesh& mesh);
 /// The memory of its nodes and leaves, in bytes.

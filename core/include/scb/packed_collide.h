@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "scb/collide.h"
 #include "scb/packed_front.h"
@@ -76,6 +77,32 @@ template <class Codec>
 PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                                const Pose& b_to_a, const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
+
+/// The answer to the question whether two bodies touch.
+struct PackedTouch {
+    /// Two triangles that intersect, the first that were found; none if the bodies do not touch.
+    std::optional<IndexPair> pair;
+    std::uint64_t n_v = 0;      ///< pairs of volumes that were tested
+    std::uint64_t n_p = 0;      ///< pairs of triangles that were tested
+    std::uint64_t n_exact = 0;  ///< pairs of n_p that were tested in doubles
+
+    /// Whether the bodies touch.
+    explicit operator bool() const { return pair.has_value(); }
+};
+
+/// Whether some triangles of A and B intersect, B moved by `b_to_a` into A's frame; ends at the
+/// first pair. The answer is exact: collide_packed would find a pair. Which pair it has depends on
+/// the layout and on the front, but not on the level. `b_to_a` must be rigid, see check_rigid. Runs
+/// in the calling thread, and ignores PackedOptions::threads and give_up_after. Thread-safe, each
+/// thread with its own workspace and front; throws nothing but std::bad_alloc.
+///
+/// A front, which must belong to these two hierarchies, also keeps the pair of the last call. If
+/// these triangles still intersect, the query ends with their test. While bodies touch, no front is
+/// made; while they do not, a front serves as in collide_packed.
+template <class Codec>
+PackedTouch touches(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                    const Pose& b_to_a, const PackedOptions& options = {},
+                    PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
 /// The stage of a test of two volumes that rejects in these queries: lanes do not say which bound
 /// rejects. It is a stage behind the named ones, so stage_name and StageCounts do not have it.

@@ -20,8 +20,10 @@ namespace scb {
 /// points may come nearer by more than a fortieth of the leaves' mean radii from one query to the
 /// next, a front would cost more than it saves: queries begin at the roots.
 ///
-/// A front belongs to one pair of hierarchies. Clear it before a query on others, which may miss
-/// pairs otherwise. For one query at a time.
+/// For touches() a front also keeps the last pair of triangles that met.
+///
+/// A front belongs to one pair of hierarchies and meshes. Clear it before a query on others, whose
+/// result is undefined otherwise. For one query at a time.
 class PackedFront {
   public:
     /// Empty: the first query begins at the roots.
@@ -32,12 +34,13 @@ class PackedFront {
     /// Moves, likewise.
     PackedFront& operator=(PackedFront&&) noexcept;
 
-    /// Forgets the front and all poses.
+    /// Forgets the front, all poses, and the pair.
     void clear();
 
     /// The number of fronts made since the last `clear`.
     std::uint64_t made() const;
-    /// The number of queries that began at a front since the last `clear`.
+    /// The number of queries since the last `clear` that began at a front, or ended at the pair of
+    /// the last call of touches().
     std::uint64_t used() const;
 
     /// For the library itself.
