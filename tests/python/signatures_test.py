@@ -1,6 +1,7 @@
 """The stubs say what the module has: names, arguments and defaults; all of it has a docstring."""
 
 import ast
+import collections
 import inspect
 import os
 import pathlib
@@ -26,9 +27,10 @@ def arguments_of_stub(function):
     return result
 
 
-def arguments_of_docstring(text):
-    """The same of pybind11's first line."""
-    function = ast.parse("def " + re.sub(r"<[^>]*>", "None", text.split("\n")[0]) + ": ...").body[0]
+def arguments_of_docstring(text, overload):
+    """The same of a line of pybind11: the first line, or the line of an overload, from 1."""
+    line = next(line for line in text.split("\n") if line.startswith(f"{overload}. ")) if overload else text.split("\n")[0]
+    function = ast.parse("def " + re.sub(r"<[^>]*>", "None", line.removeprefix(f"{overload}. ")) + ": ...").body[0]
     return arguments_of_stub(function)
 
 
@@ -45,12 +47,14 @@ class Signatures(unittest.TestCase):
     stub = ast.parse((PACKAGE / "_scb.pyi").read_text())
 
     def test_are_those_of_the_stubs(self):
-        compared = 0
+        compared, overloads = 0, collections.Counter()
         for node, thing in members(self.stub):
-            if node.decorator_list or node.name == "__len__":
+            decorators = [ast.unparse(decorator) for decorator in node.decorator_list]
+            if decorators not in ([], ["overload"]) or node.name in ("__len__", "__bool__"):
                 continue
             with self.subTest(node.name):
-                told, real = arguments_of_stub(node), arguments_of_docstring(thing.__doc__)
+                overloads[node.name] += bool(decorators)
+                told, real = arguments_of_stub(node), arguments_of_docstring(thing.__doc__, overloads[node.name])
                 if told and told[0][0] == "self":
                     real = real[1:] if real[0][0] in ("self", "arg0") else real
                     told = told[1:]

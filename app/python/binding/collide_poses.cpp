@@ -12,19 +12,9 @@ namespace scb::python {
 namespace {
 
 /// Results of queries at several poses: a row per pose.
-struct FoundAtPoses {
-    py::array n_v, n_p, n_u, depth, complete, stages, pairs, offsets;
+struct FoundAtPoses : PairsAtPoses {
+    py::array n_v, n_p, n_u, depth, complete, stages;
     std::vector<std::string> stage_names;
-
-    py::array pairs_of(std::int64_t index) const {
-        const py::ssize_t count = n_v.shape(0);
-        if (index < -count || index >= count)
-            throw py::index_error("there is no pose " + std::to_string(index) + " of " +
-                                  std::to_string(count) + ".");
-        const auto* begins = static_cast<const std::int64_t*>(offsets.data());
-        const py::ssize_t i = index < 0 ? index + count : index;
-        return pairs[py::slice(begins[i], begins[i + 1], 1)].cast<py::array>();
-    }
 };
 
 /// The same under construction, by several threads.
@@ -55,21 +45,6 @@ struct Rows {
     }
 };
 
-/// The pairs of all poses one after the other, and the index at which each pose's pairs begin.
-std::pair<std::vector<IndexPair>, std::vector<std::int64_t>> joined(
-    std::vector<std::vector<IndexPair>>& pairs) {
-    std::vector<std::int64_t> offsets = {0};
-    for (const auto& each : pairs)
-        offsets.push_back(offsets.back() + static_cast<std::int64_t>(each.size()));
-    std::vector<IndexPair> all;
-    all.reserve(static_cast<std::size_t>(offsets.back()));
-    for (auto& each : pairs) {
-        all.insert(all.end(), each.begin(), each.end());
-        std::vector<IndexPair>().swap(each);  // frees memory early
-    }
-    return {std::move(all), std::move(offsets)};
-}
-
 FoundAtPoses collide_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
                            const py::object& matrices, std::int64_t thread_count,
                            const CollideArguments& asked) {
@@ -78,7 +53,6 @@ FoundAtPoses collide_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
     const std::vector<Stage> endings = endings_of(a.kind, options.overlap);
     const int threads = threads_of(thread_count);
     Rows rows(poses.size(), endings.size());
-    std::pair<std::vector<IndexPair>, std::vector<std::int64_t>> all;
     {
         const py::gil_scoped_release unlocked;
         SignalWatch watch;
@@ -88,9 +62,9 @@ FoundAtPoses collide_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
                      endings);
         });
         watch.rethrow();
-        all = joined(rows.pairs);
     }
     FoundAtPoses result;
+    result.set(std::move(rows.pairs));
     for (const Stage stage : endings) result.stage_names.emplace_back(stage_name(stage));
     result.n_v = array_of<std::uint64_t>(std::move(rows.n_v));
     result.n_p = array_of<std::uint64_t>(std::move(rows.n_p));
@@ -99,12 +73,37 @@ FoundAtPoses collide_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
     result.complete = array_of<bool>(std::move(rows.complete));
     result.stages =
         array_of<std::uint64_t>(std::move(rows.stages), static_cast<py::ssize_t>(endings.size()));
-    result.pairs = array_of<std::uint32_t>(std::move(all.first), 2);
-    result.offsets = array_of<std::int64_t>(std::move(all.second));
     return result;
 }
 
 }  // namespace
+
+void PairsAtPoses::set(std::vector<std::vector<IndexPair>>&& of_poses) {
+    std::vector<std::int64_t> begins = {0};
+    std::vector<IndexPair> all;
+    {
+        const py::gil_scoped_release unlocked;
+        for (const auto& each : of_poses)
+            begins.push_back(begins.back() + static_cast<std::int64_t>(each.size()));
+        all.reserve(static_cast<std::size_t>(begins.back()));
+        for (auto& each : of_poses) {
+            all.insert(all.end(), each.begin(), each.end());
+            std::vector<IndexPair>().swap(each);  // frees memory early
+        }
+    }
+    pairs = array_of<std::uint32_t>(std::move(all), 2);
+    offsets = array_of<std::int64_t>(std::move(begins));
+}
+
+py::array PairsAtPoses::pairs_of(std::int64_t index) const {
+    const py::ssize_t count = size();
+    if (index < -count || index >= count)
+        throw py::index_error("there is no pose " + std::to_string(index) + " of " +
+                              std::to_string(count) + ".");
+    const auto* begins = static_cast<const std::int64_t*>(offsets.data());
+    const py::ssize_t i = index < 0 ? index + count : index;
+    return pairs[py::slice(begins[i], begins[i + 1], 1)].cast<py::array>();
+}
 
 void add_collide_poses(py::module_& module) {
     py::class_<FoundAtPoses>(module, "Collisions", py::is_final(),
@@ -124,9 +123,9 @@ void add_collide_poses(py::module_& module) {
                       "n + 1 int64: the pairs of pose i are pairs[offsets[i]:offsets[i + 1]].")
         .def("pairs_of", &FoundAtPoses::pairs_of, py::arg("index"),
              "The pairs of one pose, without a copy. Raises IndexError.")
-        .def("__len__", [](const FoundAtPoses& f) { return f.n_v.shape(0); })
+        .def("__len__", &FoundAtPoses::size)
         .def("__repr__", [](const FoundAtPoses& f) {
-            return "<scb.Collisions: " + std::to_string(f.n_v.shape(0)) + " poses, " +
+            return "<scb.Collisions: " + std::to_string(f.size()) + " poses, " +
                    std::to_string(f.pairs.shape(0)) + " pairs>";
         });
     module.def(

@@ -6,6 +6,7 @@
 #include "app/python/binding/image.h"
 #include "app/python/binding/instances.h"
 #include "app/python/binding/mesh.h"
+#include "app/python/binding/packed.h"
 #include "app/python/binding/pictures.h"
 #include "app/python/binding/queries.h"
 #include "app/python/binding/scene.h"
@@ -26,6 +27,7 @@ PYBIND11_MODULE(_scb, module) {
     add_hierarchy(module);
     add_collide(module);
     add_collide_poses(module);
+    add_packed(module);
     add_explain(module);
     add_queries(module);
     add_image(module);
