@@ -102,6 +102,10 @@ class BenchQueries {
     /// The query of the i-th frame. Throws InputError if it finds more than max_pairs.
     Collision query(std::size_t s, std::size_t i) {
         Collision found = packed_[s].empty() ? reference_query(s, i) : packed_query(s, i);
+        if (options_.first) {
+            if (!found.pairs.empty()) found.pairs = {{0, 0}};
+            return found;
+        }
         if (!found.complete || found.pairs.size() > options_.max_pairs)
             throw InputError(scene_.name + ", frame " + std::to_string(frames_[i]) +
                              ": more than " + std::to_string(options_.max_pairs) +
@@ -142,15 +146,19 @@ class BenchQueries {
     Collision packed_query(std::size_t s, std::size_t i) {
         PackedOptions options = options_.packed;
         options.give_up_after = options_.max_pairs;
-        return collision_of(collide_packed(packed_[s][0], mesh(meshes_[0]), packed_[s][1],
-                                           mesh(meshes_[1]), poses_[i], options, &workspace_,
-                                           options_.subjects[s].coherent ? &fronts_[s] : nullptr));
+        const auto answer = [&](const auto& query) {
+            return collision_of(query(packed_[s][0], mesh(meshes_[0]), packed_[s][1],
+                                      mesh(meshes_[1]), poses_[i], options, &workspace_,
+                                      options_.subjects[s].coherent ? &fronts_[s] : nullptr));
+        };
+        return options_.first ? answer([](const auto&... of) { return touches(of...); })
+                              : answer([](const auto&... of) { return collide_packed(of...); });
     }
 
     Collision reference_query(std::size_t s, std::size_t i) const {
         CollideOptions options = options_.collide;
         options.overlap.test = options_.subjects[s].test;
-        options.max_pairs = options_.max_pairs + 1;
+        options.max_pairs = options_.first ? 1 : options_.max_pairs + 1;
         const auto [a, b] = meshes_;
         return collide(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i], options);
     }
@@ -188,6 +196,7 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     BenchQueries queries(scene, a, b, frames, options);
     SceneBench result = empty_bench(scene, a, b, options.subjects);
     result.frames = frames;
+    result.first = options.first;
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         result.subjects[s].bytes_per_triangle =
             static_cast<double>(queries.bytes(s)) /

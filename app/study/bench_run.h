@@ -50,6 +50,7 @@ struct SceneBench {
     std::vector<int> frames;
     bool all_frames = false;  ///< whether `frames` are all frames of the scene
     bool builtin = false;     ///< a built-in scene, perhaps one of Table 3's
+    bool first = false;       ///< each query ended at its first pair, see BenchOptions
     std::vector<SubjectBench> subjects;
 };
 
@@ -60,6 +61,9 @@ struct BenchOptions {
     bool measures = false;  ///< whether hierarchies are also measured, see HierarchyMeasures
     PackedOptions packed;
     std::size_t max_pairs = 100'000'000;  ///< of a query
+    /// Each query ends at its first pair; packed layouts answer by touches(). Which pair this is
+    /// depends on the hierarchy, so results have the pair 0,0 instead.
+    bool first = false;
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
 };

@@ -28,6 +28,15 @@ Collision collision_of(PackedCollision found) {
     return result;
 }
 
+Collision collision_of(const PackedTouch& found) {
+    Collision result;
+    if (found.pair) result.pairs = {*found.pair};
+    result.n_v = found.n_v;
+    result.n_p = found.n_p;
+    result.complete = !found.pair;
+    return result;
+}
+
 std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing) {
     const std::size_t subjects = timing.subjects, frames = timing.frames;
     // Per subject, per frame, per repeat.

@@ -31,6 +31,7 @@ struct QueryTiming {
 
 /// The result of a packed query as a Collision.
 Collision collision_of(PackedCollision found);
+Collision collision_of(const PackedTouch& found);
 
 /// The time of every query in milliseconds (processor time, or wall-clock time with `wall`), per
 /// subject and frame: the median of the repeats. None if `step` ended it.

@@ -123,6 +123,7 @@ struct Report {
                            {"simd", simd_text(bench.packed.level)},
                            {"threads", options.threads},
                            {"coherent", options.coherent},
+                           {"first", options.first},
                            {"repeats", options.repeats},
                            {"order", options.warm ? "warm" : "cold"}}},
                          {"compiler", compiler_text()},
@@ -221,8 +222,9 @@ BenchOptions measurement(const BenchCommandOptions& options) {
     check_threads(options.threads);
     result.build.threads = options.threads;
     result.measures = options.measures;
-    // Only packed queries can share threads.
-    if (any_packed(result.subjects)) result.packed.threads = options.threads;
+    result.first = options.first;
+    // Only packed queries for all pairs can share threads.
+    if (any_packed(result.subjects) && !options.first) result.packed.threads = options.threads;
     result.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -261,6 +263,7 @@ std::optional<SceneBench> measured(const Entry& entry, std::size_t first, Parts&
         for (std::size_t i = 0; i < frames.size(); ++i)
             parts.keep(numbers[i], bench_frame_json(*bench, i));
     bench->builtin = entry.builtin;
+    bench->first = options.first;
     bench->all_frames = entry.frames.size() == static_cast<std::size_t>(entry.scene.frames);
     return bench;
 }

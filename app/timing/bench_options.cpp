@@ -97,6 +97,8 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
     }
     if (reference.empty() && options.query.descent != defaults.query.descent)
         note("--descent", own);
+    if (packed && options.first && options.threads > 1)
+        note("--threads", "a query up to the first pair runs in one thread.");
     if (packed) return;
     const char* why = has_packable ? "it is of packed layouts; name one with --layout."
                                    : "only slab cut balls have packed layouts.";
@@ -129,7 +131,8 @@ std::string conditions(const BenchCommandOptions& options, const BenchOptions& b
                           " threads share a query of packed layouts; time that passes; ") +
            (options.repeats == 1 ? std::string("one run")
                                  : "median of " + std::to_string(options.repeats) + " runs") +
-           " per frame, sorting the pairs included. " +
+           " per frame, " +
+           (bench.first ? "up to the first pair. " : "sorting the pairs included. ") +
            (any_packed(bench.subjects)
                 ? "Packed layouts by the instructions '" + simd_text(bench.packed.level) + "'. "
                 : "") +
@@ -184,6 +187,10 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
     command.add_flag("--coherent", options.coherent,
                      "Also time each packed layout with a front: if bodies move slowly, a query "
                      "begins where an earlier one ended. Add --warm for a fair comparison");
+    command
+        .add_flag("--first", options.first,
+                  "End each query at its first pair, as to ask whether bodies touch")
+        .shareable();
     command
         .add_flag("--measures", options.measures,
                   "Also measure each hierarchy (see scb stats --measures), and say which measure "

@@ -21,7 +21,7 @@ struct BenchCommandOptions {
     std::string layouts = "reference", simd = "best";
     int leaf_triangles = most_leaf_triangles, threads = 1;
     int repeats = 3;
-    bool warm = false, coherent = false, measures = false, json = false;
+    bool warm = false, coherent = false, measures = false, first = false, json = false;
 };
 
 /// The hierarchies and tests to measure. Throws InputError if options exclude each other.

@@ -48,10 +48,10 @@ constexpr std::array<Table3Row, std::size(scenes::table_3_scenes)> table_3 = {{
     {{101.4, 1028875, 161923}, {62.1, 387257, 53083}, {83.2, 239346, 17522}},
 }};
 
-/// The entry of Table 3; none for other scenes and Ritter's balls, or if frames are missing. Its
-/// OBB figures are RAPID's.
+/// The entry of Table 3; none for other scenes and Ritter's balls, or if frames or pairs are
+/// missing. Its OBB figures are RAPID's.
 std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
-    if (!bench.builtin || !bench.all_frames) return std::nullopt;
+    if (!bench.builtin || !bench.all_frames || bench.first) return std::nullopt;
     for (std::size_t i = 0; i < table_3.size(); ++i) {
         if (scenes::table_3_scenes[i] != bench.scene) continue;
         if (kind == VolumeKind::ball) return table_3[i].ball;
@@ -82,7 +82,7 @@ std::string front_cell(const SubjectBench& subject) {
     return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
 }
 
-/// "  All found the same pairs.", or which subjects did not.
+/// "  All found the same pairs.", or the names of the subjects that did not.
 std::string pairs_text(const SceneBench& bench) {
     if (bench.subjects.size() < 2) return "";
     const SubjectBench& first = bench.subjects.front();
@@ -90,8 +90,10 @@ std::string pairs_text(const SceneBench& bench) {
     for (const SubjectBench& subject : bench.subjects)
         if (subject.pairs_hash() != first.pairs_hash())
             others += (others.empty() ? "" : ", ") + subject.subject.title();
-    return others.empty() ? "  All found the same pairs.\n"
-                          : "  Other pairs than " + first.subject.title() + ": " + others + "\n";
+    const std::string what = bench.first ? "answers" : "pairs";
+    return others.empty()
+               ? "  All found the same " + what + ".\n"
+               : "  Other " + what + " than " + first.subject.title() + ": " + others + "\n";
 }
 
 }  // namespace
@@ -238,7 +240,7 @@ Json bench_json(const SceneBench& bench) {
         row["n_p"] = mean(subject.n_p);
         row["n_u"] = mean(subject.n_u);
         row["pairs"] = mean(subject.pairs);
-        row["pairs_hash"] = hash_text(subject.pairs_hash());
+        if (!bench.first) row["pairs_hash"] = hash_text(subject.pairs_hash());
         row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
         for (std::size_t p = 0; p < subject.predictors.size(); ++p)

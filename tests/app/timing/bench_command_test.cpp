@@ -115,6 +115,28 @@ TEST(BenchCommand, TimesPackedLayoutsAlsoWithFrontReuse) {
     EXPECT_EQ(run_scb("bench soup --frames 0 --volume scb --coherent").status, 2);
 }
 
+TEST(BenchCommand, EndsQueriesAtTheFirstPair) {
+    const std::string bench =
+        "bench spheres-l1 --frames 0,100,120,260 --repeat 2 --volume scb --layout "
+        "reference,quantized8 ";
+    const auto rows = [&](const std::string& options) {
+        const ProgramRun run = run_scb(bench + "--json " + options);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return json::parse(run.out)["scenes"][0]["hierarchies"];
+    };
+    const json first = rows("--first --coherent"), all = rows("");
+    ASSERT_EQ(first.size(), 3u);
+    for (std::size_t s = 0; s < first.size(); ++s) {
+        EXPECT_EQ(first[s]["pairs"], 0.75) << "of four frames, three have contact";
+        EXPECT_LT(10 * first[s]["n_v"].get<double>(), all[s % 2]["n_v"].get<double>()) << s;
+        EXPECT_FALSE(first[s].contains("pairs_hash")) << "pairs depend on the hierarchy";
+    }
+    const ProgramRun table = run_scb(bench + "--first --threads 2");
+    EXPECT_NE(table.out.find("All found the same answers."), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("One thread"), std::string::npos) << table.out;
+    EXPECT_NE(table.err.find("--threads has no effect"), std::string::npos) << table.err;
+}
+
 TEST(BenchCommand, CorrelatesMeasuresWithWhatQueriesTook) {
     const TemporaryFolder folder;
     const ProgramRun run = run_scb(
