@@ -120,7 +120,12 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     }
     if (!figure.others.empty()) {
         add_changes_heading(items, "with another test");
-        for (const AlternativeTest& other : figure.others)
+        // The cheapest first, since the panel may end before the last.
+        std::vector<AlternativeTest> others = figure.others;
+        std::stable_sort(others.begin(), others.end(), [](const auto& x, const auto& y) {
+            return estimated_cost(x.all) < estimated_cost(y.all);
+        });
+        for (const AlternativeTest& other : others)
             add_changes(items, short_title(other.overlap), counts.all, other.all);
     }
     return items;

@@ -227,6 +227,25 @@ struct PanelPainter {
         y = covered.y + covered.height + unit / 4;
     }
 
+    /// The number of rows from the current item on, if the last that has room is the current one
+    /// and others follow; else 0. The heads of columns have no label and do not count.
+    std::size_t rows_without_room() const {
+        if (fits(2 * line_height()) || !fits(line_height())) return 0;
+        std::size_t end = current;
+        while (end < items.size()) {
+            const auto* row = std::get_if<PanelRow>(&items[end]);
+            if (row == nullptr || row->label.empty()) break;
+            ++end;
+        }
+        return end - current > 1 ? end - current : 0;
+    }
+    void draw_rest(std::size_t rows) {
+        const TextStyle label = style(FontWeight::regular, theme.faint_text);
+        const std::string text = "… " + std::to_string(rows) + " more";
+        overlay.text(box.x, y, fitted_text(overlay, text, label, box.width), label);
+        y += line_height();
+    }
+
     void draw(const PanelNote& note) {
         const std::vector<std::string> lines = note_lines(note);
         if (!fits(note_height(lines.size()) + kept_free)) return;
@@ -254,6 +273,11 @@ int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, 
             !painter.fits(painter.gap() + painter.least_below(i)))
             break;
         painter.current = i;
+        if (const std::size_t rows = painter.rows_without_room(); rows > 0) {
+            painter.draw_rest(rows);
+            i += rows - 1;
+            continue;
+        }
         std::visit([&](const auto& item) { painter.draw(item); }, items[i]);
     }
     return painter.y;

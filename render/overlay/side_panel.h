@@ -55,9 +55,10 @@ using PanelItem =
 /// Inserts the note before the notes at the end, which are left out sooner.
 void insert_before_notes(std::vector<PanelItem>& items, PanelNote note);
 
-/// Draws the items into the box, top down; items that do not fit are left out. A heading without
-/// room for an item under it ends the panel. Notes leave the lowest `kept_free` pixels free.
-/// Returns the y below the last item.
+/// Draws the items into the box, top down; items that do not fit are left out. If rows
+/// after a row have no room, the last line says how many. A heading without room for an item under
+/// it ends the panel. Notes leave the lowest `kept_free` pixels free. Returns the y below the last
+/// item.
 int draw_side_panel(Overlay& overlay, const PixelRect& box, const Theme& theme, int unit,
                     const std::vector<PanelItem>& items, int kept_free = 0);
 

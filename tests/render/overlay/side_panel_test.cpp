@@ -57,6 +57,15 @@ Image panel_image(Drawing& drawing, int width, const std::vector<PanelItem>& ite
     return drawing.renderer.draw(empty_picture(width, height), &overlay).image;
 }
 
+TEST(SidePanel, SaysHowManyRowsAreLeftOut) {
+    Drawing drawing;
+    const PanelRow first{"first", {"1"}}, second{"second", {"2"}}, third{"third", {"3"}};
+    EXPECT_EQ(panel_image(drawing, 300, {first, second, third}),
+              panel_image(drawing, 300, {first, PanelRow{"… 2 more", {}}}));
+    EXPECT_EQ(panel_image(drawing, 300, {first, second}),
+              panel_image(drawing, 300, {first, second, PanelNote{"a note that has no room"}}));
+}
+
 TEST(SidePanel, CutsNoDifference) {
     Drawing drawing;
     const auto drawn = [&drawing](const std::string& difference) {
