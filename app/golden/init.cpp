@@ -133,7 +133,9 @@ void add_golden_init(const Command& golden, Action& action) {
         "init", "Write a first suite of a scene, and what has it checked by CI");
     const auto options = std::make_shared<InitOptions>();
     add_scene_options(command, options->scene, false);
-    command.get_option("SCENE").required(false);
+    command.get_option("SCENE").required(false).description(
+        "A built-in scene (see `scb scenes`), a scene file, or two mesh files");
+    for (const char* of_recordings : {"--query", "--tag"}) command.get_option(of_recordings).hide();
     add_choice(command, "--ci", options->ci, choices_of(init_ci_names),
                "CI files to write: a workflow of GitHub Actions, or jobs of GitLab")
         .only_typed();

@@ -72,11 +72,13 @@ std::vector<std::string> pose_words(const SceneOptions& options) {
 void add_collisions(data& values, std::size_t& cases, const scenes::Scene& scene,
                     std::vector<std::string> words) {
     if (scene.bodies.size() < 2) return;
+    data collides;
+    if (!words.empty()) collides["counted"] = list_text(words);
     if (scene.bodies.size() > 2) {
+        // Counts are of all pairs of bodies, pictures of one pair.
         words.emplace_back("--bodies");
         words.push_back(scene.bodies[0].name + "," + scene.bodies[1].name);
     }
-    data collides;
     // When bodies touch, most tests pass; halfway, more are rejected.
     collides["middle"] = std::to_string(scene.frames / 2);
     if (const std::string frames = some_frames(scene.frames); !frames.empty())

@@ -17,10 +17,11 @@ struct FirstSuite {
     std::vector<std::filesystem::path> files;
 };
 
-/// For two bodies: the counts of queries at some frames, their pairs, and how tests rejected other
-/// pairs. For any scene: the two levels in which `scb golden selftest` puts errors. The suite will
-/// be in `folder`, and its file names are relative to it. Throws InputError if the scene cannot be
-/// loaded, or is a trace or a recording.
+/// For two bodies or more: the counts of queries of all pairs of bodies, at some frames. For the
+/// first two bodies: pictures of their pairs, and of the tests that rejected others. For any scene:
+/// the two levels in which `scb golden selftest` puts errors. The suite will be in `folder`, and
+/// its file names are relative to it. Throws InputError if the scene cannot be loaded, or is a
+/// trace or a recording.
 FirstSuite first_suite(const SceneOptions& options, const std::filesystem::path& folder);
 
 }  // namespace scb::app

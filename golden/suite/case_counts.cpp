@@ -15,9 +15,14 @@ using Json = nlohmann::json;
 
 /// The name of an element of a list; empty if it has none.
 std::string name_of(const Json& element) {
-    for (const char* key : {"frame", "body", "depth"})
-        if (element.contains(key))
-            return element[key].is_string() ? element[key].get<std::string>() : element[key].dump();
+    const auto text = [&element](const char* key) {
+        return element[key].is_string() ? element[key].get<std::string>() : element[key].dump();
+    };
+    for (const char* key : {"frame", "body"})
+        if (element.contains(key)) return text(key);
+    // A query of one of several pairs of bodies. Its depth is a count.
+    if (element.contains("bodies")) return text("bodies");
+    if (element.contains("depth")) return text("depth");
     if (!element.contains("test") || !element["test"].is_string()) return "";
     const std::string test = element["test"];
     return element.contains("threshold") ? test + " " + element["threshold"].dump() : test;
@@ -83,9 +88,21 @@ std::optional<Json> counts_in(const Json& value, const std::string& place) {
     return counts;
 }
 
+/// Whether some part of the document says that queries are left out.
+bool leaves_out_queries(const Json& document) {
+    if (document.is_object() && document.contains("left_out")) return true;
+    return document.is_structured() &&
+           std::any_of(document.begin(), document.end(), leaves_out_queries);
+}
+
 }  // namespace
 
 Json case_counts(GoldenRun run, const Json& document) {
+    // A change of these queries would not be found.
+    if (leaves_out_queries(document))
+        throw InputError(
+            "Frames of the recording have several queries of these bodies, and one query of each "
+            "frame is counted; select queries with --query or --tag in `arguments`.");
     Json counts = Json::object();
     const auto take = [&](const char* from, const char* to) {
         if (!document.is_object() || !document.contains(from))
@@ -106,7 +123,8 @@ Json case_counts(GoldenRun run, const Json& document) {
 std::string only_frame(const Json& counts) {
     const auto frames = counts.find("frames");
     if (frames == counts.end() || !frames->is_object() || frames->size() != 1) return "";
-    return frames->begin().key();
+    const auto only = frames->begin();
+    return only->is_object() && only->contains("queries") ? "" : only.key();
 }
 
 }  // namespace scb::golden

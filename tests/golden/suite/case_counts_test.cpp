@@ -51,6 +51,19 @@ TEST(CaseCounts, ListsAreByTheNamesOfTheirElements) {
     EXPECT_THROW(case_counts(GoldenRun::levels, nameless), InputError);
 }
 
+TEST(CaseCounts, OfSeveralQueriesOfAFrameAreByTheirBodies) {
+    const json frames = json::parse(R"({"frames": [{"frame": 3, "queries": [
+      {"bodies": ["A", "B"], "depth": 4, "pairs": 1}, {"bodies": ["A", "C"], "depth": 4, "pairs": 0}]}]})");
+    EXPECT_EQ(case_counts(GoldenRun::collide, frames), json::parse(R"({"frames": {"3": {"queries": {
+      "[\"A\",\"B\"]": {"depth": 4, "pairs": 1}, "[\"A\",\"C\"]": {"depth": 4, "pairs": 0}}}}})"));
+}
+
+TEST(CaseCounts, OfARecordingThatLeavesOutQueriesAreRefused) {
+    json some = queries;
+    some["left_out"] = 1;
+    EXPECT_THROW(case_counts(GoldenRun::external, some), InputError);
+}
+
 TEST(CaseCounts, OfOneFrameTwiceAreRefused) {
     json twice = queries;
     twice["frames"][1]["frame"] = 0;
