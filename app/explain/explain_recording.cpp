@@ -103,7 +103,7 @@ std::string report_text(const RecordedPair& found, bool colored) {
     for (std::size_t i = 0; i < std::min(found.tests.size(), most); ++i)
         row(i == 0 ? "engine" : "again", test_text(found, found.tests[i]));
     if (found.tests.size() > most) row("", format("and %zu times more", found.tests.size() - most));
-    if (found.tests.empty()) row("engine", "it recorded no test of these two nodes at this frame");
+    if (found.tests.empty()) row("engine", "it recorded no test of these two nodes in this query");
     row("exact", verdict_text(found));
     if (!found.has_verdict) return text;
     std::vector<Answer> told;  // each once

@@ -205,7 +205,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
         options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
                                                  "--query", "--tag", "--frames", "--margin"});
-        options->of_meshes = given_text(command, {"SCENE", "--bodies"});
+        options->of_meshes = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
         options->of_frames = given_text(command, {"--frames"});
         options->view.note_given(command);
         options->view.descent = given_text(command, {"--descent"});

@@ -91,6 +91,10 @@ bool write_waste(PictureRun& pictures, const InspectedQueries& inspected, Inspec
     const bool all = inspected.file || (source.query().options.stop_level < 0 &&
                                         options.limits.max_pairs == QueryLimits{}.max_pairs);
     if (!all || options.no_view) return true;
+    if (!inspected.file && source.query().is_self()) {
+        console.note("scb: there is no page of `scb view`, which shows queries of two bodies.");
+        return true;
+    }
     try {
         view = report_view(options, report, console);
         page.view = report.files + "_view.html";

@@ -36,8 +36,8 @@ InspectedQueries open_recording(const InspectOptions& options) {
     const std::string& path = options.scene.names[0];
     result.file = std::make_shared<const scenes::RecordingFile>(path, options.scene.selection);
     if (!options.query.bodies.empty()) check_bodies(*result.file, options.query.bodies);
-    result.frames = frames_among(result.file->summary.frames, options.query.frames, path,
-                                 "a recording may have");
+    result.frames = frames_among(result.file->summary.frames, options.query.frames,
+                                 result.file->title(), "a recording may have");
     TraceHeader& header = result.report.header;
     header.scene = header.engine.emplace().name = std::filesystem::path(path).stem().string();
     try {
@@ -48,6 +48,7 @@ InspectedQueries open_recording(const InspectOptions& options) {
         result.sources.emplace_back(result.recording, options.query);
         header = result.sources.front().header();
     } catch (const InputError& error) {
+        if (std::string_view(error.what()).starts_with("--bodies")) throw;
         result.no_waste = error.what();
     }
     return result;

@@ -152,16 +152,16 @@ std::vector<ProblemPicture> draw_problems(PictureRun& pictures, const PictureOpt
     if (problems.empty()) return {};
     SceneOptions of_file;
     of_file.names = {recording.file->path};
+    of_file.selection = recording.file->selection;
     const std::string stem = of_file.file_stem(recording.scene.name);
     NamedOptions named;
-    name_selection(named, recording.file->selection);
     name_picture(named, options);
     std::vector<ProblemPicture> drawn;
     std::optional<scenes::RecordedBodies> at_frame;
     for (const Problem& problem : problems) {
         try {
             if (!at_frame || at_frame->frame != problem.frame)
-                at_frame = scenes::bodies_at(recording, problem.frame);
+                at_frame = scenes::bodies_at(recording, problem.frame, scenes::Moment::end);
         } catch (const InputError&) {
             continue;  // for example, a pose is not rigid; the report has the problem as text
         }

@@ -87,17 +87,11 @@ std::string volume_file_part(const TraceHeader& header) {
                          : std::string(volume_kind_name(header.volume));
 }
 
-void name_selection(NamedOptions& named, const scenes::QuerySelection& selection) {
-    named.add_if(!selection.name.empty(), "query", scenes::file_name_of(selection.name));
-    named.add_if(!selection.tag.empty(), "tag", scenes::file_name_of(selection.tag));
-}
-
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other) {
     const scenes::Scene& scene = query.scene();
     const std::size_t a = query.body_index(0), b = query.body_index(1);
-    if (scene.bodies.size() > 2 || a > b)
+    if (scene.bodies.size() > 2 || (scene.bodies.size() == 2 && a >= b))
         named.add("bodies", scene.bodies[a].name + "-" + scene.bodies[b].name);
-    if (query.is_recording()) name_selection(named, query.recorded()->recording().file->selection);
     if (query.is_recording() || other.is_recording()) return;
     if (query.header().source.size() == 2) {
         const scenes::PoseRows rows = scenes::rows_of(query.query().b_to_a(0));

@@ -34,8 +34,6 @@ void name_build(NamedOptions& named, const BuildOptions& options);
 void name_pose(NamedOptions& named, const std::vector<double>& pose);
 /// The volumes of such queries in file names: "scb"; for another engine its name.
 std::string volume_file_part(const TraceHeader& header);
-/// The selection of a recording's queries.
-void name_selection(NamedOptions& named, const scenes::QuerySelection& selection);
 /// The bodies, if the scene leaves a choice, and the options of a query. For two compared queries,
 /// the options that they have in common.
 void name_query(NamedOptions& named, const QuerySource& query, const QuerySource& other);

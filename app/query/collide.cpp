@@ -90,8 +90,9 @@ std::string pair_words(const SceneQuery& query) {
     return name_of(query, query.a) + " and " + name_of(query, query.b);
 }
 
+/// `left_out`: see TraceEngine.
 Json json_of(const CollideCommandOptions& options, const SceneQuery& query, const Sums& sums,
-             Json frames) {
+             Json frames, std::uint64_t left_out) {
     const auto body = [&](std::size_t i) -> Json {
         return body_json({query.scene.bodies[i].name, fingerprint(query.mesh(i))});
     };
@@ -114,6 +115,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     const int level = query.options.stop_level;
     result["level"] = level >= 0 ? Json(level) : Json();
     result["poses"] = poses_json(query.scene, query.frames);
+    if (left_out > 0) result["left_out"] = left_out;
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},
@@ -239,7 +241,8 @@ class CollideReport {
     /// The text of all frames so far; to be called once.
     std::string text() {
         if (options_.json) {
-            Json json = json_of(options_, query_, sums_, std::move(json_frames_));
+            Json json = json_of(options_, query_, sums_, std::move(json_frames_),
+                                recorded_ == nullptr ? 0 : recorded_->header().engine->left_out);
             json["inside"] = std::move(json_inside_);
             std::set<std::string> not_closed;
             for (const InsideReport& inside : inside_)

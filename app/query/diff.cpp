@@ -5,9 +5,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/report/trace_report.h"
-#include "app/study/query_source.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
+#include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 #include "scenes/recordings/test_input.h"
 #include "scenes/recordings/trace_diff_text.h"
@@ -81,7 +81,11 @@ int run(const DiffOptions& options, const Console& console) {
     scenes::TestInput a(options.a, "all", options.bodies, selection(options.a, options.b)),
         b(options.b, "all", options.bodies, selection(options.b, options.a));
     for (const scenes::TestInput* input : {&a, &b})
-        if (input->recorded()) note_left_out(*input->recorded(), console.notes());
+        if (const auto& engine = input->header().engine; engine && engine->left_out > 0)
+            throw InputError(
+                (input == &a ? options.a : options.b) +
+                ": frames have several queries of these bodies, and one query of each frame is "
+                "compared; select queries with --query or --tag.");
     Progress progress(console, a.frames().size());
     const auto next_of_a = [&] {
         const QueryTrace* frame = a.next();

@@ -25,8 +25,10 @@ std::string scene_title(const std::string& scene, const std::string& a, const st
 
 std::string scene_title(const TraceHeader& header) {
     const auto [a, b] = body_names(header);
+    const std::string selection = header.engine ? header.engine->selection : "";
     return scene_title(header.scene, a, b) +
-           (header.kind == QueryKind::self ? " against itself" : "");
+           (header.kind == QueryKind::self ? " against itself" : "") +
+           (selection.empty() ? "" : " · " + printable(selection));
 }
 
 Json pose_json(const Pose& pose) { return scenes::rows_of(pose); }

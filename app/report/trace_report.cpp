@@ -46,6 +46,7 @@ Json trace_header_json(const TraceHeader& header) {
         result["settings"] = Json::object();
         for (const TraceField& setting : header.engine->settings)
             result["settings"][setting.name] = setting.value;
+        if (header.engine->left_out > 0) result["left_out"] = header.engine->left_out;
         return result;
     }
     result["volume"] = volume_kind_name(header.volume);

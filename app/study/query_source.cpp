@@ -218,9 +218,9 @@ std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame, st
 }
 
 void note_left_out(const scenes::RecordedTrace& recorded, const Note& note) {
-    const std::uint64_t count = recorded.left_out();
-    if (count == 0) return;
     const TraceHeader& header = recorded.header();
+    const std::uint64_t count = header.engine->left_out;
+    if (count == 0) return;
     note("scb: " + recorded.recording().file->path + ": " + std::to_string(count) +
          (count == 1 ? " later query of " : " later queries of ") + header.bodies[0].name +
          " and " + header.bodies[1].name + (count == 1 ? " is" : " are") +

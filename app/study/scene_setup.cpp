@@ -62,7 +62,11 @@ std::string SceneOptions::file_stem(const std::string& scene) const {
     std::string stems;
     for (const std::string& name : names)
         stems += (stems.empty() ? "" : "-") + std::filesystem::path(name).stem().string();
-    return scenes::file_name_of(stems);
+    std::string stem = scenes::file_name_of(stems);
+    // Parts of their own, since a name that is too long is cut.
+    if (!selection.name.empty()) stem += "_query-" + scenes::file_name_of(selection.name);
+    if (!selection.tag.empty()) stem += "_tag-" + scenes::file_name_of(selection.tag);
+    return stem;
 }
 
 std::vector<int> frames_of(const scenes::Scene& scene, const std::string& list) {

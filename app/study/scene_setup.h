@@ -32,7 +32,8 @@ struct SceneOptions {
     /// Whether the one name is a trace.
     bool is_trace() const;
     /// The beginning of file names for a scene of this name. If a recording is among the names, it
-    /// is the stems of the files, since a scene may have many recordings; else the scene's name.
+    /// is the stems of the files, since a scene may have many recordings, and the selected queries;
+    /// else the scene's name.
     std::string file_stem(const std::string& scene) const;
     /// `list_of_frames`: the frames that will be needed, as far as known: the meshes of a recording
     /// may change.

@@ -92,7 +92,7 @@ class Columns {
                 if (asked_.queries != "auto")
                     throw InputError("--queries " + asked_.queries + ": the scene has " +
                                      (loaded.bodies.size() < 2 ? "one body" : "several bodies") +
-                                     ", and a query is of two; " +
+                                     ", and the page shows queries of two; " +
                                      (loaded.bodies.size() < 2
                                           ? "leave it out."
                                           : "name two of them with --bodies, or leave it out."));

@@ -47,6 +47,9 @@ struct TraceEngine {
     std::vector<Stage> stages;         ///< stages at which its tests can reject, in its order
     bool objects = false;              ///< its pairs are of objects of unknown shape
     std::vector<TraceField> settings;  ///< as recorded
+    std::string selection{};           ///< which queries were selected: "\"lift\"", "tag grasp"
+    /// The number of queries that are left out, since they are not the first of their frame.
+    std::uint64_t left_out = 0;
     /// By frame: the hashes of the trees of A and B, see Tree::hash.
     std::map<int, std::array<std::uint64_t, 2>> trees{};
 };

@@ -49,16 +49,26 @@ std::string BodyCopies::volumes() const {
     return text.empty() ? "no volumes" : text;
 }
 
-RecordedBodies bodies_at(const Recording& recording, int frame) {
+RecordedBodies bodies_at(const Recording& recording, int frame, Moment moment) {
     RecordedQueries queries(*recording.file);
     using Ended = RecordedQueries::Ended;
-    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next())
-        if (ended == Ended::frame && queries.frame() == frame) break;
     RecordedBodies result;
     result.frame = frame;
     BodyCopies copies;
-    for (const auto& [number, body] : queries.bodies())
-        result.bodies.push_back(copies.copy(queries, recording, number));
+    std::map<std::uint32_t, BodyAtFrame> queried;
+    for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next()) {
+        if (queries.frame() != frame) continue;
+        if (ended == Ended::frame) break;
+        if (moment == Moment::end) continue;
+        for (const std::uint32_t number : queries.query_bodies())
+            if (queries.bodies().contains(number) && !queried.contains(number))
+                queried.emplace(number, copies.copy(queries, recording, number));
+    }
+    for (const auto& [number, body] : queries.bodies()) {
+        const auto at = queried.find(number);
+        result.bodies.push_back(at != queried.end() ? at->second
+                                                    : copies.copy(queries, recording, number));
+    }
     if (result.bodies.empty())
         for (const auto& [number, tree] : queries.trees())
             result.bodies.push_back(copies.copy_tree(queries, name_of(tree, number), number));
@@ -71,12 +81,13 @@ RecordedBodies bodies_at(const Recording& recording, int frame) {
 
 RecordedBodies bodies_at(const Recording& recording, const std::string& frames) {
     const std::vector<int>& all = recording.file->summary.frames;
-    if (frames.empty()) return bodies_at(recording, all.front());
+    const Moment moment = recording.file->selection.empty() ? Moment::end : Moment::first_query;
+    if (frames.empty()) return bodies_at(recording, all.front(), moment);
     const std::vector<int> wanted =
-        frames_among(all, frames, recording.file->path, "a recording may have");
+        frames_among(all, frames, recording.file->title(), "a recording may have");
     if (wanted.size() != 1)
         throw InputError("--frames " + frames + ": this command takes one frame; give one.");
-    return bodies_at(recording, wanted[0]);
+    return bodies_at(recording, wanted[0], moment);
 }
 
 }  // namespace scb::scenes

@@ -40,9 +40,16 @@ struct RecordedBodies {
     std::string volumes;  ///< see TraceEngine
 };
 
+/// When a frame is looked at, since bodies may move within it.
+enum class Moment {
+    first_query,  ///< each body at its first selected query or, without a query, at the end
+    end,          ///< after all records of the frame
+};
+
 /// Throws InputError if there is no tree yet, or a pose is unusable.
-RecordedBodies bodies_at(const Recording& recording, int frame);
-/// At the one frame that the list names, or at the first frame if it is empty. Throws InputError.
+RecordedBodies bodies_at(const Recording& recording, int frame, Moment moment);
+/// At the one frame that the list names, or at the first frame if it is empty: at the end or, if
+/// queries are selected, at the first of these. Throws InputError.
 RecordedBodies bodies_at(const Recording& recording, const std::string& frames);
 
 }  // namespace scb::scenes

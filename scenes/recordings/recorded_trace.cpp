@@ -65,7 +65,6 @@ RecordedTrace::RecordedTrace(const RecordedTrace& other)
       stages_(other.stages_),
       bodies_(other.bodies_),
       test_counts_(other.test_counts_),
-      left_out_(other.left_out_),
       queries_(std::make_unique<RecordedQueries>(*recording_->file)) {}
 
 std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
@@ -112,7 +111,8 @@ void RecordedTrace::choose(const std::string& bodies, const std::string& frames)
     all_frames_ = chosen->frames;
     frames_ = frames == auto_frames
                   ? std::vector{chosen->fullest}
-                  : frames_among(chosen->frames, frames, path, "a recording may have");
+                  : frames_among(chosen->frames, frames, recording_->file->title(),
+                                 "a recording may have");
 }
 
 bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {
@@ -123,10 +123,11 @@ bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {
 void RecordedTrace::read_bodies() {
     RecordedQueries queries(*recording_->file);
     BodyCopies copies;
+    TraceEngine& engine = header_.engine.emplace();
     for (Ended ended = queries.next(); ended != Ended::end; ended = queries.next()) {
         if (ended != Ended::query || !is_wanted(queries)) continue;
         if (bodies_.contains(queries.frame())) {
-            ++left_out_;
+            ++engine.left_out;
             continue;
         }
         const std::vector<EngineEvent>& events = queries.query().events;
@@ -139,8 +140,8 @@ void RecordedTrace::read_bodies() {
     }
     header_.source = {recording_->file->path};
     header_.scene = scene().name;
-    TraceEngine& engine = header_.engine.emplace();
     engine.name = recording_->engine;
+    engine.selection = recording_->file->selection.title();
     engine.volumes = copies.volumes();
     take_engine(queries);
     take_stages(queries);

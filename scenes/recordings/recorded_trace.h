@@ -46,9 +46,6 @@ class RecordedTrace {
     const std::vector<int>& all_frames() const { return all_frames_; }
     /// The body of a side at a chosen frame.
     const BodyAtFrame& body(std::size_t side, int frame) const;
-    /// The number of queries of the two bodies at chosen frames that are left out, since they are
-    /// not the first of their frame.
-    std::uint64_t left_out() const { return left_out_; }
     /// Whether the recording has pairs, or tests of items, anywhere.
     bool has_results() const { return recording_->file->summary.has_results(); }
     /// The number of tests of volumes in the query of a chosen frame.
@@ -94,7 +91,6 @@ class RecordedTrace {
     std::map<std::uint8_t, Stage> stages_;
     std::map<int, std::array<BodyAtFrame, 2>> bodies_;
     std::map<int, std::uint64_t> test_counts_;
-    std::uint64_t left_out_ = 0;
     std::unique_ptr<RecordedQueries> queries_;
     QueryTrace frame_;
     std::optional<int> latest_;   ///< the frame of the latest frame()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
@@ -34,8 +35,9 @@ class RecordingContents {
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
     void take(RecordedQueries& queries, Ended ended) {
-        // Once for all bodies of a frame, and once more at its end for bodies that came later.
-        if (ended == Ended::frame || taken_ != queries.frame()) take_bodies(queries);
+        if (taken_at_ != queries.frame()) taken_.clear();
+        taken_at_ = queries.frame();
+        take_bodies(queries, ended);
         if (ended == Ended::query) take_query(queries);
     }
 
@@ -76,11 +78,11 @@ class RecordingContents {
         int frame = 0;
     };
 
-    /// The poses of a frame are those at its first query or, without a query, at its end.
-    void take_bodies(RecordedQueries& queries) {
+    /// The pose of a body in a frame is its pose at its first query or, without a query, at the end
+    /// of the frame.
+    void take_bodies(RecordedQueries& queries, Ended ended) {
         Scene& scene = recording_.scene;
-        const bool again = taken_ == queries.frame();
-        taken_ = queries.frame();
+        const std::array<std::uint32_t, 2> queried = queries.query_bodies();
         for (const auto& [number, body] : queries.bodies()) {
             std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
             const std::uint32_t mesh = queries.trees().at(body.tree).mesh;
@@ -95,7 +97,13 @@ class RecordingContents {
             if (stretches_.try_emplace(number, body.stretch).first->second != body.stretch &&
                 !changed_)
                 changed_ = {body.name, queries.frame()};
-            if (poses.empty() || (!again && !is_same(poses.back().pose, body.pose)))
+            const bool is_due =
+                ended == Ended::frame || number == queried[0] || number == queried[1];
+            const bool is_taken = is_due && taken_.insert(number).second;
+            if (!poses.empty() && !is_taken) continue;
+            if (!poses.empty() && poses.back().frame == queries.frame())
+                poses.back().pose = body.pose;
+            else if (poses.empty() || !is_same(poses.back().pose, body.pose))
                 poses.push_back({queries.frame(), body.pose});
         }
         scene.frames = std::max(scene.frames, queries.frame() + 1);
@@ -151,7 +159,8 @@ class RecordingContents {
     std::optional<Place> askew_, changed_;
     std::string fault_;                                            ///< of the pose of `askew_`
     std::map<std::uint32_t, Mat3> stretches_;                      ///< by body: the first
-    int taken_ = -1;                                               ///< frame
+    int taken_at_ = -1;                                            ///< frame
+    std::set<std::uint32_t> taken_;                                ///< bodies with their pose there
     std::map<std::uint32_t, std::size_t> meshes_;                  ///< by number
     std::map<std::uint32_t, std::uint32_t> mesh_of_body_{};        ///< numbers: the first
     std::map<std::array<std::uint32_t, 2>, std::size_t> pairs_{};  ///< by their bodies
@@ -182,8 +191,8 @@ Scene scene_of_recording(const std::string& path, const std::string& frames,
         if (frames == auto_frames && !recording.pairs.empty())
             wanted = {recording.pairs.front().fullest};
         else if (!frames.empty() && frames != auto_frames)
-            wanted =
-                frames_among(recording.file->summary.frames, frames, path, "a recording may have");
+            wanted = frames_among(recording.file->summary.frames, frames, recording.file->title(),
+                                  "a recording may have");
         if (wanted.size() == 1) return scene_at(recording, wanted[0]);
     }
     if (!recording.refusal.empty()) throw InputError(recording.refusal);

@@ -44,8 +44,8 @@ Recording read_recording(const std::string& path, const QuerySelection& selectio
 
 /// The scene for hierarchies of this project, which need one mesh and poses. If meshes change, they
 /// are taken at the one frame that `frames` names: the first frame if it is empty, the frame with
-/// the most pairs for auto_frames. The poses of a frame are those at its first selected query.
-/// Throws InputError also if it names several frames and a mesh changes, or if a pose is unusable.
+/// the most pairs for auto_frames. A body's pose in a frame is its pose at its first selected
+/// query. Throws InputError also if it names several frames and a mesh changes, or if a pose is unusable.
 Scene scene_of_recording(const std::string& path, const std::string& frames,
                          const QuerySelection& selection = {});
 /// The scene with its meshes at that frame, which becomes the default frame.

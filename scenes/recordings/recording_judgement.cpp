@@ -193,8 +193,8 @@ class RecordingJudge {
         if (moved && !std::exchange(moves_noted_, true))
             result_.notes.push_back("in frame " + std::to_string(query.frame) + ", " + name.a +
                                     " and " + name.b +
-                                    " were queried at several poses, and other commands show the "
-                                    "first only; begin a frame for each, with scb_record_frame");
+                                    " were queried at several poses; without --query and --tag, "
+                                    "other commands show the first of them");
     }
 
     void not_judged(std::uint64_t count, std::uint64_t of, const std::string& what,

@@ -43,6 +43,11 @@ bool QuerySelection::has(const RecordedQuery& query) const {
             std::find(query.tags.begin(), query.tags.end(), tag) != query.tags.end());
 }
 
+std::string QuerySelection::title() const {
+    return (name.empty() ? "" : '"' + name + '"') + (name.empty() || tag.empty() ? "" : ", ") +
+           (tag.empty() ? "" : "tag " + tag);
+}
+
 std::string QuerySelection::words() const {
     const std::string of_name = name.empty() ? "" : "--query " + name;
     return of_name + (tag.empty() ? "" : (of_name.empty() ? "--tag " : " --tag ") + tag);
@@ -104,6 +109,10 @@ RecordingSummary summary_of(std::string_view bytes, std::string_view name,
 
 RecordingFile::RecordingFile(const std::string& name, QuerySelection selected)
     : RecordingFile(recording_bytes(name), name, std::move(selected)) {}
+
+std::string RecordingFile::title() const {
+    return selection.empty() ? path : path + " with " + selection.words();
+}
 
 RecordingFile::RecordingFile(std::string of_file, std::string name, QuerySelection selected)
     : path(std::move(name)),

@@ -19,6 +19,8 @@ struct QuerySelection {
     bool has(const RecordedQuery& query) const;
     /// "--query lift --tag grasp".
     std::string words() const;
+    /// For titles: "\"lift\", tag grasp"; empty without a selection.
+    std::string title() const;
 };
 
 /// Names of bodies of a whole recording; frames, stages and counts of the selected queries.
@@ -51,6 +53,8 @@ struct RecordingFile {
     /// Reads the file. Throws InputError as recording_bytes and summary_of do.
     explicit RecordingFile(const std::string& name, QuerySelection selected = {});
     RecordingFile(std::string of_file, std::string name, QuerySelection selected = {});
+    /// The path, and the selection if there is one, for messages.
+    std::string title() const;
 };
 
 /// Text of a recording as reports show it: printable, and not longer than 500 characters.

@@ -109,7 +109,7 @@ TEST_F(ExplainRecording, TakesTheFirstFrameThatTestedTheNodes) {
 TEST_F(ExplainRecording, ExplainsVolumesThatWereNotTested) {
     const ProgramRun untested = run("--pair 13,5 --frames 7");
     EXPECT_EQ(untested.status, 0) << untested.err;
-    expect_part(untested.out, "it recorded no test of these two nodes at this frame\n");
+    expect_part(untested.out, "it recorded no test of these two nodes in this query\n");
     expect_part(untested.out, "disjoint: at least 1.75 apart along (-1, 0, 0), verified\n");
     EXPECT_EQ(untested.out.find("answer"), std::string::npos);
     EXPECT_EQ(printed("--pair 13,5 --frames 7", 0)["tests"], json::array());

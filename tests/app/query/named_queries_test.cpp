@@ -66,7 +66,8 @@ TEST(NamedQueries, AreSelectedByCommands) {
     const std::vector<std::pair<std::string, std::string>> refused = {
         {"inspect --query lif " + file, "--query lif: "},
         {"inspect --query rest --tag grasp " + file, "--query rest --tag grasp: "},
-        {"inspect --query lift --frames 1 " + file, "has no frame 1"},
+        {"inspect --query lift --frames 1 " + file, " with --query lift has no frame 1"},
+        {"inspect --bodies arm,arm " + file, "has no query of these bodies"},
         {"inspect --bodies arm,shelve " + file, "--bodies arm,shelve: "},
         {"collide cone --query lift", "--query lift: "},
         {"stats cone --tag grasp", "--tag grasp: "}};
@@ -115,6 +116,55 @@ TEST(NamedQueries, OfOneFrameHaveTheirOwnPosesInEveryCommand) {
     const std::string trace = folder / "own.scbrec";
     ASSERT_EQ(run_scb("trace --volume scb --query through -o " + trace + " " + file).status, 0);
     EXPECT_EQ(json::parse(run_scb("trace --json " + trace).out)["frames"][0]["pairs"], 1);
+}
+
+TEST(NamedQueries, AreDrawnAtTheirPosesWithTheirNames) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("q.jsonl", two_poses), out = folder / "out";
+    const auto picture = [&](const std::string& command, const std::string& name) {
+        const ProgramRun run = run_scb("render " + command + " --svg -o " + out + " " + file);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_TRUE(std::filesystem::exists(out + "/" + name + ".png")) << name << run.out;
+        return file_text(out + "/" + name + ".svg");
+    };
+    const std::string levels = "levels --frames 0 --levels 0 --no-sheet ";
+    EXPECT_TRUE(picture(levels + "--query apart", "q_query-apart_E_level-00_frame-0000") !=
+                picture(levels + "--query through", "q_query-through_E_level-00_frame-0000"));
+    const std::string pairs =
+        picture("pairs --query through", "q_query-through_E_pairs_frame-0000");
+    EXPECT_NE(pairs.find("through"), std::string::npos) << "the title names the query";
+    picture("pairs --volume scb --query through", "q_query-through_scb_pairs_frame-0000");
+}
+
+TEST(NamedQueries, ThatAreLeftOutAreNotCompared) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("q.jsonl", two_poses);
+    const ProgramRun diff = run_scb("diff " + file + " " + file);
+    EXPECT_EQ(diff.status, 2) << diff.out;
+    EXPECT_NE(diff.err.find("--query or --tag"), std::string::npos) << diff.err;
+    EXPECT_EQ(run_scb("diff --query apart " + file + " " + file).status, 0);
+    EXPECT_EQ(json::parse(run_scb("trace --json " + file).out)["left_out"], 1);
+    EXPECT_FALSE(
+        json::parse(run_scb("trace --json --query apart " + file).out).contains("left_out"));
+}
+
+TEST(NamedQueries, ThatAreLeftOutAreNotGuarded) {
+    const TemporaryFolder folder;
+    folder.write("q.jsonl", two_poses);
+    const auto update = [&folder](const std::string& run, const json& arguments) {
+        const json suite = {
+            {"scb_golden", 2},
+            {"cases",
+             {{{"name", "c"}, {"run", run}, {"scene", "q.jsonl"}, {"arguments", arguments}}}}};
+        const std::string file = folder.write("cases.json", suite.dump());
+        return run_scb("golden update --all --suite " + file + " --baselines " + folder / "b");
+    };
+    for (const char* of : {"external", "collide"}) {
+        const ProgramRun refused = update(of, json::array());
+        EXPECT_EQ(refused.status, 1) << of << refused.out << refused.err;
+        EXPECT_NE((refused.out + refused.err).find("--query or --tag"), std::string::npos) << of;
+        EXPECT_EQ(update(of, {"--query", "through"}).status, 0) << of;
+    }
 }
 
 TEST(NamedQueries, ThatAreLeftOutAreNoted) {

@@ -143,6 +143,48 @@ TEST(Recording, HasBodiesAsTheyAreAtTheEndOfAFrame) {
     EXPECT_THROW(bodies_at(recording, "0,1"), InputError);
 }
 
+TEST(Recording, OfSelectedQueriesHasBodiesAsTheseQueriesSawThem) {
+    // Two queries of A and B, which B moves between, and one of A and C, which is recorded late.
+    const std::string text = R"({"tree": 0}
+{"node": 0, "in_tree": 0, "items": [0], "volume": ["ball", 0, 0, 0, 1]}
+{"body": 0, "name": "a", "of_tree": 0}
+{"body": 1, "name": "b", "of_tree": 0}
+{"frame": 0}
+{"pose": 1, "rows": [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"query": [0, 1], "name": "first", "tags": ["some"]}
+{"complete": true}
+{"pose": 1, "rows": [1, 0, 0, 2, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"query": [0, 1], "name": "second", "tags": ["some"]}
+{"complete": true}
+{"body": 2, "name": "c", "of_tree": 0}
+{"pose": 2, "rows": [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"query": [0, 2], "name": "third", "tags": ["some"]}
+{"complete": true}
+{"pose": 1, "rows": [1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"pose": 2, "rows": [1, 0, 0, 6, 0, 1, 0, 0, 0, 0, 1, 0]}
+{"end": true}
+)";
+    const TemporaryFolder folder;
+    const std::string file = folder.write("q.jsonl", text);
+    // `b` and `c`: where they are in the scene of this selection. `at_end`: whether levels show the
+    // end of the frame.
+    const auto expect = [&file](const QuerySelection& selection, double b, double c, bool at_end) {
+        const Recording recording = read_recording(file, selection);
+        using Moves = std::vector<std::pair<int, double>>;
+        EXPECT_EQ(moves_of(recording, 1), (Moves{{0, b}})) << selection.words();
+        EXPECT_EQ(moves_of(recording, 2), (Moves{{0, c}})) << selection.words();
+        const RecordedBodies shown = bodies_at(recording, "0");
+        ASSERT_EQ(shown.bodies.size(), 3u);
+        EXPECT_EQ(shown.bodies[1].pose.translation[0], at_end ? 3 : b) << selection.words();
+        EXPECT_EQ(shown.bodies[2].pose.translation[0], at_end ? 6 : c) << selection.words();
+        EXPECT_EQ(bodies_at(recording, 0, Moment::end).bodies[1].pose.translation[0], 3);
+    };
+    expect({}, 1, 5, true);
+    expect({"", "some"}, 1, 5, false);
+    expect({"second", ""}, 2, 6, false);
+    expect({"third", ""}, 3, 5, false);
+}
+
 TEST(Recording, IsReadAsJsonLinesWhateverItIsCalled) {
     const TemporaryFolder folder;
     const std::string text = "\n{\"tree\": 4, \"of_mesh\": null}\n";
