@@ -87,7 +87,7 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
 /// that little work is done beyond these, and grow, so that a query without a pair takes little
 /// longer than one for all pairs. Of several pairs of a batch, the first counts in sorted order.
 std::optional<IndexPair> first_pair(const AnyQuery& query, Work& work) {
-    constexpr PackedPace least{2, 4}, most{8, 64};
+    constexpr PackedPace least{2, 4}, most{};
     auto& [lists, open, found] = work;
     RefPairs leaves;
     for (PackedPace pace = least; !lists.empty();
