@@ -9,7 +9,7 @@ plate = scb.Mesh(np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3),
                  np.concatenate([np.stack([i, i + 1, i + 18], 1), np.stack([i, i + 18, i + 17], 1)]))
 tetrahedron = scb.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
                        [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-a, b = scb.build(plate), scb.build(tetrahedron)
+a, b = scb.pack(plate), scb.pack(tetrahedron)
 
 pose = np.array([[0, -1, 0, 0.9], [1, 0, 0, 0.2], [0, 0, 1, -0.5], [0, 0, 0, 1]])
 found = scb.collide(a, b, pose)
