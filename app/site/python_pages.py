@@ -1,6 +1,7 @@
 """The page of the Python package: signatures from its stub, and sentences from its binding, so that no build is needed."""
 
 import ast
+import collections
 import pathlib
 import re
 
@@ -35,8 +36,8 @@ def string_of(code):
 
 
 def sentences():
-    """The docstrings in the binding, by "function", "Class" or "Class.member"."""
-    said = {}
+    """The docstrings in the binding, by "function", "Class" or "Class.member"; one for each overload, in order."""
+    said = collections.defaultdict(list)
     for path in sorted(pathlib.Path("app/python/binding").glob("*.cpp")):
         text, owner = path.read_text(), ""
         for call in CALL.finditer(text):
@@ -47,18 +48,17 @@ def sentences():
                 name = "__init__" if parts[0].startswith("py::init") else string_of(parts[0])
             key = ".".join(part for part in ("" if call["module"] else owner, name) if part)
             if (doc := string_of(parts[-1])) and len(parts) > 1:
-                said[key] = doc
+                said[key].append(doc)
         # Members that a loop adds from a list of names and docstrings.
         for name, doc in re.findall(rf"^ *\{{({STRING}), ({STRING})\}},$", text, flags=re.M):
-            said[f"{owner}.{string_of(name)}"] = string_of(doc)
+            said[f"{owner}.{string_of(name)}"].append(string_of(doc))
     return said
 
 
-def block(directive, signature, doc, inside=""):
+def block(directive, signature, doc, inside="", option=""):
     """A directive of MyST; its fence is longer than the fences inside."""
     fence = "`" * (3 + max((len(run) for run in re.findall(r"`{3,}", inside)), default=2) - 2)
     escaped = re.sub(r"([*_<\[`])", r"\\\1", doc)
-    option = ""
     if directive == "py:property":
         signature, _, type_ = signature.partition(" -> ")
         option = f":type: {type_}\n"
@@ -78,13 +78,18 @@ def python_page():
     said, missing, result = sentences(), [], []
 
     def doc_of(key):
-        if key not in said:
+        if not said[key]:
             missing.append(key)
-        return said.get(key, "")
+            return ""
+        return said[key].pop(0) if len(said[key]) > 1 else said[key][0]
 
+    listed = set()
     for node in ast.parse(pathlib.Path("app/python/scb/_scb.pyi").read_text()).body:
         if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-            result.append(block("py:function", signature(node, False), doc_of(node.name)))
+            # Links lead to the first overload.
+            option = ":noindex:\n" if node.name in listed else ""
+            listed.add(node.name)
+            result.append(block("py:function", signature(node, False), doc_of(node.name), option=option))
         elif isinstance(node, ast.ClassDef):
             members, start, doc = "", "", doc_of(node.name)
             for member in (m for m in node.body if isinstance(m, ast.FunctionDef)):
