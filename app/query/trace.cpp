@@ -50,6 +50,11 @@ int record(const TraceOptions& options, const Console& console) {
     if (options.output.ends_with(".scbtrace"))
         throw InputError("-o " + options.output +
                          ": only scb 1.0 wrote such files; name a file .scbrec.");
+    // A trace names its recording, which is opened again without a selection.
+    if (!options.records && !options.scene.selection.empty())
+        throw InputError(options.scene.selection.words() +
+                         ": a trace does not keep the selection; add --records, which writes the "
+                         "meshes and poses, too.");
     check_output(options.output, "-o");
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o");
