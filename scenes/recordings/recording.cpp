@@ -35,9 +35,18 @@ class RecordingContents {
     explicit RecordingContents(Recording& recording) : recording_(recording) {}
 
     void take(RecordedQueries& queries, Ended ended) {
-        if (taken_at_ != queries.frame()) taken_.clear();
+        const bool is_first = taken_at_ != queries.frame();
+        if (is_first) taken_.clear();
         taken_at_ = queries.frame();
-        take_bodies(queries, ended);
+        const std::array<std::uint32_t, 2> queried = queries.query_bodies();
+        const auto is_late = [&](std::uint32_t number) {
+            return queries.bodies().contains(number) && !recording_.bodies.contains(number);
+        };
+        // A frame may have many queries of many bodies, so most queries concern two bodies only.
+        if (is_first || ended == Ended::frame || is_late(queried[0]) || is_late(queried[1]))
+            take_bodies(queries, ended);
+        else
+            for (const std::uint32_t number : queried) take_body(queries, number, true);
         if (ended == Ended::query) take_query(queries);
     }
 
@@ -78,37 +87,42 @@ class RecordingContents {
         int frame = 0;
     };
 
-    /// The pose of a body in a frame is its pose at its first query or, without a query, at the end
-    /// of the frame.
+    /// All bodies, which get an index in the order of their numbers.
     void take_bodies(RecordedQueries& queries, Ended ended) {
-        Scene& scene = recording_.scene;
         const std::array<std::uint32_t, 2> queried = queries.query_bodies();
-        for (const auto& [number, body] : queries.bodies()) {
-            std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
-            const std::uint32_t mesh = queries.trees().at(body.tree).mesh;
-            if (mesh_of_body_.try_emplace(number, mesh).first->second != mesh && !changed_)
-                changed_ = {body.name, queries.frame()};
-            if (!body.pose_fault.empty()) {
-                if (!askew_) fault_ = body.pose_fault;
-                if (!askew_) askew_ = {body.name, queries.frame()};
-                continue;
-            }
-            // A stretched body has a mesh of its own.
-            if (stretches_.try_emplace(number, body.stretch).first->second != body.stretch &&
-                !changed_)
-                changed_ = {body.name, queries.frame()};
-            const bool is_due =
-                ended == Ended::frame || number == queried[0] || number == queried[1];
-            const bool is_taken = is_due && taken_.insert(number).second;
-            if (!poses.empty() && !is_taken) continue;
-            if (!poses.empty() && poses.back().frame == queries.frame())
-                poses.back().pose = body.pose;
-            else if (poses.empty() || !is_same(poses.back().pose, body.pose))
-                poses.push_back({queries.frame(), body.pose});
-        }
+        for (const auto& [number, body] : queries.bodies())
+            take_body(queries, number,
+                      ended == Ended::frame || number == queried[0] || number == queried[1]);
+        Scene& scene = recording_.scene;
         scene.frames = std::max(scene.frames, queries.frame() + 1);
         for (const auto& [number, mesh] : queries.meshes())
             if (mesh.version > 1 && !changed_) changed_ = {mesh.name, queries.frame()};
+    }
+
+    /// The pose of a body in a frame is its pose at its first query or, without a query, at the end
+    /// of the frame. `is_due`: this is such a time.
+    void take_body(RecordedQueries& queries, std::uint32_t number, bool is_due) {
+        const auto found = queries.bodies().find(number);
+        if (found == queries.bodies().end()) return;
+        const BodyState& body = found->second;
+        std::vector<PoseKey>& poses = body_of(queries, number, body.tree).motion.told;
+        const std::uint32_t mesh = queries.trees().at(body.tree).mesh;
+        if (mesh_of_body_.try_emplace(number, mesh).first->second != mesh && !changed_)
+            changed_ = {body.name, queries.frame()};
+        if (!body.pose_fault.empty()) {
+            if (!askew_) fault_ = body.pose_fault;
+            if (!askew_) askew_ = {body.name, queries.frame()};
+            return;
+        }
+        // A stretched body has a mesh of its own.
+        if (stretches_.try_emplace(number, body.stretch).first->second != body.stretch && !changed_)
+            changed_ = {body.name, queries.frame()};
+        const bool is_taken = is_due && taken_.insert(number).second;
+        if (!poses.empty() && !is_taken) return;
+        if (!poses.empty() && poses.back().frame == queries.frame())
+            poses.back().pose = body.pose;
+        else if (poses.empty() || !is_same(poses.back().pose, body.pose))
+            poses.push_back({queries.frame(), body.pose});
     }
 
     void take_query(const RecordedQueries& queries) {
