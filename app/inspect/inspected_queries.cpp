@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/cli/progress.h"
 #include "core/judge/query_attribution.h"
@@ -18,24 +17,12 @@ WasteCauses causes_of(const QuerySource& source, int frame, const VainTests& vai
     return waste_causes(depth(a.tree->shape()), *a.mesh, depth(b.tree->shape()), *b.mesh, vain);
 }
 
-/// Throws InputError if `bodies` is not two names of the recording's bodies. Names may have commas,
-/// so each comma may be the one between the two.
-void check_bodies(const scenes::RecordingFile& file, const std::string& bodies) {
-    std::set<std::string> names = {"A", "B"};
-    for (const auto& [number, name] : file.summary.body_names) names.insert(name);
-    for (std::size_t at = bodies.find(','); at != std::string::npos; at = bodies.find(',', at + 1))
-        if (names.contains(bodies.substr(0, at)) && names.contains(bodies.substr(at + 1))) return;
-    throw InputError("--bodies " + bodies + ": " + file.path +
-                     " has no two bodies of these names; `scb stats` lists its bodies.");
-}
-
 }  // namespace
 
 InspectedQueries open_recording(const InspectOptions& options) {
     InspectedQueries result;
     const std::string& path = options.scene.names[0];
     result.file = std::make_shared<const scenes::RecordingFile>(path, options.scene.selection);
-    if (!options.query.bodies.empty()) check_bodies(*result.file, options.query.bodies);
     result.frames = frames_among(result.file->summary.frames, options.query.frames,
                                  result.file->title(), "a recording may have");
     TraceHeader& header = result.report.header;
@@ -43,12 +30,19 @@ InspectedQueries open_recording(const InspectOptions& options) {
     try {
         result.recording =
             std::make_shared<const scenes::Recording>(scenes::read_recording(result.file));
-        header.scene = result.recording->scene.name;
-        header.engine->name = result.recording->engine;
+    } catch (const InputError& error) {
+        result.no_waste = error.what();
+        return result;
+    }
+    // Bodies that were not queried are an error; bodies that cannot be placed are judged.
+    if (!options.query.bodies.empty() && !result.recording->pairs.empty())
+        chosen_pair(*result.recording, options.query.bodies);
+    header.scene = result.recording->scene.name;
+    header.engine->name = result.recording->engine;
+    try {
         result.sources.emplace_back(result.recording, options.query);
         header = result.sources.front().header();
     } catch (const InputError& error) {
-        if (std::string_view(error.what()).starts_with("--bodies")) throw;
         result.no_waste = error.what();
     }
     return result;

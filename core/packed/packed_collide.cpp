@@ -22,12 +22,14 @@ struct Work {
     PackedLists lists;
     OpenPairs open;
     PackedFindings found;
+    RefPairs batch;  ///< of first_pair: pairs of leaves to test
 
     /// Also clears the remains of a query that ran out of memory.
     void clear() {
         lists.clear();
         open.count = 0;
         found.clear();
+        batch.clear();
     }
 };
 
@@ -63,7 +65,7 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     // Pairs are counted, and undecided pairs are stored, only this many at a time: all might be too
     // many.
     constexpr std::size_t many = 4096;
-    auto& [lists, open, found] = work;
+    auto& [lists, open, found, batch] = work;
     std::size_t counted = 0;
     const auto count = [&, &pairs = found.pairs] {
         limit.found.fetch_add(pairs.size() - counted, std::memory_order_relaxed);
@@ -88,13 +90,12 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
 /// longer than one for all pairs. Of several pairs of a batch, the first counts in sorted order.
 std::optional<IndexPair> first_pair(const AnyQuery& query, Work& work) {
     constexpr PackedPace least{2, 4}, most{};
-    auto& [lists, open, found] = work;
-    RefPairs leaves;
+    auto& [lists, open, found, batch] = work;
     for (PackedPace pace = least; !lists.empty();
          pace = {std::min(2 * pace.nodes, most.nodes), std::min(2 * pace.leaves, most.leaves)}) {
         divide_nodes(query.nodes, query.level, pace, lists, found);
-        leaves.move_last(lists.leaf_leaf, pace.leaves);  // a front may have many
-        test_leaves(query.leaves, query.level, leaves, open, found);
+        batch.move_last(lists.leaf_leaf, pace.leaves);  // a front may have many
+        test_leaves(query.leaves, query.level, batch, open, found);
         decide_open(query.leaves, query.level, open, found);
         if (found.pairs.empty()) decide_undecided(query, found);
         if (!found.pairs.empty()) return *std::min_element(found.pairs.begin(), found.pairs.end());

@@ -72,47 +72,14 @@ std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
 }
 
 void RecordedTrace::choose(const std::string& bodies, const std::string& frames) {
-    const std::vector<QueriedPair>& pairs = recording_->pairs;
-    const std::string& path = recording_->file->path;
-    if (pairs.empty())
-        throw InputError(path +
-                         ": it has no query; record one with scb_record_query, or see its "
-                         "trees with `scb render levels`.");
-    const auto name = [this](std::uint32_t number) {
-        return scene().bodies[recording_->bodies.at(number)].name;
-    };
-    const auto words = [&name](const QueriedPair& pair) {
-        return name(pair.bodies[0]) + "," + name(pair.bodies[1]);
-    };
-    auto chosen = pairs.begin();
-    if (!bodies.empty()) {
-        const auto has_words = [&](const QueriedPair& pair) { return words(pair) == bodies; };
-        chosen = std::find_if(pairs.begin(), pairs.end(), has_words);
-        if (std::count_if(pairs.begin(), pairs.end(), has_words) > 1)
-            throw InputError("--bodies " + bodies + ": several pairs of bodies of " + path +
-                             " have these names, which contain commas; rename a body.");
-        if (chosen == pairs.end() && bodies == "A,B" && pairs.size() == 1) chosen = pairs.begin();
-    }
-    if (chosen == pairs.end() || (bodies.empty() && pairs.size() > 1)) {
-        constexpr std::size_t most = 5;
-        std::string known;
-        for (std::size_t i = 0; i < std::min(pairs.size(), most); ++i)
-            known += (i == 0 ? "" : "; ") + words(pairs[i]);
-        if (pairs.size() > most)
-            known += "; and " + std::to_string(pairs.size() - most) + " other pairs";
-        throw InputError((bodies.empty() ? path + ": it has queries of several pairs of bodies"
-                                         : "--bodies " + bodies + ": " + path +
-                                               " has no query of these bodies") +
-                         "; name one of its pairs with --bodies (" + known + ").");
-    }
-    numbers_ = chosen->bodies;
+    const QueriedPair& chosen = chosen_pair(*recording_, bodies);
+    numbers_ = chosen.bodies;
     for (std::size_t side = 0; side < 2; ++side)
         sides_[side] = recording_->bodies.at(numbers_[side]);
-    all_frames_ = chosen->frames;
-    frames_ = frames == auto_frames
-                  ? std::vector{chosen->fullest}
-                  : frames_among(chosen->frames, frames, recording_->file->title(),
-                                 "a recording may have");
+    all_frames_ = chosen.frames;
+    frames_ = frames == auto_frames ? std::vector{chosen.fullest}
+                                    : frames_among(chosen.frames, frames, recording_->file->title(),
+                                                   "a recording may have");
 }
 
 bool RecordedTrace::is_wanted(const RecordedQueries& queries) const {

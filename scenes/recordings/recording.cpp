@@ -197,6 +197,43 @@ Recording read_recording(const std::string& path, const QuerySelection& selectio
     return read_recording(std::make_shared<const RecordingFile>(path, selection));
 }
 
+const QueriedPair& chosen_pair(const Recording& recording, const std::string& bodies) {
+    const std::vector<QueriedPair>& pairs = recording.pairs;
+    const std::string& path = recording.file->path;
+    if (pairs.empty())
+        throw InputError(path +
+                         ": it has no query; record one with scb_record_query, or see its "
+                         "trees with `scb render levels`.");
+    const auto name = [&recording](std::uint32_t number) {
+        return recording.scene.bodies[recording.bodies.at(number)].name;
+    };
+    const auto words = [&name](const QueriedPair& pair) {
+        return name(pair.bodies[0]) + "," + name(pair.bodies[1]);
+    };
+    auto chosen = pairs.begin();
+    if (!bodies.empty()) {
+        const auto has_words = [&](const QueriedPair& pair) { return words(pair) == bodies; };
+        chosen = std::find_if(pairs.begin(), pairs.end(), has_words);
+        if (std::count_if(pairs.begin(), pairs.end(), has_words) > 1)
+            throw InputError("--bodies " + bodies + ": several pairs of bodies of " + path +
+                             " have these names, which contain commas; rename a body.");
+        if (chosen == pairs.end() && bodies == "A,B" && pairs.size() == 1) chosen = pairs.begin();
+    }
+    if (chosen == pairs.end() || (bodies.empty() && pairs.size() > 1)) {
+        constexpr std::size_t most = 5;
+        std::string known;
+        for (std::size_t i = 0; i < std::min(pairs.size(), most); ++i)
+            known += (i == 0 ? "" : "; ") + words(pairs[i]);
+        if (pairs.size() > most)
+            known += "; and " + std::to_string(pairs.size() - most) + " other pairs";
+        throw InputError((bodies.empty() ? path + ": it has queries of several pairs of bodies"
+                                         : "--bodies " + bodies + ": " + path +
+                                               " has no query of these bodies") +
+                         "; name one of its pairs with --bodies (" + known + ").");
+    }
+    return *chosen;
+}
+
 Scene scene_of_recording(const std::string& path, const std::string& frames,
                          const QuerySelection& selection) {
     Recording recording = read_recording(path, selection);

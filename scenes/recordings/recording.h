@@ -42,10 +42,15 @@ struct Recording {
 Recording read_recording(std::shared_ptr<const RecordingFile> file);
 Recording read_recording(const std::string& path, const QuerySelection& selection = {});
 
+/// The pair of bodies with these names, "A,B", or the only pair if `bodies` is empty. Throws
+/// InputError if several pairs or none are left.
+const QueriedPair& chosen_pair(const Recording& recording, const std::string& bodies);
+
 /// The scene for hierarchies of this project, which need one mesh and poses. If meshes change, they
 /// are taken at the one frame that `frames` names: the first frame if it is empty, the frame with
 /// the most pairs for auto_frames. A body's pose in a frame is its pose at its first selected
-/// query. Throws InputError also if it names several frames and a mesh changes, or if a pose is unusable.
+/// query. Throws InputError also if it names several frames and a mesh changes, or if a pose is
+/// unusable.
 Scene scene_of_recording(const std::string& path, const std::string& frames,
                          const QuerySelection& selection = {});
 /// The scene with its meshes at that frame, which becomes the default frame.

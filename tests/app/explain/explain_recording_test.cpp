@@ -65,7 +65,8 @@ TEST_F(ExplainRecording, ProvesThatATestLetDisjointVolumesPass) {
     const ProgramRun passed = run("--pair 11,5 --frames 0");
     EXPECT_EQ(passed.status, 0) << passed.err;
     expect_part(passed.out, "balls, tiny, frame 0: A 11, B 5\n");
-    expect_part(passed.out, "node 11 of A, depth 1, 1 triangle, 'left', ball recorded at frame 0\n");
+    expect_part(passed.out,
+                "node 11 of A, depth 1, 1 triangle, 'left', ball recorded at frame 0\n");
     expect_part(passed.out, "passed, test 1 of 3, which test 0 of the nodes (10, 5) led to\n");
     expect_part(passed.out, "disjoint: at least 1.5 apart along (1, 0, 0), verified\n");
     expect_part(passed.out, "along it, A ends at -0.5 and B begins at 1\n");

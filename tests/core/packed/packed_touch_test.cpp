@@ -60,7 +60,7 @@ TEST(Touches, AnswersAsBruteForceDoes) {
     EXPECT_GT(touch, 0);
 }
 
-// A corner on a face, an edge on an edge, faces on each other: floats decide none of these.
+// Meshes meet at corners, along edges or on faces. Floats cannot decide such pairs of triangles.
 TEST(Touches, AnswersAsBruteForceDoesWhereMeshesOnlyTouch) {
     Random random(81);
     for (int i = 0; i < scenes_tried / 50; ++i) {
