@@ -24,6 +24,17 @@
     X(anchor)                   \
     X(cycloidal)                \
     X(tube)                     \
+    X(aatbase_aligned)          \
+    X(tray_bottom_aligned)      \
+    X(plate_holes_aligned)      \
+    X(anchor_aligned)           \
+    X(boeing_aligned)           \
+    X(cheese_aligned)           \
+    X(tube_aligned)             \
+    X(stack)                    \
+    X(shaft_in_bore)            \
+    X(box_grid)                 \
+    X(mesh_on_itself)           \
     X(flat_plate)               \
     X(concentric_spheres)       \
     X(thin_cylinder)            \

@@ -1,5 +1,7 @@
 #include "scenes/scene/model_json.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "scb/error.h"
@@ -142,6 +144,35 @@ void store_rotated(Mesh& mesh, const JsonPlace& place) {
     for (Vec3& v : mesh.vertices) v = rotate(back, v);
 }
 
+/// The mesh, repeated along the axes; copies share no vertex.
+void repeat(Mesh& mesh, const JsonPlace& place) {
+    check_fields(place, {"count", "step"});
+    const JsonPlace counts = field(place, "count");
+    if (array_size(counts, "three whole numbers") != 3) refuse_value(counts, "three whole numbers");
+    const Vec3 step = read_vec3(field(place, "step"));
+    std::array<std::int64_t, 3> count;
+    std::int64_t all = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        count[i] = read_integer(element(counts, i), 1, max_procedural_triangles);
+        all = std::min<std::int64_t>(all * count[i], max_procedural_triangles);
+    }
+    const auto most = static_cast<std::size_t>(max_procedural_triangles);
+    if (mesh.triangles.size() > most / static_cast<std::size_t>(all))
+        refuse(counts, "more than " + std::to_string(most) + " triangles; give smaller numbers.");
+    const Mesh one = std::move(mesh);
+    mesh = {};
+    for (std::int64_t z = 0; z < count[2]; ++z)
+        for (std::int64_t y = 0; y < count[1]; ++y)
+            for (std::int64_t x = 0; x < count[0]; ++x) {
+                const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+                const Vec3 by(static_cast<double>(x) * step[0], static_cast<double>(y) * step[1],
+                              static_cast<double>(z) * step[2]);
+                for (const Vec3& v : one.vertices) mesh.vertices.push_back(v + by);
+                for (const Triangle& t : one.triangles)
+                    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+            }
+}
+
 NamedMesh read_source(const JsonPlace& place, const SceneContext& context) {
     const Shape* chosen = nullptr;
     int sources = has(place, "file") ? 1 : 0;
@@ -177,7 +208,7 @@ NamedMesh read_source(const JsonPlace& place, const SceneContext& context) {
 NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
     check_fields(place, {"name", "file", "vertices", "triangles", "published", "icosphere",
                          "torus_knot", "box", "plane", "cone", "cylinder", "soup", "normalize",
-                         "scale", "stored_rotation"});
+                         "scale", "copies", "stored_rotation"});
     std::string name = read_plain_text(field(place, "name"));
     NamedMesh model = read_source(place, context);
     model.name = std::move(name);
@@ -190,6 +221,7 @@ NamedMesh read_model(const JsonPlace& place, const SceneContext& context) {
         const double scale = read_positive(field(place, "scale"));
         for (Vec3& v : model.mesh.vertices) v *= scale;
     }
+    if (has(place, "copies")) repeat(model.mesh, field(place, "copies"));
     if (has(place, "stored_rotation")) store_rotated(model.mesh, field(place, "stored_rotation"));
     check_mesh(model.mesh, place.file + ": " + place.path);
     return model;

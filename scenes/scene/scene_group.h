@@ -23,7 +23,17 @@ inline constexpr std::string_view table_3_scenes[] = {
 inline constexpr std::string_view cad_scenes[] = {"aatbase", "tray_bottom", "boeing",    "cheese",
                                                   "tr12j",   "anchor",      "cycloidal", "tube"};
 
-inline constexpr SceneGroup scene_groups[] = {{"table-3", table_3_scenes}, {"cad", cad_scenes}};
+/// Each has two bodies of one mesh that move along an axis without a turn, so that faces lie on
+/// each other and edges touch, as in assemblies; the last four are made by formula.
+inline constexpr std::string_view aligned_scenes[] = {"aatbase-aligned",     "tray_bottom-aligned",
+                                                      "plate_holes-aligned", "anchor-aligned",
+                                                      "boeing-aligned",      "cheese-aligned",
+                                                      "tube-aligned",        "stack",
+                                                      "shaft-in-bore",       "box-grid",
+                                                      "mesh-on-itself"};
+
+inline constexpr SceneGroup scene_groups[] = {
+    {"table-3", table_3_scenes}, {"cad", cad_scenes}, {"cad-aligned", aligned_scenes}};
 
 /// The group of this name, or null.
 const SceneGroup* find_scene_group(std::string_view name);

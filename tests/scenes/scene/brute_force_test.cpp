@@ -20,8 +20,9 @@ namespace {
 constexpr std::size_t brute_force_limit = 5000;  // triangles per body
 
 /// The built-in scenes of two bodies below the limit; each has its test below.
-const char* const small_scenes[] = {"knots-l1", "flat-plate", "thin-cylinder", "cone",
-                                    "soup",     "line-8",     "lines-20-23",   "long-triangles"};
+const char* const small_scenes[] = {"knots-l1",   "stack",         "shaft-in-bore", "box-grid",
+                                    "flat-plate", "thin-cylinder", "cone",          "soup",
+                                    "line-8",     "lines-20-23",   "long-triangles"};
 
 /// A scene of two bodies with hierarchies for its meshes.
 struct BuiltScene {

@@ -21,17 +21,25 @@ struct SceneWithMesh {
     std::size_t vertices, triangles;
 };
 
-constexpr SceneWithMesh scenes_with_meshes[] = {{"horses", "horse.ply", 48485, 96966},
-                                                {"hands", "skeleton_hand.ply", 57065, 114037},
-                                                {"dragons", "dragon.ply", 437645, 871414},
-                                                {"aatbase", "aatbase.ply", 1820, 3660},
-                                                {"tray_bottom", "tray_bottom.ply", 2216, 4520},
-                                                {"boeing", "boeing.ply", 2741, 2564},
-                                                {"cheese", "cheese.ply", 8629, 17786},
-                                                {"tr12j", "tr12j.ply", 13441, 26966},
-                                                {"anchor", "anchor.ply", 519, 1050},
-                                                {"cycloidal", "cycloidal.ply", 21384, 43368},
-                                                {"tube", "tube.ply", 560, 1120}};
+constexpr SceneWithMesh scenes_with_meshes[] = {
+    {"horses", "horse.ply", 48485, 96966},
+    {"hands", "skeleton_hand.ply", 57065, 114037},
+    {"dragons", "dragon.ply", 437645, 871414},
+    {"aatbase", "aatbase.ply", 1820, 3660},
+    {"tray_bottom", "tray_bottom.ply", 2216, 4520},
+    {"boeing", "boeing.ply", 2741, 2564},
+    {"cheese", "cheese.ply", 8629, 17786},
+    {"tr12j", "tr12j.ply", 13441, 26966},
+    {"anchor", "anchor.ply", 519, 1050},
+    {"cycloidal", "cycloidal.ply", 21384, 43368},
+    {"tube", "tube.ply", 560, 1120},
+    {"aatbase-aligned", "aatbase.ply", 1820, 3660},
+    {"tray_bottom-aligned", "tray_bottom.ply", 2216, 4520},
+    {"plate_holes-aligned", "plate_holes.ply", 618, 1252},
+    {"anchor-aligned", "anchor.ply", 519, 1050},
+    {"boeing-aligned", "boeing.ply", 2741, 2564},
+    {"cheese-aligned", "cheese.ply", 8629, 17786},
+    {"tube-aligned", "tube.ply", 560, 1120}};
 
 /// The scene with a box in the place of the mesh, so that its motion can be tested anywhere.
 Scene with_stand_in(const char* name) {
@@ -83,6 +91,18 @@ TEST(BuiltinMeshes, TurnTheHorsesByEulerAnglesAndDrawThemApartAlongX) {
 TEST(BuiltinMeshes, TurnCadModelsAsTheHorsesAndBeginAndEndThemCloserToEachOther) {
     for (const std::string_view name : cad_scenes)
         expect_turning_apart(std::string(name).c_str(), 0.05, 0.5);
+}
+
+TEST(BuiltinMeshes, MoveAlignedCadModelsAlongXWithoutATurn) {
+    for (const std::string_view name : aligned_scenes) {
+        if (!name.ends_with("-aligned")) continue;
+        const Scene scene = with_stand_in(std::string(name).c_str());
+        ASSERT_EQ(scene.frames, 50);
+        for (const int i : {0, 17, 49}) {
+            expect_pose(scene.bodies[0], i, Mat3::Identity(), Vec3::Zero());
+            expect_pose(scene.bodies[1], i, Mat3::Identity(), Vec3(0.02 + 0.48 * i / 49, 0, 0));
+        }
+    }
 }
 
 TEST(BuiltinMeshes, MoveOneHandAndOneDragonAlongYThroughTheOther) {

@@ -244,6 +244,30 @@ TEST(SceneFile, NormalizesScalesAndStoresRotatedInThisOrder) {
             1e-15);
 }
 
+TEST(SceneFile, RepeatsAMeshAlongTheAxes) {
+    json document = json::parse(small_scene);
+    const Mesh one = parse(document.dump()).meshes[1].mesh;
+    document["models"][1]["copies"] = {{"count", {3, 1, 2}}, {"step", {10, 20, -30}}};
+    const Mesh all = parse(document.dump()).meshes[1].mesh;
+    ASSERT_EQ(all.vertices.size(), 6 * one.vertices.size());
+    ASSERT_EQ(all.triangles.size(), 6 * one.triangles.size());
+    // x first, then y, then z.
+    const Vec3 steps[] = {{0, 0, 0},   {10, 0, 0},   {20, 0, 0},
+                          {0, 0, -30}, {10, 0, -30}, {20, 0, -30}};
+    for (std::size_t copy = 0; copy < 6; ++copy)
+        for (std::size_t i = 0; i < one.triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(all.vertices[all.triangles[copy * one.triangles.size() + i][k]],
+                          Vec3(one.vertices[one.triangles[i][k]] + steps[copy]));
+    expect_in(
+        "my.json: models[1].copies.count: more than 8388608 triangles",
+        refused("/models/1/copies", {{"count", {8388608, 8388608, 8388608}}, {"step", {1, 1, 1}}}));
+    expect_in("models[1].copies.count: expected three whole numbers",
+              refused("/models/1/copies", {{"count", {1, 2}}, {"step", {1, 1, 1}}}));
+    expect_in("models[1].copies.count[1]: expected a whole number from 1 to 8388608",
+              refused("/models/1/copies", {{"count", {1, 0, 1}}, {"step", {1, 1, 1}}}));
+}
+
 TEST(SceneFile, LooksForMeshesBesideItAndThenInTheFolderOfModels) {
     const TemporaryFolder scenes, models;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
