@@ -8,7 +8,8 @@ namespace {
 
 class BulletPeer : public Peer {
   public:
-    BulletPeer(const PeerMesh& a, const PeerMesh& b) : a_(a), b_(b) {}
+    BulletPeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query)
+        : a_(a), b_(b), first_(query == PeerQuery::first_contact) {}
 
     /// The steps of GImpact's collision algorithm, without the manifold: pairs of boxes, then its
     /// test of two triangles, whose result is contacts.
@@ -18,9 +19,11 @@ class BulletPeer : public Peer {
         found_.clear();
         btGImpactBoxSet::find_collision(&a_.boxes(), at_a, &b_.boxes(), at_b, candidates_);
         for (int i = 0; i < candidates_.size(); ++i)
-            if (triangles_collide(a_, at_a, b_, at_b, candidates_[i]))
+            if (triangles_collide(a_, at_a, b_, at_b, candidates_[i])) {
                 found_.push_back({static_cast<std::uint32_t>(candidates_[i].m_index1),
                                   static_cast<std::uint32_t>(candidates_[i].m_index2)});
+                if (first_) return;
+            }
     }
 
     std::vector<IndexPair> pairs() const override {
@@ -36,6 +39,7 @@ class BulletPeer : public Peer {
 
   private:
     BulletBody a_, b_;
+    bool first_;
     btPairSet candidates_;
     std::vector<IndexPair> found_;
 };
@@ -52,8 +56,8 @@ PeerKind bullet_peer() {
         "`btGImpactBoxSet::find_collision`, then GImpact's test of two triangles, in "
         "floats and without a margin; that test finds contacts, so it takes some pairs "
         "that only pass near each other for pairs that meet.";
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<BulletPeer>(a, b);
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
+        return std::make_unique<BulletPeer>(a, b, query);
     };
     return kind;
 }

@@ -10,7 +10,8 @@ namespace {
 
 class CgalPeer : public Peer {
   public:
-    CgalPeer(const PeerMesh& a, const PeerMesh& b) : b_(b) {
+    CgalPeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query)
+        : b_(b), first_(query == PeerQuery::first_contact) {
         place(a, identity_pose(), triangles_);
         tree_.insert(triangles_.cbegin(), triangles_.cend());
         tree_.build();
@@ -24,10 +25,14 @@ class CgalPeer : public Peer {
             const CgalTriangle& triangle = placed_[j];
             if (!CGAL::do_overlap(triangle.bbox(), box)) continue;
             hits_.clear();
-            tree_.all_intersected_primitives(triangle, std::back_inserter(hits_));
+            if (!first_)
+                tree_.all_intersected_primitives(triangle, std::back_inserter(hits_));
+            else if (const auto hit = tree_.any_intersected_primitive(triangle))
+                hits_.push_back(*hit);
             for (const CgalTriangles::const_iterator hit : hits_)
                 found_.push_back({static_cast<std::uint32_t>(hit - triangles_.cbegin()),
                                   static_cast<std::uint32_t>(j)});
+            if (first_ && !found_.empty()) return;
         }
     }
 
@@ -39,6 +44,7 @@ class CgalPeer : public Peer {
 
   private:
     const PeerMesh& b_;
+    bool first_;
     CgalTriangles triangles_;  // of A
     CgalTree tree_;
     CgalTriangles placed_;
@@ -53,8 +59,8 @@ PeerKind cgal_peer() {
     kind.name = "cgal";
     kind.title = "CGAL " CGAL_VERSION_STR ", AABB tree";
     kind.method = "`AABB_tree` of A, asked with every moved triangle of B, exact predicates.";
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<CgalPeer>(a, b);
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
+        return std::make_unique<CgalPeer>(a, b, query);
     };
     return kind;
 }

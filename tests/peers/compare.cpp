@@ -28,6 +28,9 @@ struct Options {
     int rounds = 3, threads = 1;
     std::size_t compared_frames = 25;
     double budget = 3;
+    bool first = false;
+
+    PeerQuery query() const { return first ? PeerQuery::first_contact : PeerQuery::all_pairs; }
 };
 
 void note(const std::string& line) { std::cerr << "scb_peers: " << line << std::endl; }
@@ -61,15 +64,16 @@ std::vector<int> frames_of(const std::string& text, const scenes::Scene& scene) 
 
 void write_files(const Options& options, std::span<const PeerKind> kinds,
                  std::span<const ComparisonGroup> groups, const std::string& tables) {
-    if (!options.json.empty()) write_file_whole(options.json, peer_json(kinds, groups));
+    if (!options.json.empty())
+        write_file_whole(options.json, peer_json(kinds, groups, options.query()));
     if (options.output.empty()) return;
     const std::filesystem::path folder = options.output;
     write_file_whole(folder / "peers.md", tables);
-    write_file_whole(folder / "peers.json", peer_json(kinds, groups));
+    write_file_whole(folder / "peers.json", peer_json(kinds, groups, options.query()));
     if (!find_peer(kinds, baseline_name))
         return note(std::string("there is no plot: it compares with ") + baseline_name +
                     ", which does not take part.");
-    write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups));
+    write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups, options.query()));
     if (is_on_path("gnuplot"))
         run_gnuplot(folder, "peers.gnuplot");
     else
@@ -97,8 +101,8 @@ int compare(const Options& options) {
     // All at once, so that what is wrong with the last is said before the first is measured.
     std::vector<scenes::Scene> loaded;
     std::vector<std::vector<int>> frames;
-    const scenes::MeasuredScenes measured =
-        scenes::measured_scenes(options.scenes, {"table-3", "dragons", "cad"}, options.models_dir);
+    const scenes::MeasuredScenes measured = scenes::measured_scenes(
+        options.scenes, {"table-3", "dragons", "cad", "cad-aligned"}, options.models_dir);
     for (const std::string& sentence : measured.left_out) note(sentence);
     for (const std::string& name : measured.names) {
         loaded.push_back(
@@ -119,8 +123,8 @@ int compare(const Options& options) {
         timing.budget = options.budget;
         timing.wall = options.threads > 1;
         timing.progress = [&](const std::string& what) { note(scene.name + ": " + what); };
-        SceneComparison found =
-            compare_peers(scene, frames[i], kinds, options.compared_frames, timing);
+        SceneComparison found = compare_peers(scene, frames[i], kinds, options.query(),
+                                              options.compared_frames, timing);
         for (std::size_t p = 0; p < kinds.size(); ++p) {
             if (!kinds[p].own || found.peers[p].difference.none()) continue;
             same = false;
@@ -129,7 +133,7 @@ int compare(const Options& options) {
         }
         add_to_group(groups, std::move(found));
     }
-    const std::string tables = peer_tables(kinds, groups);
+    const std::string tables = peer_tables(kinds, groups, options.query());
     std::cout << tables << std::flush;
     write_files(options, kinds, groups, tables);
     return same ? exit_done : exit_different;
@@ -141,8 +145,8 @@ int run(int argc, char** argv) {
     Options options;
     program.add_option(
         "SCENE", options.scenes,
-        "built-in scenes or scene files of two bodies, or table-3, cad; else table-3, "
-        "dragons and cad");
+        "built-in scenes or scene files of two bodies, or table-3, cad, cad-aligned; else table-3, "
+        "dragons, cad and cad-aligned");
     program.add_option("--models", options.models_dir, "the folder that meshes are in")
         ->envname("SCB_MODELS");
     program.add_option("--frames", options.frames, "all, or FIRST:LAST[:STEP]")
@@ -153,6 +157,8 @@ int run(int argc, char** argv) {
             "which take part: reference, a layout as of scb bench, or one with -cost, -scb2 or "
             "both, fcl, bullet, ode, embree, cgal")
         ->delimiter(',');
+    program.add_flag("--first", options.first,
+                     "the first contact, not all pairs: whether the bodies touch");
     program.add_option("--rounds", options.rounds, "how many times each query is timed")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

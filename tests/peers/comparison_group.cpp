@@ -7,8 +7,12 @@
 namespace scb {
 
 void add_to_group(std::vector<ComparisonGroup>& groups, SceneComparison scene) {
-    const bool cad = scenes::has_scene(*scenes::find_scene_group("cad"), scene.scene);
-    const std::string title = cad ? "CAD models" : "";
+    const auto is_in = [&](std::string_view name) {
+        return scenes::has_scene(*scenes::find_scene_group(name), scene.scene);
+    };
+    const std::string title = is_in("cad")           ? "CAD models"
+                              : is_in("cad-aligned") ? "Parts that lie on each other"
+                                                     : "";
     auto group = std::find_if(groups.begin(), groups.end(),
                               [&](const ComparisonGroup& other) { return other.title == title; });
     if (group == groups.end()) group = groups.insert(group, {title, {}});

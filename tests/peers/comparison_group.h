@@ -12,8 +12,9 @@ struct ComparisonGroup {
     std::vector<SceneComparison> scenes;
 };
 
-/// Adds the scene to its group, which is made where it is the first: CAD scenes have one, and all
-/// others, of Table 3 and of files, have another, in the order of their first scenes.
+/// Adds the scene to its group, which is made where it is the first: CAD scenes have one,
+/// scenes of parts that lie on each other another, and all others, of Table 3 and of files, a
+/// third, in the order of their first scenes.
 void add_to_group(std::vector<ComparisonGroup>& groups, SceneComparison scene);
 
 /// Whether the peer at this place among the peers found the reference's pairs in all scenes.

@@ -21,13 +21,14 @@ std::vector<std::string> names(const ComparisonGroup& group) {
 
 TEST(ComparisonGroups, KeepCadScenesFromOthers) {
     std::vector<ComparisonGroup> groups;
-    for (const char* scene : {"horses", "tube", "dragons", "anchor", "my-scene"})
+    for (const char* scene : {"horses", "tube", "dragons", "tube-aligned", "anchor", "my-scene"})
         add_to_group(groups, compared(scene));
-    ASSERT_EQ(groups.size(), 2u);
+    ASSERT_EQ(groups.size(), 3u);
     EXPECT_EQ(groups[0].title, "");
     EXPECT_EQ(names(groups[0]), (std::vector<std::string>{"horses", "dragons", "my-scene"}));
     EXPECT_EQ(groups[1].title, "CAD models");
     EXPECT_EQ(names(groups[1]), (std::vector<std::string>{"tube", "anchor"}));
+    EXPECT_EQ(names(groups[2]), std::vector<std::string>{"tube-aligned"});
 }
 
 TEST(ComparisonGroups, TellWhoFindsOtherPairsInAnyOfThem) {

@@ -140,7 +140,7 @@ PeerKind embree_peer() {
         "`rtcCollide`, which needs both bodies in one frame: B's vertices are moved and "
         "its tree's boxes are fitted again in every query; pairs of boxes are decided by this "
         "project's exact test of two triangles, as Embree has none.";
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery) {
         return std::make_unique<EmbreePeer>(a, b);
     };
     return kind;

@@ -11,13 +11,14 @@ namespace {
 
 class FclPeer : public Peer {
   public:
-    FclPeer(const PeerMesh& a, const PeerMesh& b) {
+    FclPeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
         build(a, a_);
         build(b, b_);
         // Of contacts FCL keeps the two triangles whether asked for points and normals or not; not
-        // asking is what makes it quickest. It ends at so many pairs, so ask for all.
+        // asking is what makes it quickest. It ends at this many pairs.
         request_.enable_contact = false;
-        request_.num_max_contacts = std::numeric_limits<int>::max();
+        request_.num_max_contacts =
+            query == PeerQuery::first_contact ? 1 : std::numeric_limits<int>::max();
     }
 
     void query(const PeerPose& a, const PeerPose& b) override {
@@ -59,8 +60,8 @@ PeerKind fcl_peer() {
     kind.method =
         "`fcl::collide` of two `BVHModel<OBB<double>>`, all contacts, without points and "
         "normals.";
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<FclPeer>(a, b);
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
+        return std::make_unique<FclPeer>(a, b, query);
     };
     return kind;
 }

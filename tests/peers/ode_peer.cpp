@@ -70,13 +70,17 @@ class Body {
 
 class OdePeer : public Peer {
   public:
-    OdePeer(const PeerMesh& a, const PeerMesh& b) : a_(a), b_(b) {
+    OdePeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query)
+        : a_(a),
+          b_(b),
+          flags_(query == PeerQuery::first_contact ? static_cast<int>(CONTACTS_UNIMPORTANT) | 1
+                                                   : most_contacts) {
         contacts_.resize(most_contacts);
     }
 
     void query(const PeerPose& a, const PeerPose& b) override {
         try {
-            count_ = dCollide(a_.placed(a), b_.placed(b), most_contacts, contacts_.data(),
+            count_ = dCollide(a_.placed(a), b_.placed(b), flags_, contacts_.data(),
                               sizeof(dContactGeom));
         } catch (const OdeError&) {
             count_ = 0;
@@ -101,6 +105,7 @@ class OdePeer : public Peer {
     static constexpr int most_contacts = 0xffff;  // as many as dCollide can be asked for
 
     Body a_, b_;
+    int flags_;  ///< the number of contacts, and flags
     std::vector<dContactGeom> contacts_;
     int count_ = 0;
 };
@@ -115,9 +120,9 @@ PeerKind ode_peer() {
         "`dCollide` of two triangle meshes, in part in floats. It makes at most 65,535 contact "
         "points, and joins points that are close: pairs are missing. A query that ends in an "
         "internal error of ODE finds none.";
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
         start_ode();
-        return std::make_unique<OdePeer>(a, b);
+        return std::make_unique<OdePeer>(a, b, query);
     };
     return kind;
 }

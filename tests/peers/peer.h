@@ -34,8 +34,8 @@ class Peer {
     Peer& operator=(const Peer&) = delete;
     virtual ~Peer() = default;
 
-    /// What is timed: finds all pairs of triangles that intersect, body A at `a` and B at `b`, and
-    /// leaves them in the form in which the library gives them.
+    /// Finds the pairs of triangles that intersect, body A at `a` and B at `b`, and leaves them in
+    /// the form in which the library gives them. This is timed.
     virtual void query(const PeerPose& a, const PeerPose& b) = 0;
 
     /// The pairs that the last query found, sorted, each once.
@@ -45,6 +45,12 @@ class Peer {
     virtual double bytes() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
+/// The pairs that a query finds.
+enum class PeerQuery : std::uint8_t {
+    all_pairs,
+    first_contact,  ///< one pair, if there is any; a library that cannot end there finds more
+};
+
 /// How a library, or one of its ways to do it, takes part.
 struct PeerKind {
     std::string name;    ///< for --peers: "fcl"
@@ -52,7 +58,8 @@ struct PeerKind {
     std::string method;  ///< what is called and timed, and what it cannot do; sentences
     bool own = false;    ///< of this project: it must find the pairs of the reference, no others
     /// Builds both trees. The meshes outlive the peer.
-    std::function<std::unique_ptr<Peer>(const PeerMesh& a, const PeerMesh& b)> prepare;
+    std::function<std::unique_ptr<Peer>(const PeerMesh& a, const PeerMesh& b, PeerQuery query)>
+        prepare;
 };
 
 }  // namespace scb

@@ -56,8 +56,11 @@ Json json_of(const SceneComparison& scene, std::span<const PeerKind> kinds) {
 
 }  // namespace
 
-std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
-    Json json = {{"peers", Json::array()}, {"scenes", Json::array()}};
+std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
+                      PeerQuery query) {
+    Json json = {{"query", query == PeerQuery::first_contact ? "first_contact" : "all_pairs"},
+                 {"peers", Json::array()},
+                 {"scenes", Json::array()}};
     for (const PeerKind& kind : kinds)
         json["peers"].push_back(
             {{"name", kind.name}, {"title", kind.title}, {"method", kind.method}});

@@ -9,6 +9,7 @@ namespace scb {
 
 /// Everything that was found, as a JSON document: `peers` (name, title, method) and `scenes`, each
 /// with its frames and, per peer, pairs, times per frame and their means in milliseconds.
-std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups);
+std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
+                      PeerQuery query);
 
 }  // namespace scb

@@ -184,7 +184,8 @@ std::string legend(std::span<const PeerKind> kinds, std::span<const ComparisonGr
 
 }  // namespace
 
-std::string plot_script(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
+std::string plot_script(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
+                        PeerQuery query) {
     const std::size_t baseline = find_peer(kinds, baseline_name).value();
     const auto [least, most] = range(groups, baseline);
     const Layout layout(groups.size(), kinds.size());
@@ -198,8 +199,10 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const Compari
             text += block_name(g, i) + " << END\n" +
                     data_block(groups[g].scenes, baseline, panels[i].times) + "END\n";
     text +=
-        "set multiplot title 'All pairs of triangles that intersect: speed of a query, by "
-        "scene' "
+        "set multiplot title '" +
+        std::string(query == PeerQuery::first_contact ? "First contact: whether triangles intersect"
+                                                      : "All pairs of triangles that intersect") +
+        ": speed of a query, by scene' "
         "font ',23' textcolor rgb '#1C2026'\n"
         "set logscale y\n"
         "set yrange [" +

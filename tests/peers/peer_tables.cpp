@@ -57,7 +57,7 @@ std::string tables(std::span<const PeerKind> kinds, Groups groups, const std::st
     return text;
 }
 
-std::string pair_tables(std::span<const PeerKind> kinds, Groups groups) {
+std::string pair_tables(std::span<const PeerKind> kinds, Groups groups, PeerQuery query) {
     const auto cell = [&](const SceneComparison& scene, std::size_t p) -> std::string {
         const PairDifference& difference = scene.peers[p].difference;
         if (kinds[p].name == reference_name) return std::to_string(difference.pairs);
@@ -68,7 +68,10 @@ std::string pair_tables(std::span<const PeerKind> kinds, Groups groups) {
             text += (text.empty() ? "+" : " +") + std::to_string(difference.extra.count);
         return text;
     };
-    return tables(kinds, groups, "pairs, of the frames compared", cell);
+    return tables(kinds, groups,
+                  query == PeerQuery::first_contact ? "frames in contact, of those compared"
+                                                    : "pairs, of the frames compared",
+                  cell);
 }
 
 std::string reasons_of(const UnsharedPairs& unshared, const std::string& what) {
@@ -218,12 +221,14 @@ std::optional<std::size_t> find_peer(std::span<const PeerKind> kinds, const std:
     return std::nullopt;
 }
 
-std::string peer_tables(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups) {
+std::string peer_tables(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
+                        PeerQuery query) {
     const bool compared = find_peer(kinds, baseline_name).has_value();
     const std::string by = compared ? " (times as quick as FCL)" : "";
-    std::string text = pair_tables(kinds, groups) + difference_list(kinds, groups) +
-                       time_tables(kinds, groups, "warm, ms" + by, &PeerTimes::warm) +
-                       time_tables(kinds, groups, "cold, ms" + by, &PeerTimes::cold) +
+    const std::string first = query == PeerQuery::first_contact ? "first contact, " : "";
+    std::string text = pair_tables(kinds, groups, query) + difference_list(kinds, groups) +
+                       time_tables(kinds, groups, first + "warm, ms" + by, &PeerTimes::warm) +
+                       time_tables(kinds, groups, first + "cold, ms" + by, &PeerTimes::cold) +
                        marks(groups) + build_tables(kinds, groups) + summaries(kinds, groups) +
                        frame_lists(kinds, groups);
     for (const PeerKind& kind : kinds) text += "- " + kind.title + ": " + kind.method + "\n";

@@ -25,17 +25,20 @@ struct ReferenceBody {
 
 class ReferencePeer : public Peer {
   public:
-    ReferencePeer(const PeerMesh& a, const PeerMesh& b) : a_(a), b_(b) {}
+    ReferencePeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query) : a_(a), b_(b) {
+        if (query == PeerQuery::first_contact) options_.max_pairs = 1;
+    }
 
     void query(const PeerPose& a, const PeerPose& b) override {
         found_ = collide<Scb>({a_.hierarchy, a_.mesh}, {b_.hierarchy, b_.mesh},
-                              relative_pose(core_pose(a), core_pose(b)));
+                              relative_pose(core_pose(a), core_pose(b)), options_);
     }
     std::vector<IndexPair> pairs() const override { return found_.pairs; }
     double bytes() const override { return static_cast<double>(a_.bytes() + b_.bytes()); }
 
   private:
     ReferenceBody a_, b_;
+    CollideOptions options_;
     Collision found_;
 };
 
@@ -53,25 +56,36 @@ struct PackedBody {
 
 class PackedPeer : public Peer {
   public:
-    PackedPeer(const PeerMesh& a, const PeerMesh& b, const PackedPeerOptions& options, int threads)
-        : a_(a, options), b_(b, options) {
+    PackedPeer(const PeerMesh& a, const PeerMesh& b, PeerQuery query,
+               const PackedPeerOptions& options, int threads)
+        : a_(a, options), b_(b, options), query_(query) {
         options_.threads = threads;
     }
 
     void query(const PeerPose& a, const PeerPose& b) override {
-        found_ = collide_packed(a_.hierarchy, a_.mesh, b_.hierarchy, b_.mesh,
-                                relative_pose(core_pose(a), core_pose(b)), options_, &workspace_);
+        const Pose b_to_a = relative_pose(core_pose(a), core_pose(b));
+        if (query_ == PeerQuery::first_contact)
+            touch_ = touches(a_.hierarchy, a_.mesh, b_.hierarchy, b_.mesh, b_to_a, options_,
+                             &workspace_);
+        else
+            found_ = collide_packed(a_.hierarchy, a_.mesh, b_.hierarchy, b_.mesh, b_to_a, options_,
+                                    &workspace_);
     }
-    std::vector<IndexPair> pairs() const override { return found_.pairs; }
+    std::vector<IndexPair> pairs() const override {
+        if (query_ == PeerQuery::all_pairs) return found_.pairs;
+        return touch_.pair ? std::vector{*touch_.pair} : std::vector<IndexPair>();
+    }
     double bytes() const override {
         return static_cast<double>(bytes_of(a_.hierarchy) + bytes_of(b_.hierarchy));
     }
 
   private:
     PackedBody a_, b_;
+    PeerQuery query_;
     PackedOptions options_;
     PackedWorkspace workspace_;
     PackedCollision found_;
+    PackedTouch touch_;
 };
 
 }  // namespace
@@ -84,8 +98,8 @@ PeerKind reference_peer() {
                   std::string(overlap_test_name(OverlapOptions{}.test)) +
                   "`, doubles, binary trees; its pairs are sorted within the time.";
     kind.own = true;
-    kind.prepare = [](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<ReferencePeer>(a, b);
+    kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
+        return std::make_unique<ReferencePeer>(a, b, query);
     };
     return kind;
 }
@@ -102,8 +116,8 @@ PeerKind packed_peer(const PackedPeerOptions& options, int threads) {
                         ? ", and its memory has the triangles' corners."
                         : ".");
     kind.own = true;
-    kind.prepare = [options, threads](const PeerMesh& a, const PeerMesh& b) {
-        return std::make_unique<PackedPeer>(a, b, options, threads);
+    kind.prepare = [options, threads](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
+        return std::make_unique<PackedPeer>(a, b, query, options, threads);
     };
     return kind;
 }
