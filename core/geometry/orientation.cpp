@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cfloat>
 #include <climits>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace scb {
@@ -63,6 +65,45 @@ struct Column {
     }
 };
 
+__extension__ typedef __int128 Int128;
+
+// The differences of a column as integers times a common power of two. Most have few bits: those of
+// coordinates that were floats have at most some 30, and 53 if one of two bodies is moved.
+template <std::size_t N>
+struct IntegerColumn {
+    static constexpr int most_bits = 62;
+
+    std::array<std::int64_t, N> values{};
+    int bits = 0;  // of the longest; more than most_bits if the values are not set
+
+    explicit IntegerColumn(const Column<N>& column) {
+        if (!column.from_first) {
+            bits = most_bits + 1;
+            return;
+        }
+        int lowest = INT_MAX, end = INT_MIN;
+        for (const Dyadic& v : column.values)
+            if (v.mantissa != 0) {
+                lowest = std::min(lowest, v.exponent + std::countr_zero(v.mantissa));
+                end = std::max(end, v.exponent + static_cast<int>(std::bit_width(v.mantissa)));
+            }
+        if (end == INT_MIN) return;
+        bits = end - lowest;
+        if (bits > most_bits) return;
+        for (std::size_t i = 0; i < N; ++i) {
+            const Dyadic& v = column.values[i];
+            if (v.mantissa == 0) continue;
+            const int shift = v.exponent - lowest;
+            const auto value =
+                static_cast<std::int64_t>(shift >= 0 ? v.mantissa << shift : v.mantissa >> -shift);
+            values[i] = v.negative ? -value : value;
+        }
+    }
+    bool is_set() const { return bits <= most_bits; }
+};
+
+int sign(Int128 x) { return static_cast<int>(x > 0) - static_cast<int>(x < 0); }
+
 // Adds the determinant of the rows i, j, k.
 void add_determinant(ExactSum& sum, std::span<const Dyadic> x, std::span<const Dyadic> y,
                      std::span<const Dyadic> z, std::size_t i, std::size_t j, std::size_t k) {
@@ -74,21 +115,39 @@ void add_determinant(ExactSum& sum, std::span<const Dyadic> x, std::span<const D
     sum.subtract(x[k], y[j], z[i]);
 }
 
-// read(det(b - a, c - a, d - a)): a callback, since the sum is too large to return.
-template <class Read>
-auto determinant3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, Read read) {
-    const Column<4> x({a[0], b[0], c[0], d[0]}), y({a[1], b[1], c[1], d[1]}),
-        z({a[2], b[2], c[2], d[2]});
-    ExactSum sum = sum_for(x.values, y.values, z.values);
-    add_determinant(sum, x.values, y.values, z.values, 1, 2, 3);
-    if (!(x.from_first && y.from_first && z.from_first)) {
-        // det(b, c, d) - det(a, c, d) + det(a, b, d) - det(a, b, c), by exchanges of rows.
-        add_determinant(sum, x.values, y.values, z.values, 2, 0, 3);
-        add_determinant(sum, x.values, y.values, z.values, 0, 1, 3);
-        add_determinant(sum, x.values, y.values, z.values, 1, 0, 2);
+// The coordinates of four points, for det(b - a, c - a, d - a).
+struct Columns3d {
+    Column<4> x, y, z;
+
+    Columns3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+        : x({a[0], b[0], c[0], d[0]}), y({a[1], b[1], c[1], d[1]}), z({a[2], b[2], c[2], d[2]}) {}
+
+    // A callback, since the sum is too large to return.
+    template <class Read>
+    auto determinant(Read read) const {
+        ExactSum sum = sum_for(x.values, y.values, z.values);
+        add_determinant(sum, x.values, y.values, z.values, 1, 2, 3);
+        if (!(x.from_first && y.from_first && z.from_first)) {
+            // det(b, c, d) - det(a, c, d) + det(a, b, d) - det(a, b, c), by exchanges of rows.
+            add_determinant(sum, x.values, y.values, z.values, 2, 0, 3);
+            add_determinant(sum, x.values, y.values, z.values, 0, 1, 3);
+            add_determinant(sum, x.values, y.values, z.values, 1, 0, 2);
+        }
+        return read(sum);
     }
-    return read(sum);
-}
+
+    int sign_of_determinant() const {
+        const IntegerColumn<4> u(x), v(y), w(z);
+        // Six products, each less than 2 to the power of the sum of the bits.
+        if (!u.is_set() || !v.is_set() || !w.is_set() || u.bits + v.bits + w.bits > 124)
+            return determinant([](const ExactSum& sum) { return sum.sign(); });
+        const auto minor = [&](std::size_t j, std::size_t k) {
+            return Int128{v.values[j]} * w.values[k] - Int128{v.values[k]} * w.values[j];
+        };
+        return sign(u.values[1] * minor(2, 3) + u.values[2] * minor(3, 1) +
+                    u.values[3] * minor(1, 2));
+    }
+};
 
 // Whether no sum is needed to see that points are coplanar.
 bool plainly_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -97,25 +156,34 @@ bool plainly_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
     return a == b || a == c || a == d || b == c || b == d || c == d;
 }
 
-const auto sign_of = [](const ExactSum& sum) { return sum.sign(); };
-const auto value_of = [](const ExactSum& sum) { return sum.value(); };
-
 struct PlaneAxes {
     int x, y;
 };
 PlaneAxes across(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
 // The same for the component `axis` of (b - a) x (c - a).
-template <class Read>
-auto determinant2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis, Read read) {
-    const PlaneAxes p = across(axis);
-    const Column<3> x({a[p.x], b[p.x], c[p.x]}), y({a[p.y], b[p.y], c[p.y]});
-    const Dyadic one(1);
-    const std::array<Dyadic, 3> ones{one, one, one};
-    ExactSum sum = sum_for(x.values, y.values, ones);
-    add_determinant(sum, x.values, y.values, ones, 0, 1, 2);
-    return read(sum);
-}
+struct Columns2d {
+    Column<3> x, y;
+
+    Columns2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneAxes p)
+        : x({a[p.x], b[p.x], c[p.x]}), y({a[p.y], b[p.y], c[p.y]}) {}
+
+    template <class Read>
+    auto determinant(Read read) const {
+        const Dyadic one(1);
+        const std::array<Dyadic, 3> ones{one, one, one};
+        ExactSum sum = sum_for(x.values, y.values, ones);
+        add_determinant(sum, x.values, y.values, ones, 0, 1, 2);
+        return read(sum);
+    }
+
+    int sign_of_determinant() const {
+        const IntegerColumn<3> u(x), v(y);
+        if (!u.is_set() || !v.is_set())
+            return determinant([](const ExactSum& sum) { return sum.sign(); });
+        return sign(Int128{u.values[1]} * v.values[2] - Int128{u.values[2]} * v.values[1]);
+    }
+};
 
 }  // namespace
 
@@ -139,19 +207,21 @@ int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
 }
 
 int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    return plainly_coplanar(a, b, c, d) ? 0 : determinant3d(a, b, c, d, sign_of);
+    return plainly_coplanar(a, b, c, d) ? 0 : Columns3d(a, b, c, d).sign_of_determinant();
 }
 
 int orient2d_exact(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
-    return a == b || a == c || b == c ? 0 : determinant2d(a, b, c, axis, sign_of);
+    return a == b || a == c || b == c ? 0 : Columns2d(a, b, c, across(axis)).sign_of_determinant();
 }
 
 ScaledDouble orient3d_value(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    return determinant3d(a, b, c, d, value_of);
+    return Columns3d(a, b, c, d).determinant([](const ExactSum& sum) { return sum.value(); });
 }
 
 ScaledDouble orient2d_value(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
-    return determinant2d(a, b, c, axis, value_of);
+    return Columns2d(a, b, c, across(axis)).determinant([](const ExactSum& sum) {
+        return sum.value();
+    });
 }
 
 }  // namespace scb
