@@ -30,6 +30,15 @@ struct SpreadFrom {
 template <int n>
 inline constexpr SpreadFrom<n> spread_from{};
 
+/// The error of a coordinate of a corner relative to the first corner of its pair's triangle of A:
+/// this times `float_unit` times the length of `offset`, r_a + r_b + |t|, where r_a and r_b are the
+/// radii of the leaves and t is the offset of their centers. In units of u: a corner of A in its
+/// leaf is off by r_a; the difference of two by 2 r_a, and by 2 r_a for its rounding. A corner of B
+/// in its leaf is off by r_b, its rotation by r_b for the rounded matrix and 3 r_b for three
+/// roundings of each term; t by |t|; t minus the first corner by r_a for that corner and |t| + r_a;
+/// the sum by r_a + r_b + |t|. Together at most 3 r_a + 6 r_b + 3 |t|.
+inline constexpr float corner_bound = 7;
+
 /// Tests pairs of leaves for triangles that intersect.
 class LeafPairs {
   public:
@@ -64,7 +73,8 @@ class LeafPairs {
         found_.n_p += count_a * count_b;
         const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
                                                                   // triangles
-        const Lanes<n> error = Lanes<n>::all(48 * float_unit * o.length + placed_.double_error);
+        const Lanes<n> error =
+            Lanes<n>::all(corner_bound * float_unit * o.length + placed_.double_error);
         const Lanes3<n> t = Lanes3<n>::all(o.t);
         const int lanes = static_cast<int>(count_b) * side;
         for (int first = 0; first < lanes; first += n) {
