@@ -30,14 +30,15 @@ struct SpreadFrom {
 template <int n>
 inline constexpr SpreadFrom<n> spread_from{};
 
-/// The error of a coordinate of a corner relative to the first corner of its pair's triangle of A:
-/// this times `float_unit` times the length of `offset`, r_a + r_b + |t|, where r_a and r_b are the
-/// radii of the leaves and t is the offset of their centers. In units of u: a corner of A in its
-/// leaf is off by r_a; the difference of two by 2 r_a, and by 2 r_a for its rounding. A corner of B
-/// in its leaf is off by r_b, its rotation by r_b for the rounded matrix and 3 r_b for three
-/// roundings of each term; t by |t|; t minus the first corner by r_a for that corner and |t| + r_a;
-/// the sum by r_a + r_b + |t|. Together at most 3 r_a + 6 r_b + 3 |t|.
-inline constexpr float corner_bound = 7;
+/// The errors of the numbers of TrianglePairs, from the radii r_a and r_b of the leaves and the
+/// offset t of their centers, in units of u. A corner in its leaf is off by the radius r; the
+/// difference of two corners of A by 2 r_a, and by 2 r_a for its rounding. The rotation of a corner
+/// of B is off by r_b for the corner, r_b for the rounded matrix, and 3 r_b for three roundings of
+/// each term; the difference of two by 10 r_b, and by 2 r_b for its rounding. t is off by |t|; t
+/// minus the first corner of A by r_a for that corner and |t| + r_a; with the first corner of B,
+/// 5 r_b, the sum is rounded by r_a + r_b + |t|: 3 r_a + 6 r_b + 3 |t|. A length of `offset`,
+/// r_a + r_b + |t|, is at least that by 1/6.
+inline constexpr float edge_error_a = 4.1f, edge_error_b = 12.3f, offset_error = 6.2f;
 
 /// Tests pairs of leaves for triangles that intersect.
 class LeafPairs {
@@ -73,15 +74,24 @@ class LeafPairs {
         found_.n_p += count_a * count_b;
         const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
                                                                   // triangles
-        const Lanes<n> error =
-            Lanes<n>::all(corner_bound * float_unit * o.length + placed_.double_error);
+        // The exact test rounds two corners of an edge of B.
+        const Lanes<n> error_p = Lanes<n>::all(edge_error_a * float_unit * a.radius()),
+                       error_f = Lanes<n>::all(edge_error_b * float_unit * b.radius() +
+                                               2 * placed_.double_error),
+                       error_w = Lanes<n>::all(offset_error * float_unit * o.length +
+                                               placed_.double_error);
         const Lanes3<n> t = Lanes3<n>::all(o.t);
         const int lanes = static_cast<int>(count_b) * side;
         for (int first = 0; first < lanes; first += n) {
-            const Lanes3<n> p0 = corner_a(a, 0, first), to_q = t - p0;
-            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0, corner_a(a, 2, first) - p0,
-                                            corner_b(0, first) + to_q,  corner_b(1, first) + to_q,
-                                            corner_b(2, first) + to_q,  error};
+            const Lanes3<n> p0 = corner_a(a, 0, first);
+            const TrianglePairs<n> pairs = {corner_a(a, 1, first) - p0,
+                                            corner_a(a, 2, first) - p0,
+                                            turned(1, first),
+                                            turned(2, first),
+                                            turned(0, first) + (t - p0),
+                                            error_p,
+                                            error_f,
+                                            error_w};
             each(pairs, (valid & low_bits(static_cast<std::uint32_t>(lanes))) >> first, a, b,
                  first);
         }
@@ -147,20 +157,27 @@ class LeafPairs {
         }
     }
 
-    /// Rotates the corners of a leaf of B into A's frame, without the translation.
+    /// Rotates the triangles of a leaf of B into A's frame, without the translation: the first
+    /// corner, and the edges from there to the others.
     HWY_INLINE void turn(const PackedLeaf& b) {
         constexpr int m = part_lanes(side);
         const std::uint32_t count = b.count();
-        for (std::uint32_t corner = 0; corner < 3; ++corner)
-            for (int first = 0; first < side; first += m) {
-                const float* at = b.corners() + 3 * corner * count + first;
-                const Lanes3<m> turned =
-                    rotate(placed_, Lanes3<m>{Lanes<m>::load(at), Lanes<m>::load(at + count),
-                                              Lanes<m>::load(at + 2 * count)});
-                turned.x.store(turned_[3 * corner] + first);
-                turned.y.store(turned_[3 * corner + 1] + first);
-                turned.z.store(turned_[3 * corner + 2] + first);
-            }
+        for (int first = 0; first < side; first += m) {
+            const auto corner = [&](std::uint32_t i) HWY_ATTR {
+                const float* at = b.corners() + 3 * i * count + first;
+                return rotate(placed_, Lanes3<m>{Lanes<m>::load(at), Lanes<m>::load(at + count),
+                                                 Lanes<m>::load(at + 2 * count)});
+            };
+            const auto store = [&](std::uint32_t i, Lanes3<m> lanes) HWY_ATTR {
+                lanes.x.store(turned_[3 * i] + first);
+                lanes.y.store(turned_[3 * i + 1] + first);
+                lanes.z.store(turned_[3 * i + 2] + first);
+            };
+            const Lanes3<m> origin = corner(0);
+            store(0, origin);
+            store(1, corner(1) - origin);
+            store(2, corner(2) - origin);
+        }
     }
 
     HWY_INLINE Lanes3<n> corner_a(const PackedLeaf& a, std::uint32_t corner, int first) const {
@@ -168,9 +185,10 @@ class LeafPairs {
         const float* x = a.corners() + 3 * corner * count;
         return {tiled(x, first), tiled(x + count, first), tiled(x + 2 * count, first)};
     }
-    HWY_INLINE Lanes3<n> corner_b(std::uint32_t corner, int first) const {
-        return {spread(turned_[3 * corner], first), spread(turned_[3 * corner + 1], first),
-                spread(turned_[3 * corner + 2], first)};
+    /// The first corner of a leaf of B, or an edge from there.
+    HWY_INLINE Lanes3<n> turned(std::uint32_t i, int first) const {
+        return {spread(turned_[3 * i], first), spread(turned_[3 * i + 1], first),
+                spread(turned_[3 * i + 2], first)};
     }
 
     HWY_INLINE void leaf_leaf(std::uint32_t i, std::uint32_t j) {
@@ -202,13 +220,15 @@ class LeafPairs {
                                HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
         store(open_.a, tiled(a.triangle_bits(), first));
         store(open_.b, spread(b.triangle_bits(), first));
-        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0, &pairs.q1, &pairs.q2};
+        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1, &pairs.f2, &pairs.w};
         for (int k = 0; k < 5; ++k) {
             store(open_.points[3 * k], points[k]->x);
             store(open_.points[3 * k + 1], points[k]->y);
             store(open_.points[3 * k + 2], points[k]->z);
         }
-        store(open_.points[15], pairs.error);
+        store(open_.points[15], pairs.error_p);
+        store(open_.points[16], pairs.error_f);
+        store(open_.points[17], pairs.error_w);
         open_.count += static_cast<std::size_t>(std::popcount(bits));
         if (open_.count >= OpenPairs::enough) decide();
     }
@@ -223,8 +243,8 @@ class LeafPairs {
         const auto point = [&lanes](int k) HWY_ATTR {
             return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
         };
-        const Certainty<n> result = intersection(
-            TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4), lanes(15)});
+        const Certainty<n> result = intersection(TrianglePairs<n>{
+            point(0), point(1), point(2), point(3), point(4), lanes(15), lanes(16), lanes(17)});
         std::uint32_t yes = result.intersect.bits() & low_bits(static_cast<std::uint32_t>(count));
         std::uint32_t unsure =
             result.open.bits() & low_bits(static_cast<std::uint32_t>(count)) & ~yes;

@@ -169,7 +169,7 @@ struct OpenPairs {
     static constexpr std::size_t enough = 64;
     std::size_t count = 0;
     float a[enough + 32] = {}, b[enough + 32] = {};  ///< bits of indices
-    float points[16][enough + 32] = {};
+    float points[18][enough + 32] = {};
 
     IndexPair pair(std::size_t i) const {
         return {std::bit_cast<std::uint32_t>(a[i]), std::bit_cast<std::uint32_t>(b[i])};

@@ -12,198 +12,231 @@ HWY_BEFORE_NAMESPACE();
 namespace scb {
 namespace HWY_NAMESPACE {
 
-// Pairs of triangles P and Q in floats or doubles, decided if the signs of all determinants that
-// matter are certain.
+// Pairs of triangles P and Q in floats, decided if the signs of all determinants that matter are
+// certain. A triangle is its first corner and the two edges from there, so that a small triangle
+// beside a large one keeps its own precision.
 //
-// Notation: coordinates are differences from P's first corner, each off by at most e from the
-// coordinates of the exact test. u is half a unit in the last place, 2^-24 or 2^-53. D is their
-// largest magnitude, plus e: all corners, as computed and as they are, lie in a cube of side 2 D
-// around the origin.
+// Notation: p1 and p2 are the edges of P from its first corner, f1 and f2 those of Q, and w is the
+// offset from the first corner of P to that of Q. Each coordinate of an edge of P is off by at most
+// e_p from the coordinates of the exact test, of an edge of Q by e_f, and of w by e_w. The largest
+// magnitudes, plus these errors, are D_p, D_f and D_w. u is 2^-24, half a unit in the last place.
 //
-// Errors of the data: every determinant here is det(b - a, c - a, d - a) of four corners. Its
-// derivative by a coordinate of one corner is twice the area of the triangle of the other three,
-// projected along that axis. That is at most 4 D^2, since a triangle in a square has at most half
-// of its area, and at most 2 D^2 if one of the three is the origin. By the mean value theorem the
-// determinant is off by at most e times the sum over 12 coordinates, 48 D^2 e. For heights above P
-// the sum has 9 coordinates and the factor 2 D^2: 18 D^2 e.
+// A product of two numbers of magnitudes A and B is off by A b + B a, if these are off by a and b;
+// magnitudes that have the errors in them make this true without terms of second order. A cross
+// product of p1 and p2 has components of two products:
+//   magnitude 2 D_p^2, error 4 D_p e_p + 4 u D_p^2 (three roundings of D_p^2, D_p^2 and 2 D_p^2).
+// A dot product of such a component with a vector of magnitude D and error e has three products:
+//   magnitude 6 D_p^2 D, error 3 (2 D_p^2 e + D (4 D_p e_p + 4 u D_p^2)) + 16 u D_p^2 D
+//   = 6 D_p^2 e + 12 D_p D e_p + 28 u D_p^2 D,
+// with 16 for the roundings of three products (2 each) and two sums (4 and 6). Terms in u^2 and the
+// roundings of the bounds themselves are below 2^-16 of these; each constant is larger by 2 % or
+// more.
 //
-// Errors of rounding are a multiple of u D^3, derived at each function. Their terms in u^2 and the
-// roundings of the bound itself are below 2^-16 of it; each constant is larger by 2 % or more.
-//
-// Below `underflow`, products may have lost digits to the least exponent. Products do not overflow:
-// tested leaves are near each other, so D is a few times the size of a mesh that passes
-// check_packable.
+// Below `kernel_underflow`, products may have lost digits to the least exponent. Products do not
+// overflow: tested leaves are near each other, so all magnitudes are at most a few times the size
+// of a mesh that passes check_packable.
 
-/// n pairs: the corners of both, relative to P's first corner.
-template <int n, class T = float>
+/// n pairs: edges and the offset, and the errors of their coordinates, e_p, e_f and e_w.
+template <int n>
 struct TrianglePairs {
-    Lanes3<n, T> p1, p2, q0, q1, q2;
-    Lanes<n, T> error;
+    Lanes3<n> p1, p2, f1, f2, w;
+    Lanes<n> error_p, error_f, error_w;
 };
 
-template <class T>
-inline constexpr T kernel_underflow = std::is_same_v<T, float> ? T(0x1p-100) : T(0x1p-700);
+inline constexpr float rounding_unit = 0x1p-24f, kernel_underflow = 0x1p-100f;
 
-template <class T>
-inline constexpr T rounding_unit = std::is_same_v<T, float> ? T(0x1p-24) : T(0x1p-53);
+/// D_p, D_f and D_w.
+template <int n>
+struct Magnitudes {
+    Lanes<n> p, f, w;
 
-/// D, see above.
-template <int n, class T>
-HWY_INLINE Lanes<n, T> magnitude(const TrianglePairs<n, T>& t) {
-    return max(max(max(largest(t.p1), largest(t.p2)), max(largest(t.q0), largest(t.q1))),
-               largest(t.q2)) +
-           t.error;
-}
-
-/// The two parts of an error bound: multiples of D^2 e and of u D^3 for determinants.
-struct ErrorFactors {
-    float data, rounding;
+    explicit HWY_INLINE Magnitudes(const TrianglePairs<n>& t)
+        : p(max(largest(t.p1), largest(t.p2)) + t.error_p),
+          f(max(largest(t.f1), largest(t.f2)) + t.error_f),
+          w(largest(t.w) + t.error_w) {}
 };
-
-/// The error bound of determinants; `d` is D.
-template <int n, class T>
-HWY_INLINE Lanes<n, T> determinant_bound(const TrianglePairs<n, T>& t, Lanes<n, T> d,
-                                         ErrorFactors factors) {
-    return d * d *
-               (Lanes<n, T>::all(T{factors.data}) * t.error +
-                Lanes<n, T>::all(T{factors.rounding} * rounding_unit<T>) * d) +
-           Lanes<n, T>::all(kernel_underflow<T>);
-}
 
 /// Which of n triples of numbers are certainly all above the bound, or all below minus the bound.
-template <int n, class T>
-HWY_INLINE LaneMask<n, T> on_one_side(Lanes<n, T> x, Lanes<n, T> y, Lanes<n, T> z,
-                                      Lanes<n, T> bound) {
+template <int n>
+HWY_INLINE LaneMask<n> on_one_side(Lanes<n> x, Lanes<n> y, Lanes<n> z, Lanes<n> bound) {
     return (bound < min(min(x, y), z)) | (max(max(x, y), z) < -bound);
 }
 
-/// Heights of points above the plane of a triangle, times twice its area.
-template <int n, class T = float>
+/// Heights of the corners of each triangle above the plane of the other, times twice the area of
+/// the latter, and what edge_sides needs of them.
+template <int n>
 struct Heights {
-    Lanes<n, T> h[3];
+    Lanes3<n> normal_p, normal_q;
+    Lanes<n> along_p1, along_p2;  ///< p1 and p2 times normal_q
+    Lanes<n> along_f1, along_f2;  ///< f1 and f2 times normal_p
+    Lanes<n> of_q[3], of_p[3];
+
+    explicit HWY_INLINE Heights(const TrianglePairs<n>& t)
+        : normal_p(cross(t.p1, t.p2)),
+          normal_q(cross(t.f1, t.f2)),
+          along_p1(dot(normal_q, t.p1)),
+          along_p2(dot(normal_q, t.p2)),
+          along_f1(dot(normal_p, t.f1)),
+          along_f2(dot(normal_p, t.f2)) {
+        of_q[0] = dot(normal_p, t.w);
+        of_q[1] = of_q[0] + along_f1;
+        of_q[2] = of_q[0] + along_f2;
+        of_p[0] = -dot(normal_q, t.w);
+        of_p[1] = of_p[0] + along_p1;
+        of_p[2] = of_p[0] + along_p2;
+    }
 };
 
-/// Heights of the corners of Q above the plane of P. Rounding: six terms of at most D^3, each with
-/// three roundings of products and differences and two of sums: 30 u D^3.
-template <int n, class T>
-HWY_INLINE Heights<n, T> heights_of_q(const TrianglePairs<n, T>& t) {
-    const Lanes3<n, T> normal = cross(t.p1, t.p2);
-    return {{dot(normal, t.q0), dot(normal, t.q1), dot(normal, t.q2)}};
-}
-inline constexpr ErrorFactors q_height_bound = {19, 31};
+/// Factors of an error bound.
+struct ErrorFactors {
+    float own;       ///< of the error of the triangle whose plane or edge it is
+    float other;     ///< of the errors of what is beside it
+    float rounding;  ///< of u
+};
 
-/// Heights of the corners of P above the plane of Q. Rounding: each of nine differences of corners
-/// is off by 2 u D, and has a derivative of at most 4 D^2: 72 u D^3. A component of the normal, at
-/// most 4 D^2, is off by three roundings of 4 u D^2, and is multiplied by at most 2 D: 72 u D^3 for
-/// three. Their products, at most 8 D^3, are rounded: 24 u D^3; the sums, at most 16 D^3 (a
-/// tetrahedron in a cube has at most a third of its volume): 32 u D^3. Together 200 u D^3.
-template <int n, class T>
-HWY_INLINE Heights<n, T> heights_of_p(const TrianglePairs<n, T>& t) {
-    const Lanes3<n, T> normal = cross(t.q1 - t.q0, t.q2 - t.q0);
-    return {{dot(normal, -t.q0), dot(normal, t.p1 - t.q0), dot(normal, t.p2 - t.q0)}};
+/// A height above P is the sum of two dot products with its normal, of w and of an edge of Q. With
+/// R = D_w + D_f and e = e_w + e_f it is off by 6 D_p^2 e + 12 D_p R e_p + 28 u D_p^2 R, and by
+/// 6 u D_p^2 R for the rounding of the sum.
+inline constexpr ErrorFactors height_bound = {12.3f, 6.2f, 35};
+
+/// The error of heights above a triangle of magnitude `d`, whose edges are off by `own`. `reach`:
+/// R; `other`: e.
+template <int n>
+HWY_INLINE Lanes<n> error_of_height(Lanes<n> d, Lanes<n> own, Lanes<n> reach, Lanes<n> other) {
+    return d * (d * (Lanes<n>::all(height_bound.other) * other +
+                     Lanes<n>::all(height_bound.rounding * rounding_unit) * reach) +
+                Lanes<n>::all(height_bound.own) * reach * own) +
+           Lanes<n>::all(kernel_underflow);
 }
-inline constexpr ErrorFactors p_height_bound = {49, 205};
+
+/// The errors of Heights::of_q and Heights::of_p.
+template <int n>
+struct HeightErrors {
+    Lanes<n> of_q, of_p;
+
+    HWY_INLINE HeightErrors(const TrianglePairs<n>& t, const Magnitudes<n>& d)
+        : of_q(error_of_height(d.p, t.error_p, d.w + d.f, t.error_w + t.error_f)),
+          of_p(error_of_height(d.f, t.error_f, d.w + d.p, t.error_w + t.error_p)) {}
+};
 
 /// Lanes in which neither triangle is certainly on one side of the other's plane, by these bounds.
 template <int n>
-HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t, Lanes<n> q_bound, Lanes<n> p_bound) {
-    const Heights<n> q = heights_of_q(t), p = heights_of_p(t);
+HWY_INLINE LaneMask<n> planes_meet(const Heights<n>& h, Lanes<n> q_bound, Lanes<n> p_bound) {
     // NaN after an overflow makes comparisons false: not certain.
-    return !(on_one_side(q.h[0], q.h[1], q.h[2], q_bound) |
-             on_one_side(p.h[0], p.h[1], p.h[2], p_bound));
+    return !(on_one_side(h.of_q[0], h.of_q[1], h.of_q[2], q_bound) |
+             on_one_side(h.of_p[0], h.of_p[1], h.of_p[2], p_bound));
 }
 template <int n>
 HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
-    const Lanes<n> d = magnitude(t);
-    return planes_meet(t, determinant_bound(t, d, q_height_bound),
-                       determinant_bound(t, d, p_height_bound));
+    const HeightErrors<n> errors(t, Magnitudes<n>(t));
+    return planes_meet(Heights<n>(t), errors.of_q, errors.of_p);
 }
 
-/// For the lengths of normals, multiples of D e and of u D^2. A component of Q's normal is twice
-/// the area of a projected triangle: its derivative by one of six coordinates is at most 2 D, so it
-/// is off by 12 D e. Rounding: four differences, each off by 2 u D, with the factor 2 D: 16 u D^2;
-/// two products and their difference, each at most 4 D^2: 12 u D^2. The length has the factor
-/// sqrt(3). The errors of P's normal are smaller.
-inline constexpr ErrorFactors normal_bound = {22, 50};
+/// The length of a normal is off by sqrt(3) times the error of its components, 7 D e + 7 u D^2.
+inline constexpr float normal_bound = 7.1f;
 
 /// Lanes in which neither triangle is certainly on one side of the other's plane and farther away
 /// than `skin`. Heights are times the normal's length, so `skin` is multiplied by it. Squares of it
 /// may underflow.
 template <int n>
 HWY_INLINE LaneMask<n> planes_near(const TrianglePairs<n>& t, Lanes<n> skin) {
-    const Lanes<n> d = magnitude(t);
-    const Lanes<n> off = d * (Lanes<n>::all(normal_bound.data) * t.error +
-                              Lanes<n>::all(normal_bound.rounding * rounding_unit<float>) * d) +
-                         Lanes<n>::all(0x1p-70f);
-    const auto length = [&](Lanes3<n> normal) HWY_ATTR {
+    const Magnitudes<n> d(t);
+    const HeightErrors<n> errors(t, d);
+    const Heights<n> heights(t);
+    const auto length = [&](Lanes3<n> normal, Lanes<n> size, Lanes<n> error) HWY_ATTR {
+        const Lanes<n> off =
+            Lanes<n>::all(normal_bound) * size * (error + Lanes<n>::all(rounding_unit) * size) +
+            Lanes<n>::all(0x1p-70f);
         return sqrt(dot(normal, normal)) * Lanes<n>::all(1 + 0x1p-16f) + off;
     };
-    return planes_meet(
-        t, determinant_bound(t, d, q_height_bound) + skin * length(cross(t.p1, t.p2)),
-        determinant_bound(t, d, p_height_bound) + skin * length(cross(t.q1 - t.q0, t.q2 - t.q0)));
+    return planes_meet(heights, errors.of_q + skin * length(heights.normal_p, d.p, t.error_p),
+                       errors.of_p + skin * length(heights.normal_q, d.f, t.error_f));
 }
 
 /// Lanes in which the triangles certainly have a point in common, and lanes that are not certain.
-template <int n, class T = float>
+template <int n>
 struct Certainty {
-    LaneMask<n, T> intersect, open;
+    LaneMask<n> intersect, open;
 };
 
 /// The sides on which the lines of P's edge i, from corner i to the next, and Q's edge j pass each
 /// other, times lengths.
-template <int n, class T = float>
+template <int n>
 struct EdgeSides {
-    Lanes<n, T> of[3][3];
+    Lanes<n> of[3][3];
 };
 
-/// The Plucker products of edges: an edge times the moment of the other, twice; the determinant of
-/// their four ends. Rounding: the moment of a rounded edge is off by three roundings of 2 u D^2,
-/// its product with an edge by 3 (2 D 6 u D^2) = 36 u D^3, by 12 u D^3 for the products of
-/// components, and by 20 u D^3 for sums, 68 u D^3; twice, and 16 u D^3 for the last sum. The
-/// roundings of the edges, 2 u D for each component, change a product by 3 (2 u D 2 D^2) = 12 u D^3
-/// and, by the moment, 3 (2 D 4 u D^2) = 24 u D^3; twice, 72 u D^3. Together 224 u D^3.
-template <int n, class T>
-HWY_INLINE EdgeSides<n, T> edge_sides(const TrianglePairs<n, T>& t) {
-    const Lanes3<n, T> edge_p[3] = {t.p1, t.p2 - t.p1, -t.p2};
-    const Lanes3<n, T> edge_q[3] = {t.q1 - t.q0, t.q2 - t.q1, t.q0 - t.q2};
-    // The first corner of P is the origin: two of its edges have no moment.
-    const Lanes3<n, T> moment_p = cross(t.p1, edge_p[1]);
-    const Lanes3<n, T> moment_q[3] = {cross(t.q0, edge_q[0]), cross(t.q1, edge_q[1]),
-                                      cross(t.q2, edge_q[2])};
-    const auto product = [&](int i, int j) HWY_ATTR {
-        const Lanes<n, T> of_p = dot(edge_p[i], moment_q[j]);
-        return i == 1 ? of_p + dot(edge_q[j], moment_p) : of_p;
+/// The Plucker products of edges, as sums of triple products: with m1 = w x f1 and m2 = w x f2, the
+/// moments of Q's edges about P's first corner are m1, m2 - m1 + normal_q and -m2. The moment of
+/// P's middle edge is normal_p, of the others 0.
+template <int n>
+HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t, const Heights<n>& h) {
+    const Lanes3<n> m1 = cross(t.w, t.f1), m2 = cross(t.w, t.f2);
+    const auto row = [&](Lanes3<n> p, Lanes<n> along, Lanes<n>(&to)[3]) HWY_ATTR {
+        const Lanes<n> first = dot(p, m1), last = dot(p, m2);
+        to[0] = first;
+        to[1] = (last - first) + along;
+        to[2] = -last;
     };
-    return {{{product(0, 0), product(0, 1), product(0, 2)},
-             {product(1, 0), product(1, 1), product(1, 2)},
-             {product(2, 0), product(2, 1), product(2, 2)}}};
+    EdgeSides<n> sides;
+    Lanes<n> by_p2[3];
+    row(t.p1, h.along_p1, sides.of[0]);
+    row(t.p2, h.along_p2, by_p2);
+    const Lanes<n> by_normal[3] = {h.along_f1, h.along_f2 - h.along_f1, -h.along_f2};
+    for (int j = 0; j < 3; ++j) {
+        sides.of[1][j] = (by_p2[j] - sides.of[0][j]) + by_normal[j];
+        sides.of[2][j] = -by_p2[j];
+    }
+    return sides;
 }
-inline constexpr ErrorFactors edge_bound = {49, 229};
+
+/// The error of edge_sides. With X = D_p D_f D_w, Y = D_p D_f^2 and Z = D_p^2 D_f, a triple product
+/// of an edge of P and m1 or m2 is off by
+///   6 (D_w D_f e_p + D_p D_w e_f + D_p D_f e_w) + 28 u X,
+/// one with normal_q by 6 D_f^2 e_p + 12 D_p D_f e_f + 28 u Y, and one with normal_p by
+/// 6 D_p^2 e_f + 12 D_p D_f e_p + 28 u Z. The middle edges of both have 4, 2 and 2 of them. Their
+/// sums have magnitudes of at most 24 X, 12 Y and 12 Z, and are rounded by 96 X, 36 Y and 24 Z in
+/// all. With W = D_w + D_p + D_f, all this is at most
+///   24 (W (D_f e_p + D_p e_f) + D_p D_f e_w) + 208 u W D_p D_f.
+inline constexpr ErrorFactors edge_bound = {24.6f, 24.6f, 213};
+
+template <int n>
+HWY_INLINE Lanes<n> error_of_sides(const TrianglePairs<n>& t, const Magnitudes<n>& d) {
+    const Lanes<n> all = d.w + d.p + d.f, area = d.p * d.f;
+    return Lanes<n>::all(edge_bound.own) * all * (d.f * t.error_p + d.p * t.error_f) +
+           area * (Lanes<n>::all(edge_bound.other) * t.error_w +
+                   Lanes<n>::all(edge_bound.rounding * rounding_unit) * all) +
+           Lanes<n>::all(kernel_underflow);
+}
 
 /// Two triangles in planes that cross intersect if an edge of one passes through the other: its
 /// ends are on two sides of the plane, and the other's three edges pass it on the same side.
-template <int n, class T>
-HWY_INLINE Certainty<n, T> intersection(const TrianglePairs<n, T>& t) {
-    const Lanes<n, T> bound = determinant_bound(t, magnitude(t), edge_bound);
-    const Heights<n, T> q = heights_of_q(t), p = heights_of_p(t);
-    const EdgeSides<n, T> sides = edge_sides(t);
+template <int n>
+HWY_INLINE Certainty<n> intersection(const TrianglePairs<n>& t) {
+    const Magnitudes<n> d(t);
+    const HeightErrors<n> errors(t, d);
+    const Lanes<n> bound = error_of_sides(t, d);
+    const Heights<n> h(t);
+    const EdgeSides<n> sides = edge_sides(t, h);
     const auto& side = sides.of;
 
-    const LaneMask<n, T> none = t.error < t.error;
-    Certainty<n, T> result{none, none};
-    const auto pass = [&](Lanes<n, T> from, Lanes<n, T> to, Lanes<n, T> x, Lanes<n, T> y,
-                          Lanes<n, T> z) HWY_ATTR {
-        const LaneMask<n, T> sure = (bound < abs(from)) & (bound < abs(to));
-        const Lanes<n, T> zero = Lanes<n, T>::all(0);
-        const LaneMask<n, T> crosses = sure & ((from < zero) ^ (to < zero));
-        const LaneMask<n, T> stays = sure ^ crosses;
-        const LaneMask<n, T> through = crosses & on_one_side(x, y, z, bound);
-        const LaneMask<n, T> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
+    const LaneMask<n> none = bound < bound;
+    Certainty<n> result{none, none};
+    const auto pass = [&](Lanes<n> from, Lanes<n> to, Lanes<n> error, Lanes<n> x, Lanes<n> y,
+                          Lanes<n> z) HWY_ATTR {
+        const LaneMask<n> sure = (error < abs(from)) & (error < abs(to));
+        const Lanes<n> zero = Lanes<n>::all(0);
+        const LaneMask<n> crosses = sure & ((from < zero) ^ (to < zero));
+        const LaneMask<n> stays = sure ^ crosses;
+        const LaneMask<n> through = crosses & on_one_side(x, y, z, bound);
+        const LaneMask<n> beside = (min(min(x, y), z) < -bound) & (bound < max(max(x, y), z));
         result.intersect = result.intersect | through;
         result.open = result.open | !(stays | through | beside);
     };
-    for (int i = 0; i < 3; ++i) pass(p.h[i], p.h[(i + 1) % 3], side[i][0], side[i][1], side[i][2]);
-    for (int j = 0; j < 3; ++j) pass(q.h[j], q.h[(j + 1) % 3], side[0][j], side[1][j], side[2][j]);
+    for (int i = 0; i < 3; ++i)
+        pass(h.of_p[i], h.of_p[(i + 1) % 3], errors.of_p, side[i][0], side[i][1], side[i][2]);
+    for (int j = 0; j < 3; ++j)
+        pass(h.of_q[j], h.of_q[(j + 1) % 3], errors.of_q, side[0][j], side[1][j], side[2][j]);
     return result;
 }
 

@@ -16,32 +16,39 @@ void ask_kernel(const std::vector<KernelPair>& pairs, std::vector<KernelAnswer>&
     answers.resize(pairs.size());
     for (std::size_t first = 0; first < pairs.size(); first += n) {
         const int count = static_cast<int>(std::min(pairs.size() - first, std::size_t{n}));
-        float rows[16][n] = {};
+        float rows[18][n] = {};
         for (int k = 0; k < count; ++k) {
             const KernelPair& pair = pairs[first + static_cast<std::size_t>(k)];
             for (int i = 0; i < 15; ++i) rows[i][k] = pair.seen[static_cast<std::size_t>(i)];
-            rows[15][k] = pair.error;
+            for (int i = 0; i < 3; ++i) rows[15 + i][k] = pair.errors[static_cast<std::size_t>(i)];
         }
-        const auto point = [&rows](int i) HWY_ATTR {
-            return Lanes3<n>{Lanes<n>::load(rows[3 * i]), Lanes<n>::load(rows[3 * i + 1]),
-                             Lanes<n>::load(rows[3 * i + 2])};
+        const auto lane = [&rows](int i) HWY_ATTR { return Lanes<n>::load(rows[i]); };
+        const auto point = [&lane](int i) HWY_ATTR {
+            return Lanes3<n>{lane(3 * i), lane(3 * i + 1), lane(3 * i + 2)};
         };
-        const TrianglePairs<n> lanes = {point(0), point(1), point(2),
-                                        point(3), point(4), Lanes<n>::load(rows[15])};
-        const Heights<n> q = heights_of_q(lanes), p = heights_of_p(lanes);
-        const EdgeSides<n> sides = edge_sides(lanes);
+        const TrianglePairs<n> lanes = {point(0), point(1), point(2), point(3),
+                                        point(4), lane(15), lane(16), lane(17)};
+        const Heights<n> heights(lanes);
+        const EdgeSides<n> sides = edge_sides(lanes, heights);
         float determinants[15][n];
         for (int i = 0; i < 3; ++i) {
-            q.h[i].store(determinants[i]);
-            p.h[i].store(determinants[3 + i]);
+            heights.of_q[i].store(determinants[i]);
+            heights.of_p[i].store(determinants[3 + i]);
             for (int j = 0; j < 3; ++j) sides.of[i][j].store(determinants[6 + 3 * i + j]);
         }
+        const Magnitudes<n> magnitudes(lanes);
+        const HeightErrors<n> errors(lanes, magnitudes);
+        float bounds[3][n];
+        errors.of_q.store(bounds[0]);
+        errors.of_p.store(bounds[1]);
+        error_of_sides(lanes, magnitudes).store(bounds[2]);
         const std::uint32_t meet = planes_meet(lanes).bits();
         const Certainty<n> certain = intersection(lanes);
         const std::uint32_t yes = certain.intersect.bits(), open = certain.open.bits();
         for (int k = 0; k < count; ++k) {
             KernelAnswer& answer = answers[first + static_cast<std::size_t>(k)];
             for (std::size_t i = 0; i < 15; ++i) answer.determinants[i] = determinants[i][k];
+            for (std::size_t i = 0; i < 3; ++i) answer.bounds[i] = bounds[i][k];
             answer.planes_meet = (meet >> k & 1) != 0;
             answer.intersect = (yes >> k & 1) != 0;
             answer.open = (open >> k & 1) != 0;
@@ -58,15 +65,17 @@ void ask_leaves(const LeafQuery& query, std::uint32_t i, std::uint32_t j,
     leaves.for_each_part(i, j,
                          [&]<int n>(const TrianglePairs<n>& pairs, std::uint32_t valid,
                                     const PackedLeaf& a, const PackedLeaf& b, int first) HWY_ATTR {
-                             float rows[16][n];
-                             const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.q0,
-                                                                &pairs.q1, &pairs.q2};
+                             float rows[18][n];
+                             const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1,
+                                                                &pairs.f2, &pairs.w};
                              for (int k = 0; k < 5; ++k) {
                                  points[k]->x.store(rows[3 * k]);
                                  points[k]->y.store(rows[3 * k + 1]);
                                  points[k]->z.store(rows[3 * k + 2]);
                              }
-                             pairs.error.store(rows[15]);
+                             pairs.error_p.store(rows[15]);
+                             pairs.error_f.store(rows[16]);
+                             pairs.error_w.store(rows[17]);
                              for (int k = 0; k < n; ++k) {
                                  if ((valid >> k & 1) == 0) continue;
                                  const auto lane = static_cast<std::size_t>(first + k);
@@ -74,7 +83,8 @@ void ask_leaves(const LeafQuery& query, std::uint32_t i, std::uint32_t j,
                                  at.pair = {a.triangle(lane % 4), b.triangle(lane / 4)};
                                  for (std::size_t r = 0; r < 15; ++r)
                                      at.kernel.seen[r] = rows[r][k];
-                                 at.kernel.error = rows[15][k];
+                                 for (std::size_t r = 0; r < 3; ++r)
+                                     at.kernel.errors[r] = rows[15 + r][k];
                              }
                          });
 }
@@ -114,29 +124,46 @@ double determinant(const TrueCorners& c, std::size_t k) {
     return determinant(corner_p(c, i), corner_p(c, i + 1), corner_q(c, j), corner_q(c, j + 1));
 }
 
-template <class Corners>
-double largest_of(const Corners& c) {
-    double largest = 0;
-    for (const auto x : c) largest = std::max(largest, std::abs(static_cast<double>(x)));
-    return largest;
+PairParts<double> parts_of(const TrueCorners& c) {
+    PairParts<double> parts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        parts[axis] = c[axis];
+        parts[3 + axis] = c[3 + axis];
+        parts[6 + axis] = c[9 + axis] - c[6 + axis];
+        parts[9 + axis] = c[12 + axis] - c[6 + axis];
+        parts[12 + axis] = c[6 + axis];
+    }
+    return parts;
+}
+TrueCorners corners_of(const PairParts<double>& parts) {
+    TrueCorners c;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        c[axis] = parts[axis];
+        c[3 + axis] = parts[3 + axis];
+        c[6 + axis] = parts[12 + axis];
+        c[9 + axis] = parts[12 + axis] + parts[6 + axis];
+        c[12 + axis] = parts[12 + axis] + parts[9 + axis];
+    }
+    return c;
 }
 
 /// What corners are moved for: a determinant, or one triangle as a whole above the other's plane.
 constexpr std::uint32_t goals = 17;
-double goal(const TrueCorners& c, std::size_t k) {
+double goal(const PairParts<double>& parts, std::size_t k) {
+    const TrueCorners c = corners_of(parts);
     if (k < 15) return determinant(c, k);
     const std::size_t first = 3 * (k - 15);
     return determinant(c, first) + determinant(c, first + 1) + determinant(c, first + 2);
 }
 
-/// Moves every number by `error`, up or down, so that goal k changes most, or nearly so, towards
-/// `sign`: it is linear in each corner, so numbers are turned over one by one.
-TrueCorners moved(Random& random, const TrueCorners& from, std::size_t k, double sign,
-                  double error) {
-    TrueCorners to = from;
+/// Moves every number by its error, up or down, so that goal k changes most, or nearly so, towards
+/// `sign`: it is linear in each part, so numbers are turned over one by one.
+PairParts<double> moved(Random& random, const PairParts<double>& from, std::size_t k, double sign,
+                        const std::array<double, 3>& errors) {
+    PairParts<double> to = from;
     std::array<double, 15> step;
     for (std::size_t i = 0; i < 15; ++i) {
-        step[i] = random.below(2) == 0 ? error : -error;
+        step[i] = errors[error_of_part(i)] * (random.below(2) == 0 ? 1 : -1);
         to[i] += step[i];
     }
     for (int round = 0; round < 3; ++round)
@@ -151,16 +178,20 @@ TrueCorners moved(Random& random, const TrueCorners& from, std::size_t k, double
     return to;
 }
 
-/// As floats, with the error that they have.
-KernelPair seen(const TrueCorners& moved, const TrueCorners& truth) {
+/// As floats, with the errors that they have.
+KernelPair seen(const PairParts<double>& moved, const PairParts<double>& truth) {
     KernelPair pair;
-    double error = 0;
+    std::array<double, 3> errors = {};
     for (std::size_t i = 0; i < 15; ++i) {
         pair.seen[i] = static_cast<float>(moved[i]);
+        double& error = errors[error_of_part(i)];
         error = std::max(error, std::abs(static_cast<double>(pair.seen[i]) - truth[i]));
     }
-    pair.error = static_cast<float>(error);
-    if (pair.error < error) pair.error = std::nextafter(pair.error, 1e30f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        pair.errors[i] = static_cast<float>(errors[i]);
+        if (static_cast<double>(pair.errors[i]) < errors[i])
+            pair.errors[i] = std::nextafter(pair.errors[i], 1e30f);
+    }
     return pair;
 }
 
@@ -175,66 +206,63 @@ std::vector<KernelAnswer> answers_of(const std::vector<KernelPair>& pairs) {
     return best;
 }
 
-constexpr std::array<HWY_NAMESPACE::ErrorFactors, 3> bounds = {
-    HWY_NAMESPACE::q_height_bound, HWY_NAMESPACE::p_height_bound, HWY_NAMESPACE::edge_bound};
 std::size_t bound_of(std::size_t k) { return k < 3 ? 0 : k < 6 ? 1 : 2; }
 
-/// D of the kernel.
-double cube(const KernelPair& pair) {
-    return largest_of(pair.seen) + static_cast<double>(pair.error);
+/// How far the determinants of a pair are off, over their bounds: of heights above P, above Q, and
+/// of sides.
+std::array<double, 3> shares_of_bounds(const KernelAnswer& answer, const PairParts<double>& truth) {
+    std::array<double, 3> shares = {};
+    const TrueCorners corners = corners_of(truth);
+    for (std::size_t k = 0; k < 15; ++k) {
+        const double off =
+            std::abs(static_cast<double>(answer.determinants[k]) - determinant(corners, k));
+        double& share = shares[bound_of(k)];
+        share = std::max(share, off / static_cast<double>(answer.bounds[bound_of(k)]));
+    }
+    return shares;
 }
 
-/// The bound of determinant k.
-double bound(const KernelPair& pair, std::size_t k) {
-    const double d = cube(pair);
-    const HWY_NAMESPACE::ErrorFactors factors = bounds[bound_of(k)];
-    return d * d *
-               (static_cast<double>(factors.data) * static_cast<double>(pair.error) +
-                static_cast<double>(factors.rounding) * 0x1p-24 * d) +
-           static_cast<double>(HWY_NAMESPACE::kernel_underflow<float>);
-}
-
-// No determinant is farther off than its bound says. In units of D^2 e, the worst that are found
-// here are off by 12, 48 and 48, where the bounds have 19, 49 and 49.
+// No determinant is farther off than its bound says, for triangles of any two sizes. The worst that
+// are found here are off by 0.65 of it.
 TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
     Random random(1);
     std::vector<KernelPair> pairs;
-    std::vector<TrueCorners> truths;
+    std::vector<PairParts<double>> truths;
     for (int i = 0; i < 400'000 / effort; ++i) {
-        // Corners of a cube, or anywhere in it.
-        const double size = std::ldexp(1.0, static_cast<int>(random.below(71)) - 50);
-        TrueCorners truth;
-        for (double& x : truth) {
-            x = random.below(4) != 0 ? 1 : random.uniform();
-            x *= random.below(2) == 0 ? size : -size;
+        const double size = std::ldexp(1.0, static_cast<int>(random.below(51)) - 30);
+        std::array<double, 3> sizes, errors;
+        for (std::size_t k = 0; k < 3; ++k) {
+            sizes[k] = std::ldexp(size, -static_cast<int>(random.below(2) * random.below(12)));
+            errors[k] = random.below(8) == 0
+                            ? 0
+                            : std::ldexp(sizes[k], 1 - static_cast<int>(random.below(20)));
         }
-        const double error = size * std::ldexp(1.0, 1 - static_cast<int>(random.below(20)));
+        // Corners of a cube, or anywhere in it.
+        PairParts<double> truth;
+        for (std::size_t k = 0; k < 15; ++k) {
+            truth[k] = random.below(4) != 0 ? 1 : random.uniform();
+            truth[k] *= sizes[error_of_part(k)] * (random.below(2) == 0 ? 1 : -1);
+        }
         const double sign = random.below(2) == 0 ? 1 : -1;
-        pairs.push_back(seen(moved(random, truth, random.below(15), sign, error), truth));
+        pairs.push_back(seen(moved(random, truth, random.below(15), sign, errors), truth));
         truths.push_back(truth);
     }
     const std::vector<KernelAnswer> answers = answers_of(pairs);
     std::array<double, 3> worst = {};
-    int beyond = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        for (std::size_t k = 0; k < 15; ++k) {
-            const double off = std::abs(static_cast<double>(answers[i].determinants[k]) -
-                                        determinant(truths[i], k)),
-                         size = cube(pairs[i]),
-                         unit = size * size * static_cast<double>(pairs[i].error);
-            if (off > bound(pairs[i], k)) ++beyond;
-            if (size > 0x1p-20 && unit > 0x1p-16 * size * size * size)
-                worst[bound_of(k)] = std::max(worst[bound_of(k)], off / unit);
-        }
-    EXPECT_EQ(beyond, 0);
-    constexpr std::array<double, 3> reached = {11.9, 47.5, 47.5};
-    for (std::size_t b = 0; b < 3; ++b) EXPECT_GT(worst[b], reached[b]);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const std::array<double, 3> shares = shares_of_bounds(answers[i], truths[i]);
+        for (std::size_t b = 0; b < 3; ++b) worst[b] = std::max(worst[b], shares[b]);
+    }
+    constexpr std::array<double, 3> reached = {0.64, 0.64, 0.64};
+    for (std::size_t b = 0; b < 3; ++b) {
+        EXPECT_LE(worst[b], 1);
+        EXPECT_GT(worst[b], reached[b]);
+    }
 }
 
-// The same of corners that floats hold exactly, so that all errors are of rounding. Corners with
-// the largest error of a round are changed a little for the next. Roundings rarely add up: in
-// units of u D^3, the worst that are found here are off by 10, 66 and 51, where the bounds have 31,
-// 205 and 229.
+// The same of numbers that floats hold exactly, so that all errors are of rounding. Pairs with the
+// largest error of a round are changed a little for the next. Roundings rarely add up: the worst
+// that are found here are off by 0.31, 0.31 and 0.11 of the bound.
 TEST(TriangleKernel, RoundingIsWithinItsBounds) {
     Random random(6);
     constexpr std::size_t kept = 64;
@@ -244,10 +272,10 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
     };
     std::array<double, 3> worst = {};
     for (std::size_t b = 0; b < 3; ++b) {
-        std::vector<KernelPair> best(kept);
+        std::vector<KernelPair> best(kept, KernelPair{});
         for (KernelPair& pair : best)
             for (float& x : pair.seen) x = number();
-        for (int round = 0; round < 200 / effort; ++round) {
+        for (int round = 0; round < 60; ++round) {
             std::vector<KernelPair> pairs = best;
             for (std::size_t i = kept; i < 32 * kept; ++i) {
                 KernelPair& changed = pairs.emplace_back(best[i % kept]);
@@ -261,30 +289,25 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
             const std::vector<KernelAnswer> answers = answers_of(pairs);
             std::vector<std::pair<double, std::size_t>> order;
             for (std::size_t i = 0; i < pairs.size(); ++i) {
-                TrueCorners truth;
+                PairParts<double> truth;
                 std::copy(pairs[i].seen.begin(), pairs[i].seen.end(), truth.begin());
-                double most = 0;
-                for (std::size_t k = 0; k < 15; ++k) {
-                    const double off = std::abs(static_cast<double>(answers[i].determinants[k]) -
-                                                determinant(truth, k));
-                    EXPECT_LE(off, bound(pairs[i], k));
-                    if (bound_of(k) == b)
-                        most = std::max(most, off / (0x1p-24 * std::pow(cube(pairs[i]), 3)));
-                }
-                order.push_back({-most, i});
+                order.push_back({-shares_of_bounds(answers[i], truth)[b], i});
             }
             std::sort(order.begin(), order.end());
             for (std::size_t i = 0; i < kept; ++i) best[i] = pairs[order[i].second];
             worst[b] = std::max(worst[b], -order[0].first);
         }
     }
-    constexpr std::array<double, 3> reached = {9, 55, 45};
-    for (std::size_t b = 0; b < 3; ++b) EXPECT_GT(worst[b], reached[b]);
+    constexpr std::array<double, 3> reached = {0.25, 0.25, 0.1};
+    for (std::size_t b = 0; b < 3; ++b) {
+        EXPECT_LE(worst[b], 1);
+        EXPECT_GT(worst[b], reached[b]);
+    }
 }
 
-double normal_length(const TrueCorners& c, bool of_p) {
-    const auto at = [&](std::size_t i) { return of_p ? corner_p(c, i) : corner_q(c, i); };
-    return std::sqrt(squared_norm(cross(Vec3(at(1) - at(0)), Vec3(at(2) - at(0)))));
+double normal_length(const PairParts<double>& parts, std::size_t first) {
+    const auto edge = [&](std::size_t i) { return Vec3(parts[i], parts[i + 1], parts[i + 2]); };
+    return std::sqrt(squared_norm(cross(edge(first), edge(first + 3))));
 }
 
 // The same of the lengths of normals.
@@ -292,17 +315,17 @@ TEST(TriangleKernel, LengthsOfNormalsAreWithinTheirBound) {
     Random random(4);
     double worst = 0;
     for (int i = 0; i < 100'000 / effort; ++i) {
-        TrueCorners truth, off = {};
+        PairParts<double> truth, off = {};
         for (double& x : truth) x = random.below(2) == 0 ? 1 : -1;
         const double error = std::ldexp(1.0, -10 - static_cast<int>(random.below(8)));
         for (std::size_t k = 0; k < 15; ++k)
             off[k] = truth[k] + (random.below(2) == 0 ? error : -error);
-        for (const bool of_p : {true, false})
+        for (const std::size_t first : {0u, 6u})
             worst =
-                std::max(worst, (normal_length(truth, of_p) - normal_length(off, of_p)) / error);
+                std::max(worst, (normal_length(truth, first) - normal_length(off, first)) / error);
     }
-    EXPECT_LE(worst, static_cast<double>(HWY_NAMESPACE::normal_bound.data));
-    EXPECT_GT(worst, 12);
+    EXPECT_LE(worst, static_cast<double>(HWY_NAMESPACE::normal_bound));
+    EXPECT_GT(worst, 5.5);
 }
 
 bool overlap(const TrueCorners& c) {
@@ -317,11 +340,15 @@ TEST(TriangleKernel, IsNeverCertainOfWhatIsNotSo) {
     std::vector<bool> overlaps;
     while (pairs.size() < static_cast<std::size_t>(600'000 / effort)) {
         const TrueCorners truth = touching(random);
-        const double size = largest_of(truth);
+        double size = 0;
+        for (const double x : truth) size = std::max(size, std::abs(x));
         if (size == 0) continue;
-        const double error = size * std::ldexp(1.0, -3 - static_cast<int>(random.below(15)));
+        std::array<double, 3> errors;
+        for (double& error : errors)
+            error = size * std::ldexp(1.0, -6 - static_cast<int>(random.below(18)));
         const double sign = random.below(2) == 0 ? 1 : -1;
-        pairs.push_back(seen(moved(random, truth, random.below(goals), sign, error), truth));
+        const PairParts<double> parts = parts_of(truth);
+        pairs.push_back(seen(moved(random, parts, random.below(goals), sign, errors), parts));
         overlaps.push_back(overlap(truth));
     }
     const std::vector<KernelAnswer> answers = answers_of(pairs);
@@ -367,10 +394,10 @@ Mesh random_triangles(Random& random, const Vec3& center, double cloud) {
 }
 
 // Corners that leaves give to the kernel are as near to the meshes' corners as the leaves state.
-// Some are off by 0.3 of the stated error.
+// Some are off by 0.68, 0.46 and 0.29 of the stated errors.
 TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
     Random random(3);
-    double worst = 0;
+    std::array<double, 3> worst = {};
     std::vector<LeafLane> lanes;
     for (int i = 0; i < 3000 / effort; ++i) {
         // So far away and so small that doubles are all that is off.
@@ -393,18 +420,24 @@ TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
                     for (const LeafLane& lane : lanes) {
                         const TriangleCorners p = corners(a, lane.pair.a),
                                               q = transform_corners(pose, corners(b, lane.pair.b));
-                        const Vec3 points[] = {p[1], p[2], q[0], q[1], q[2]};
+                        const Vec3 parts[] = {p[1] - p[0], p[2] - p[0], q[1] - q[0], q[2] - q[0],
+                                              q[0] - p[0]};
                         for (std::size_t r = 0; r < 15; ++r) {
-                            const int axis = static_cast<int>(r % 3);
                             const double off = std::abs(static_cast<double>(lane.kernel.seen[r]) -
-                                                        (points[r / 3][axis] - p[0][axis]));
-                            worst = std::max(worst, off / static_cast<double>(lane.kernel.error));
+                                                        parts[r / 3][static_cast<int>(r % 3)]);
+                            double& share = worst[error_of_part(r)];
+                            share = std::max(
+                                share,
+                                off / static_cast<double>(lane.kernel.errors[error_of_part(r)]));
                         }
                     }
                 }
     }
-    EXPECT_LE(worst, 1);
-    EXPECT_GT(worst, 1.0 / 4);
+    constexpr std::array<double, 3> reached = {0.6, 0.4, 0.25};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_LE(worst[k], 1);
+        EXPECT_GT(worst[k], reached[k]);
+    }
 }
 
 }  // namespace
