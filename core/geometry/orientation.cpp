@@ -67,8 +67,8 @@ struct Column {
 
 __extension__ typedef __int128 Int128;
 
-// The differences of a column as integers times a common power of two. Most have few bits: those of
-// coordinates that were floats have at most some 30, and 53 if one of two bodies is moved.
+// The differences of a column as integers times a common power of two. Most have few bits: some 30
+// if the coordinates were floats, and 53 if one of two bodies is moved.
 template <std::size_t N>
 struct IntegerColumn {
     static constexpr int most_bits = 62;

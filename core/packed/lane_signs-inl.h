@@ -14,7 +14,7 @@ namespace HWY_NAMESPACE {
 
 using DoubleMask = LaneMask<static_cast<int>(double_lanes), double>;
 
-/// Numbers of which only the signs are known.
+/// The signs of numbers.
 struct LaneSigns {
     Doubles value;      ///< has the sign where it is certain, else 0
     DoubleMask unsure;  ///< lanes whose sign is not certain

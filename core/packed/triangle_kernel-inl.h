@@ -16,10 +16,11 @@ namespace HWY_NAMESPACE {
 // certain. A triangle is its first corner and the two edges from there, so that a small triangle
 // beside a large one keeps its own precision.
 //
-// Notation: p1 and p2 are the edges of P from its first corner, f1 and f2 those of Q, and w is the
-// offset from the first corner of P to that of Q. Each coordinate of an edge of P is off by at most
-// e_p from the coordinates of the exact test, of an edge of Q by e_f, and of w by e_w. The largest
-// magnitudes, plus these errors, are D_p, D_f and D_w. u is 2^-24, half a unit in the last place.
+// Notation: p1 and p2 are the edges of P from its first corner, f1 and f2 the edges of Q, and w is
+// the offset from the first corner of P to the first corner of Q. Each coordinate of an edge of P
+// is off by at most e_p from the coordinates of the exact test, of an edge of Q by e_f, and of w by
+// e_w. The largest magnitudes, plus these errors, are D_p, D_f and D_w. u is 2^-24, half a unit in
+// the last place.
 //
 // A product of two numbers of magnitudes A and B is off by A b + B a, if these are off by a and b;
 // magnitudes that have the errors in them make this true without terms of second order. A cross
@@ -90,7 +91,7 @@ struct Heights {
 /// Factors of an error bound.
 struct ErrorFactors {
     float own;       ///< of the error of the triangle whose plane or edge it is
-    float other;     ///< of the errors of what is beside it
+    float other;     ///< of the errors of the other triangle and of w
     float rounding;  ///< of u
 };
 

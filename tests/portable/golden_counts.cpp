@@ -19,7 +19,8 @@ struct Frames {
 };
 
 /// Few enough for an emulated CPU. The spheres are apart, cross, and lie one in the other, close to
-/// each other everywhere; the poses of the knots differ by rounding only.
+/// each other everywhere; the poses of the knots differ by rounding only. In the last scenes, parts
+/// lie on each other.
 const std::vector<Frames>& chosen_frames() {
     static const std::vector<Frames> chosen = {
         {"spheres-l1", {0, 125, 250, 251}},
@@ -30,6 +31,9 @@ const std::vector<Frames>& chosen_frames() {
         {"thin-cylinder", {0}},
         {"cone", {80, 90}},
         {"soup", {35, 50}},
+        {"stack", {20}},
+        {"shaft-in-bore", {25}},
+        {"box-grid", {30}},
     };
     return chosen;
 }
