@@ -1,3 +1,5 @@
+#include <array>
+
 #include "core/base/enum_names.h"
 #include "core/base/simd_targets.h"
 
@@ -40,9 +42,16 @@ std::int64_t supported() {
 }
 
 std::size_t simd_target_index(SimdLevel level) {
-    hwy::ChosenTarget chosen;
-    chosen.Update(supported() & targets_of(level));
-    return chosen.GetIndex();
+    static const std::array<std::size_t, 5> indices = [] {
+        std::array<std::size_t, 5> result{};
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            hwy::ChosenTarget chosen;
+            chosen.Update(supported() & targets_of(static_cast<SimdLevel>(i)));
+            result[i] = chosen.GetIndex();
+        }
+        return result;
+    }();
+    return indices[static_cast<std::size_t>(level)];
 }
 
 std::vector<SimdLevel> available_simd_levels() {

@@ -181,12 +181,34 @@ Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
     return {center(own), static_cast<double>(own.r) * (1 + 0x1p-40)};
 }
 
-/// The result of the work, which it sorts with memory of `room`.
-PackedCollision result_of(PackedFindings& found, const PairLimit& limit,
+/// The number of volume tests of a query of bodies that are far apart: the first step, in which all
+/// children of a root are rejected. No value if the bodies may be near each other, or if both roots
+/// are leaves.
+template <class Codec>
+std::optional<std::uint64_t> tests_if_far(const PackedCollider<Codec>& a,
+                                          const PackedCollider<Codec>& b, const Pose& b_to_a) {
+    const PackedRef i = a.hierarchy.root, j = b.hierarchy.root;
+    if (i.is_leaf() && j.is_leaf()) return std::nullopt;
+    const Ball ball_a = root_ball(a.hierarchy), ball_b = root_ball(b.hierarchy);
+    const PackedNode<Codec>& divided =
+        j.is_leaf() ? a.hierarchy.nodes[i.index()] : b.hierarchy.nodes[j.index()];
+    const double radii =
+        static_cast<double>(divided.reach) + (j.is_leaf() ? ball_b.radius : ball_a.radius);
+    const Vec3 between = transform_point(b_to_a, ball_b.center) - ball_a.center;
+    // More than the margin of the kernel in floats and the margin of a pose that is rigid to 1e-9.
+    const double near =
+        1.0001 * radii + 1e-4 * between.lpNorm<1>() +
+        1e-7 * (a.hierarchy.reach + b.hierarchy.reach + b_to_a.translation.lpNorm<1>());
+    if (squared_norm(between) > near * near) return divided.count;
+    return std::nullopt;
+}
+
+/// The result of the work. `room`: memory to sort with.
+PackedCollision result_of(PackedFindings& found, const PairLimit& limit, bool sorted,
                           std::vector<IndexPair>& room) {
     const bool complete = !limit.is_passed();
     if (!complete) found.pairs.clear();
-    sort_pairs(found.pairs, room);
+    if (sorted) sort_pairs(found.pairs, room);
     return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
 }
 
@@ -244,6 +266,8 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                                const Pose& b_to_a, const PackedOptions& options,
                                PackedWorkspace* workspace, PackedFront* front) {
     assert(options.threads >= 1 && "somebody has to do it");
+    if (front == nullptr)
+        if (const auto tests = tests_if_far(a, b, b_to_a)) return {.pairs = {}, .n_v = *tests};
     if (workspace == nullptr) {
         PackedWorkspace own;
         return collide_packed(a, b, b_to_a, options, &own, front);
@@ -254,13 +278,15 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     begin(a, b, placed, options, workspace->parts(), front);
     PairLimit limit{options.give_up_after};
     run(query_of(a, b, placed, options.level, 0), work, chunks, options.threads, limit);
-    return result_of(work.found, limit, room);
+    return result_of(work.found, limit, options.sorted, room);
 }
 
 template <class Codec>
 PackedTouch touches(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
                     const Pose& b_to_a, const PackedOptions& options, PackedWorkspace* workspace,
                     PackedFront* front) {
+    if (front == nullptr)
+        if (const auto tests = tests_if_far(a, b, b_to_a)) return {.pair = {}, .n_v = *tests};
     if (workspace == nullptr) {
         PackedWorkspace own;
         return touches(a, b, b_to_a, options, &own, front);
@@ -306,7 +332,7 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
     PairLimit limit{options.give_up_after};
     finish(query, work, limit);
     std::vector<IndexPair> room;
-    return result_of(work.found, limit, room);
+    return result_of(work.found, limit, options.sorted, room);
 }
 
 #define SCB_COLLIDE(...)                                                                           \

@@ -33,16 +33,16 @@ HWY_EXPORT(decide_in_doubles);
 
 void test_leaves(const LeafQuery& query, SimdLevel level, RefPairs& pairs, OpenPairs& open,
                  PackedFindings& found) {
-    SCB_AT_LEVEL(test_leaves, level)(query, pairs, open, found);
+    if (!pairs.empty()) SCB_AT_LEVEL(test_leaves, level)(query, pairs, open, found);
 }
 
 void decide_open(const LeafQuery& query, SimdLevel level, OpenPairs& open, PackedFindings& found) {
-    SCB_AT_LEVEL(decide_open, level)(query, open, found);
+    if (open.count > 0) SCB_AT_LEVEL(decide_open, level)(query, open, found);
 }
 
 void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
                        PackedFindings& found) {
-    SCB_AT_LEVEL(decide_in_doubles, level)(a, b, b_to_a, found);
+    if (!found.undecided.empty()) SCB_AT_LEVEL(decide_in_doubles, level)(a, b, b_to_a, found);
 }
 
 }  // namespace scb

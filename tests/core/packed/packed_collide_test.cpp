@@ -373,5 +373,62 @@ TEST(CollidePacked, RefusesWhatFloatsDoNotHold) {
     EXPECT_EQ(message(), "");
 }
 
+TEST(CollidePacked, HasTheSamePairsUnsorted) {
+    Random random(76);
+    const BuiltMesh a(height_field(24)), b(height_field(24));
+    Pose pose;
+    pose.rotation = random_rotation(random);
+    for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+        SCOPED_TRACE(name);
+        const auto of_a = pack<Codec>(scb_of<typename Codec::Volume>(a), a.mesh),
+                   of_b = pack<Codec>(scb_of<typename Codec::Volume>(b), b.mesh);
+        const PackedCollider from{of_a, a.mesh}, to{of_b, b.mesh};
+        const PackedCollision sorted = collide_packed(from, to, pose);
+        PackedCollision found = collide_packed(from, to, pose, {.sorted = false});
+        EXPECT_GT(found.pairs.size(), 10u);
+        EXPECT_NE(found.pairs, sorted.pairs);
+        std::sort(found.pairs.begin(), found.pairs.end());
+        expect_same(found, sorted);
+    });
+}
+
+struct Ignore {
+    void volume_test(const Step&) {}
+    void item_test(const ItemStep&) {}
+};
+
+// The balls of the roots show that bodies are far apart, before anything is prepared. A query with
+// an observer has no such test, and the same counts.
+TEST(CollidePacked, OfBodiesFarApartHasTheCountsOfTheTraversal) {
+    const BuiltMesh large(height_field(24)), small(height_field(6)), one(height_field(1));
+    int apart = 0;
+    for (const BuiltMesh* a : {&large, &small, &one})
+        for (const BuiltMesh* b : {&large, &one})
+            for_each_layout([&]<class Codec>(LayoutOf<Codec>, const char* name) {
+                SCOPED_TRACE(name);
+                const auto of_a = pack<Codec>(scb_of<typename Codec::Volume>(*a), a->mesh),
+                           of_b = pack<Codec>(scb_of<typename Codec::Volume>(*b), b->mesh);
+                const PackedCollider from{of_a, a->mesh}, to{of_b, b->mesh};
+                for (int i = 0; i < 60; ++i) {
+                    Pose pose;
+                    pose.translation = {0.04 * i, 0.03 * i, 0.02 * i};
+                    Ignore observer;
+                    const PackedCollision watched =
+                        collide_packed(from, to, pose, {}, calls_of(observer));
+                    const PackedCollision found = collide_packed(from, to, pose);
+                    EXPECT_EQ(found.pairs, watched.pairs);
+                    EXPECT_EQ(found.n_v, watched.n_v);
+                    EXPECT_EQ(found.n_p, watched.n_p);
+                    const PackedTouch touch = touches(from, to, pose);
+                    EXPECT_EQ(touch.pair.has_value(), !watched.pairs.empty());
+                    if (!touch.pair) {
+                        EXPECT_EQ(touch.n_v, watched.n_v);
+                    }
+                    apart += i == 59 && found.pairs.empty();
+                }
+            });
+    EXPECT_GT(apart, 50);
+}
+
 }  // namespace
 }  // namespace scb
