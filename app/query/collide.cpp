@@ -26,6 +26,7 @@
 #include "core/geometry/mesh_facts.h"
 #include "core/platform/output_file.h"
 #include "scb/error.h"
+#include "scb/triangle_overlap.h"
 #include "scenes/recordings/recorded_trace.h"
 
 namespace scb::app {
@@ -40,7 +41,10 @@ struct CollideCommandOptions {
     QueryLimits limits;
     bool first = false, json = false, csv = false;
     std::string pairs_out;
+    std::string contacts;  ///< of contact_names; empty: all pairs, and contacts are not told apart
 };
+
+const std::vector<std::string> contact_names = {"all", "crossing", "touching"};
 
 // Totals of all frames. Collisions are not kept, since each holds its pairs.
 struct Sums {
@@ -112,6 +116,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     result["margin"] = options.hierarchy.margin;
     result["split"] = split_method_name(options.hierarchy.split);
     result["max_pairs"] = query.options.max_pairs;
+    if (!options.contacts.empty()) result["contacts"] = options.contacts;
     const int level = query.options.stop_level;
     result["level"] = level >= 0 ? Json(level) : Json();
     result["poses"] = poses_json(query.scene, query.frames);
@@ -214,6 +219,7 @@ class CollideReport {
         }
         if (!options.json && !options.csv && stages_.size() > most_stage_columns) stages_.clear();
         std::vector<Column> columns = count_columns(stages_);
+        if (options.contacts == "all") columns.push_back({"touching", "touching", 9});
         if (recorded)
             for (const char* name : {"recorded", "missed", "false"})
                 columns.push_back({name, name, 9});
@@ -230,7 +236,10 @@ class CollideReport {
         if (is_of_many(query_)) json_frames_.push_back({{"frame", frame}});
         for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
             query_.choose(query_.pairs[i]);
-            add(i, frame, query_.collide(frame));
+            Collision found = query_.collide(frame);
+            touching_ = 0;
+            if (!options_.contacts.empty()) choose_contacts(found, frame);
+            add(i, frame, found);
         }
         ++sums_.frames;
     }
@@ -251,17 +260,44 @@ class CollideReport {
             return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
         }
         if (options_.csv) return table_.csv_header() + table_.csv_rows();
-        if (sums_.frames > 1) table_.add(mean_cells(sums_, stages_));
+        if (sums_.frames > 1) {
+            std::vector<Cell> means = mean_cells(sums_, stages_);
+            if (is_all_contacts()) means.emplace_back(sums_.mean(all_touching_), "%.1f");
+            table_.add(std::move(means));
+        }
         return title_of(options_, query_) + table_.text() + recorded_words() +
-               (is_of_many(query_) ? many_words() : apart_words());
+               (leaves_out_contacts() ? left_out_words()
+                : is_of_many(query_)  ? many_words()
+                                      : apart_words());
     }
 
   private:
+    /// Counts the pairs that only touch, and keeps the pairs of the chosen contacts.
+    void choose_contacts(Collision& found, int frame) {
+        const Mesh &a = query_.mesh(query_.a), &b = query_.mesh(query_.b);
+        const Pose b_to_a = query_.b_to_a(frame);
+        const auto first_to_leave_out =
+            std::stable_partition(found.pairs.begin(), found.pairs.end(), [&](IndexPair pair) {
+                const bool touches =
+                    triangle_contact(corners(a, pair.a),
+                                     transform_corners(b_to_a, corners(b, pair.b))) ==
+                    TriangleContact::touching;
+                touching_ += touches;
+                all_touching_ += touches;
+                return is_all_contacts() || touches == (options_.contacts == "touching");
+            });
+        left_out_ += static_cast<std::size_t>(found.pairs.end() - first_to_leave_out);
+        found.pairs.erase(first_to_leave_out, found.pairs.end());
+    }
+    bool is_all_contacts() const { return options_.contacts == "all"; }
+    bool leaves_out_contacts() const { return !options_.contacts.empty() && !is_all_contacts(); }
+
     /// `i`: the pair of bodies.
     void add(std::size_t i, int frame, const Collision& found) {
         sums_.add(found);
         met_[i] = met_[i] || !found.pairs.empty();
-        if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self())
+        if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self() &&
+            !leaves_out_contacts())
             for (Json& found_inside : inside_[i].add(frame))
                 json_inside_.push_back(std::move(found_inside));
         std::optional<RecordedCounts> there;
@@ -285,6 +321,7 @@ class CollideReport {
 
     void add_json(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
         Json counts = count_json(frame, query_.b_to_a(frame), found, stages_);
+        if (is_all_contacts()) counts["touching"] = touching_;
         if (is_of_many(query_)) {
             Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
             counts.erase("frame");
@@ -303,6 +340,7 @@ class CollideReport {
 
     void add_row(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
         std::vector<Cell> cells = count_cells(frame, found, stages_);
+        if (is_all_contacts()) cells.emplace_back(touching_);
         if (there) {
             cells.emplace_back(there->pairs);
             cells.push_back(there->missed ? Cell(*there->missed) : Cell("-"));
@@ -314,6 +352,14 @@ class CollideReport {
             cells.emplace_back(pair_words(query_));
         }
         table_.add(std::move(cells), count_note(found));
+    }
+
+    /// For a choice of contacts: how many others there are.
+    std::string left_out_words() const {
+        const std::string others = counted(left_out_, "pair", "pairs");
+        return options_.contacts == "crossing"
+                   ? "\npairs: triangles that cross. " + others + " that only touch: left out.\n"
+                   : "\npairs: triangles that only touch. " + others + " that cross: left out.\n";
     }
 
     /// Explains the columns of the recording.
@@ -367,6 +413,9 @@ class CollideReport {
     Table table_;
     std::string pairs_;
     Json json_frames_ = Json::array(), json_inside_ = Json::array();
+    std::size_t touching_ = 0;         ///< pairs of the last query that only touch
+    std::size_t all_touching_ = 0;     ///< pairs of all queries that only touch
+    std::size_t left_out_ = 0;         ///< pairs of all queries that are not of the chosen contacts
     std::uint64_t grazing_ = 0;        ///< recorded pairs within the tolerance
     std::deque<InsideReport> inside_;  ///< per pair of bodies
     std::vector<bool> met_;            ///< per pair of bodies
@@ -387,12 +436,21 @@ void check_recorded(const scenes::RecordedTrace& recorded, const std::string& fi
 int run(CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
+    if (!options.contacts.empty() && std::find(contact_names.begin(), contact_names.end(),
+                                               options.contacts) == contact_names.end())
+        throw InputError("--contacts " + options.contacts + ": give " + name_list(contact_names) +
+                         ".");
+    if (!options.contacts.empty() && (options.first || !options.limits.levels.empty() ||
+                                      options.limits.max_pairs != QueryLimits{}.max_pairs))
+        throw InputError(
+            "--contacts needs all pairs of triangles; leave out --first, --max-pairs and "
+            "--levels.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     std::optional<scenes::RecordedTrace> recorded;
     // Recorded pairs can only be compared with all exact pairs of triangles.
     const bool whole = !options.first && options.limits.levels.empty() &&
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
-    if (options.scene.is_recording() && whole) {
+    if (options.scene.is_recording() && whole && options.contacts.empty()) {
         recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames,
                          options.scene.selection);
         check_recorded(*recorded, options.scene.names[0]);
@@ -444,6 +502,13 @@ void add_collide(const Command& program, const Console& console, Action& action)
             "bodies");
     add_query_limits(command, options->limits);
     command.add_flag("--first", options->first, "End a query at the first pair");
+    command
+        .add_option("--contacts", options->contacts,
+                    "crossing: only pairs whose triangles pass through each other; touching: only "
+                    "pairs that share a corner, an edge or an area and do not cross; all: all "
+                    "pairs, with a column for touching")
+        .type_name("KIND")
+        .offer(contact_names);
     command
         .add_option(
             "--pairs-out", options->pairs_out,

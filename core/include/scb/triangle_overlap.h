@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "scb/mesh.h"
 #include "scb/pose.h"
@@ -32,5 +33,19 @@ inline TriangleCorners transform_corners(const Pose& pose, const TriangleCorners
 /// after Guigue and Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation
 /// Predicates" (2003). Coplanar triangles are separated by the line of an edge or overlap.
 bool triangles_overlap(const TriangleCorners& a, const TriangleCorners& b);
+
+/// How two triangles meet.
+enum class TriangleContact : std::uint8_t {
+    apart,     ///< no common point
+    touching,  ///< common points, but no crossing: a corner or an edge on the other triangle, or an
+               ///< overlap in one plane
+    crossing,  ///< in different planes, and the interiors have a common point: each passes through
+               ///< the other
+};
+
+/// The same test, which also tells a crossing from a touch, exactly. It is `apart` where
+/// triangles_overlap is false. The interior of a degenerate triangle is the interior of its
+/// segment.
+TriangleContact triangle_contact(const TriangleCorners& a, const TriangleCorners& b);
 
 }  // namespace scb

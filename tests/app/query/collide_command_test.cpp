@@ -326,6 +326,35 @@ TEST(CollideCommand, EndsAtTheFirstContactOrAtALevel) {
     EXPECT_EQ(level["depth"], 10);
 }
 
+// Boxes that lie on each other only touch. Spheres that pass through each other cross.
+TEST(CollideCommand, TellsCrossingFromTouching) {
+    const std::string stack = "collide stack --frames 20 ";
+    const auto expect_in = [](const std::string& part, const std::string& whole) {
+        EXPECT_NE(whole.find(part), std::string::npos) << whole;
+    };
+    const json all = json::parse(run_scb(stack + "--contacts all --json").out)["frames"][0];
+    EXPECT_EQ(all["pairs"], 6004);
+    EXPECT_EQ(all["touching"], 6004);
+    EXPECT_EQ(json::parse(run_scb(stack + "--json").out)["frames"][0].contains("touching"), false);
+    expect_in("touching\n   20     6004", run_scb(stack + "--contacts all").out);
+    const std::string crossing = run_scb(stack + "--contacts crossing").out;
+    expect_in("\n   20        0 ", crossing);
+    expect_in("\npairs: triangles that cross. 6,004 pairs that only touch: left out.\n", crossing);
+    expect_in("\npairs: triangles that only touch. 0 pairs that cross: left out.\n",
+              run_scb(stack + "--contacts touching").out);
+    const json spheres =
+        json::parse(run_scb("collide spheres-l1 --frames 100 --contacts crossing --json").out);
+    EXPECT_EQ(spheres["contacts"], "crossing");
+    EXPECT_EQ(
+        spheres["frames"][0]["pairs"],
+        json::parse(run_scb("collide spheres-l1 --frames 100 --json").out)["frames"][0]["pairs"]);
+    for (const char* option : {"--first", "--max-pairs 5", "--levels 3"})
+        expect_in("--contacts needs all pairs of triangles",
+                  run_scb(stack + "--contacts all " + option).err);
+    expect_in("--contacts some: give all, crossing, touching.",
+              run_scb(stack + "--contacts some").err);
+}
+
 TEST(CollideCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/geometry/coplanar_overlap.h"
+#include "core/geometry/orientation.h"
 #include "core/geometry/triangle_pair.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/geometry/triangle_pairs.h"
@@ -111,6 +112,36 @@ TEST(TrianglesOverlap, IsRightForAMillionPairsInSmallGrids) {
     }
     for (const int count : answers) EXPECT_GT(count, 100000 / effort);
     for (const int count : degenerate) EXPECT_GT(count, 20000 / effort);
+}
+
+bool in_one_plane(const TrianglePair& pair) {
+    const std::array<Vec3, 6> points = {pair.a[0], pair.a[1], pair.a[2],
+                                        pair.b[0], pair.b[1], pair.b[2]};
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = i + 1; j < 6; ++j)
+            for (std::size_t k = j + 1; k < 6; ++k)
+                for (std::size_t l = k + 1; l < 6; ++l)
+                    if (orient3d(points[i], points[j], points[k], points[l]) != 0) return false;
+    return true;
+}
+
+// Triangles cross if their interiors have a common point, and they are not in one plane.
+TEST(TriangleContact, IsCrossingWhereInteriorsMeetInDifferentPlanes) {
+    Random random(9);
+    std::array<int, 3> counts{};
+    for (int i = 0; i < 600000 / effort; ++i) {
+        const GridPair grid = random_grid_pair(random, 2 + random.below(5));
+        const TrianglePair pair = as_doubles(grid);
+        const TriangleContact expected =
+            !reference_overlap(grid.a, grid.b) ? TriangleContact::apart
+            : reference_overlap(grid.a, grid.b, true) && !in_one_plane(pair)
+                ? TriangleContact::crossing
+                : TriangleContact::touching;
+        ++counts[static_cast<std::size_t>(expected)];
+        ASSERT_EQ(triangle_contact(pair.a, pair.b), expected) << shown(pair);
+        ASSERT_EQ(triangle_contact(pair.b, pair.a), expected) << shown(pair);
+    }
+    for (const int count : counts) EXPECT_GT(count, 20000 / effort);
 }
 
 TEST(TrianglesOverlap, DependsOnNoOrder) {

@@ -19,9 +19,11 @@ using IntegerTriangle = std::array<IntegerPoint<Integer>, 3>;
 /// a0 + u1 (a1 - a0) + u2 (a2 - a0) = b0 + v1 (b1 - b0) + v2 (b2 - b0), none negative, u1 + u2 <= 1
 /// and v1 + v2 <= 1? The variables are eliminated one by one: by an equation while one has them
 /// (Gauss), else by pairs of inequalities (Fourier and Motzkin). Integers grow to some 16 times the
-/// digits of the coordinates; those up to 6 leave room in 64 bits.
+/// digits of the coordinates; those up to 6 leave room in 64 bits. `inner`: whether interiors have
+/// a common point, so that all of these are more than 0.
 template <class Integer>
-bool reference_overlap(const IntegerTriangle<Integer>& a, const IntegerTriangle<Integer>& b) {
+bool reference_overlap(const IntegerTriangle<Integer>& a, const IntegerTriangle<Integer>& b,
+                       bool inner = false) {
     using Row = std::array<Integer, 5>;  // coefficients of u1, u2, v1, v2, and the constant
     std::vector<Row> equations, inequalities{{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {-1, -1, 0, 0, 1},
                                              {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, -1, -1, 1}};
@@ -58,7 +60,7 @@ bool reference_overlap(const IntegerTriangle<Integer>& a, const IntegerTriangle<
     for (const Row& r : equations)
         if (sign_of(r[4]) != 0) return false;
     for (const Row& r : inequalities)
-        if (sign_of(r[4]) < 0) return false;
+        if (sign_of(r[4]) < 0 || (inner && sign_of(r[4]) == 0)) return false;
     return true;
 }
 
