@@ -148,7 +148,8 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
         .type_name("[SCENE...]")
         .description(
             "Built-in scenes or scene files, or two mesh files; `cad`: the eight scenes of CAD "
-            "models; `table-3`, and by default: the seven scenes of Table 3");
+            "models; `cad-aligned`: eleven of parts that lie on each other; `table-3`, and by "
+            "default: the seven scenes of Table 3");
     add_hierarchy_options(command, options.hierarchy, true, &options.splits);
     add_query_options(command, options.query, true);
     command

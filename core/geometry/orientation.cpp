@@ -68,7 +68,7 @@ struct Column {
 __extension__ typedef __int128 Int128;
 
 // The differences of a column as integers times a common power of two. Most have few bits: some 30
-// if the coordinates were floats, and 53 if one of two bodies is moved.
+// if the coordinates were floats, and often 53 if one of two bodies is moved.
 template <std::size_t N>
 struct IntegerColumn {
     static constexpr int most_bits = 62;
@@ -138,7 +138,7 @@ struct Columns3d {
 
     int sign_of_determinant() const {
         const IntegerColumn<4> u(x), v(y), w(z);
-        // Six products, each less than 2 to the power of the sum of the bits.
+        // Six products, each less than 2^124: their sum is less than 2^127.
         if (!u.is_set() || !v.is_set() || !w.is_set() || u.bits + v.bits + w.bits > 124)
             return determinant([](const ExactSum& sum) { return sum.sign(); });
         const auto minor = [&](std::size_t j, std::size_t k) {

@@ -108,9 +108,10 @@ class DoublePairs {
 
     /// Decides by the planes and the edges. Two proper triangles in planes that cross intersect if
     /// and only if an edge of one meets the other: an end of the edge is not in the plane, the ends
-    /// are not on one side of it, and the other's three edges do not pass on different sides. An
-    /// edge in the plane is left out: if it meets the other triangle, then so does an edge that
-    /// shares an end with it, or an edge of the other meets it.
+    /// are not on one side of it, and its sides of the other's three edges do not have two signs.
+    /// An edge in the plane is left out. If such an edge of P meets Q, then an end of it is in Q,
+    /// and another edge of P has that end; or an edge of Q meets it and is not in P's plane; or an
+    /// edge of Q on the same line has an end in P, and another edge of Q has that end.
     HWY_INLINE void decide_across(const LanePlane& plane_p, const LanePlane& plane_q,
                                   const Ways& ways) {
         LaneSigns of_p[3], of_q[3];  // the sides of corners, of the other's plane
@@ -127,7 +128,7 @@ class DoublePairs {
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j)
                 side[i][j] = LanePlane(edge_p_[i], ways.between[i][j]).side(edge_q_[j]);
-        // A corner beside a plane shows that the triangle of the plane is proper.
+        // A corner off a plane shows that the triangle of the plane is proper.
         DoubleMask beside = range_p.some_sign() & range_q.some_sign();
         const auto edge = [&](const SignRange& ends, const SignRange& sides) HWY_ATTR {
             const DoubleMask in_plane = ends.all_zero();

@@ -20,14 +20,15 @@ struct LaneSigns {
     DoubleMask unsure;  ///< lanes whose sign is not certain
 };
 
-/// The signs of a sum of products whose factors are differences of two coordinates, each rounded
-/// once. `permanent`: the same sum with all terms positive. `relative`: a bound of the error over
-/// the permanent, as in orientation.h. Nothing may underflow, see `underflows`: then a permanent
-/// of 0 means that each term has a factor of exactly 0.
+/// The signs of a sum of products. Each factor is a difference of two coordinates, rounded once.
+/// `permanent`: the same sum with all terms positive. `relative`: a bound of the error over the
+/// permanent, as in orientation.h. Nothing may underflow, see `underflows`: then a permanent of 0
+/// means that each term has a factor of exactly 0. After an overflow, no sign is certain.
 HWY_INLINE LaneSigns signs_of(Doubles sum, Doubles permanent, double relative) {
     const Doubles zero = Doubles::all(0);
-    const DoubleMask small = abs(sum) <= permanent * Doubles::all(relative);
-    return {select(small, zero, sum), small & (zero < permanent)};
+    // Comparisons that are false for NaN, and for two infinities.
+    const DoubleMask small = !(permanent * Doubles::all(relative) < abs(sum));
+    return {select(small, zero, sum), small & !(permanent == zero)};
 }
 
 /// The least and the greatest of some signs, where all are certain; unsure ones count as 0.
@@ -62,8 +63,8 @@ struct SignRange {
     HWY_INLINE DoubleMask some_sign() const { return (least < greatest) | one_sign(); }
 };
 
-/// The plane of a triangle, for the signs of determinants: PlaneFilter in lanes, where nothing
-/// underflows.
+/// The plane of a triangle, for the signs of determinants: PlaneFilter in lanes, for coordinates
+/// whose products do not underflow.
 struct LanePlane {
     Doubles3 normal, magnitude;
 
@@ -104,7 +105,8 @@ HWY_INLINE Doubles smallest_magnitude(Doubles least, Doubles3 p) {
 
 /// Lanes in which products of three differences of coordinates may underflow, by the least
 /// magnitude of the coordinates that are not 0. Coordinates of 2^-200 and more are multiples of
-/// 2^-252, so differences are 0 or at least that, and products of three at least 2^-756.
+/// 2^-252, so differences are 0 or at least that. Differences of two products of them are 0 or at
+/// least 2^-557, and these times a difference at least 2^-809.
 HWY_INLINE DoubleMask underflows(Doubles least) { return least < Doubles::all(0x1p-200); }
 
 }  // namespace HWY_NAMESPACE

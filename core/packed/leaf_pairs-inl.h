@@ -31,14 +31,20 @@ template <int n>
 inline constexpr SpreadFrom<n> spread_from{};
 
 /// The errors of the numbers of TrianglePairs, from the radii r_a and r_b of the leaves and the
-/// offset t of their centers, in units of u. A corner in its leaf is off by the radius r; the
-/// difference of two corners of A by 2 r_a, and by 2 r_a for its rounding. The rotation of a corner
-/// of B is off by r_b for the corner, r_b for the rounded matrix, and 3 r_b for three roundings of
-/// each term; the difference of two by 10 r_b, and by 2 r_b for its rounding. t is off by |t|; t
-/// minus the first corner of A by r_a for that corner and |t| + r_a; with the first corner of B,
-/// 5 r_b, the sum is rounded by r_a + r_b + |t|: 3 r_a + 6 r_b + 3 |t|. A length of `offset`,
-/// r_a + r_b + |t|, is at least that by 1/6.
+/// offset t of their centers. All errors are multiples of u, which is left out here:
+/// - a corner in its leaf: the radius, r_a or r_b;
+/// - an edge of A: 2 r_a for its corners, 2 r_a for the rounding of their difference;
+/// - a corner of B, rotated: r_b for the corner, r_b for the rounded matrix, 3 r_b for three
+///   roundings of each term;
+/// - an edge of B: 10 r_b for its corners, 2 r_b for the rounding;
+/// - t: |t|;
+/// - t minus the first corner of A: |t| and r_a from above, and |t| + r_a for the rounding;
+/// - this plus the first corner of B: 5 r_b from above, and r_a + r_b + |t| for the rounding.
+/// The last is 3 r_a + 6 r_b + 3 |t| in all, at most 6 times the length of `offset`,
+/// r_a + r_b + |t|.
 inline constexpr float edge_error_a = 4.1f, edge_error_b = 12.3f, offset_error = 6.2f;
+/// Corners of the smallest triangles lose digits to the least exponent of floats.
+inline constexpr float least_error = 0x1p-120f;
 
 /// Tests pairs of leaves for triangles that intersect.
 class LeafPairs {
@@ -75,7 +81,8 @@ class LeafPairs {
         const std::uint32_t valid = low_bits(count_a) * 0x1111u;  // each four lanes have A's
                                                                   // triangles
         // The exact test rounds two corners of an edge of B.
-        const Lanes<n> error_p = Lanes<n>::all(edge_error_a * float_unit * a.radius()),
+        const Lanes<n> error_p =
+                           Lanes<n>::all(edge_error_a * float_unit * a.radius() + least_error),
                        error_f = Lanes<n>::all(edge_error_b * float_unit * b.radius() +
                                                2 * placed_.double_error),
                        error_w = Lanes<n>::all(offset_error * float_unit * o.length +

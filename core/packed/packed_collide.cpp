@@ -22,7 +22,8 @@ struct Work {
     PackedLists lists;
     OpenPairs open;
     PackedFindings found;
-    RefPairs batch;  ///< of first_pair: pairs of leaves to test
+    RefPairs batch;                  ///< of first_pair: pairs of leaves to test
+    std::vector<IndexPair> waiting;  ///< of first_pair: pairs of triangles to decide
 
     /// Also clears the remains of a query that ran out of memory.
     void clear() {
@@ -65,7 +66,7 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     // Pairs are counted, and undecided pairs are stored, only this many at a time: all might be too
     // many.
     constexpr std::size_t many = 4096;
-    auto& [lists, open, found, batch] = work;
+    auto& [lists, open, found, batch, waiting] = work;
     std::size_t counted = 0;
     const auto count = [&, &pairs = found.pairs] {
         limit.found.fetch_add(pairs.size() - counted, std::memory_order_relaxed);
@@ -85,19 +86,34 @@ void finish(const AnyQuery& query, Work& work, PairLimit& limit) {
     count();
 }
 
+/// Decides undecided pairs, a few at a time in sorted order, until some intersect.
+void decide_first(const AnyQuery& query, Work& work) {
+    constexpr std::size_t few = 8;
+    std::vector<IndexPair>& undecided = work.found.undecided;
+    std::sort(undecided.begin(), undecided.end());
+    work.waiting.swap(undecided);
+    for (std::size_t i = 0; i < work.waiting.size() && work.found.pairs.empty(); i += few) {
+        const auto first = work.waiting.begin() + static_cast<std::ptrdiff_t>(i);
+        undecided.assign(
+            first, first + static_cast<std::ptrdiff_t>(std::min(few, work.waiting.size() - i)));
+        decide_undecided(query, work.found);
+    }
+    undecided.clear();
+}
+
 /// Traverses the pairs of the lists up to the first triangles that intersect. Batches are small, so
 /// that little work is done beyond these, and grow, so that a query without a pair takes little
 /// longer than one for all pairs. Of several pairs of a batch, the first counts in sorted order.
 std::optional<IndexPair> first_pair(const AnyQuery& query, Work& work) {
     constexpr PackedPace least{2, 4}, most{};
-    auto& [lists, open, found, batch] = work;
+    auto& [lists, open, found, batch, waiting] = work;
     for (PackedPace pace = least; !lists.empty();
          pace = {std::min(2 * pace.nodes, most.nodes), std::min(2 * pace.leaves, most.leaves)}) {
         divide_nodes(query.nodes, query.level, pace, lists, found);
         batch.move_last(lists.leaf_leaf, pace.leaves);  // a front may have many
         test_leaves(query.leaves, query.level, batch, open, found);
         decide_open(query.leaves, query.level, open, found);
-        if (found.pairs.empty()) decide_undecided(query, found);
+        if (found.pairs.empty()) decide_first(query, work);
         if (!found.pairs.empty()) return *std::min_element(found.pairs.begin(), found.pairs.end());
     }
     return std::nullopt;
@@ -195,11 +211,15 @@ std::optional<std::uint64_t> tests_if_far(const PackedCollider<Codec>& a,
     const double radii =
         static_cast<double>(divided.reach) + (j.is_leaf() ? ball_b.radius : ball_a.radius);
     const Vec3 between = transform_point(b_to_a, ball_b.center) - ball_a.center;
-    // More than the margin of the kernel in floats and the margin of a pose that is rigid to 1e-9.
+    // The second term is more than the margin of the kernel in floats, which is at most 2.3e-5 of
+    // these lengths and of the reach of the other root, some 1.5 of its radii. The third is for a
+    // pose that is rigid to 1e-9. Squares of lengths beyond `most` overflow in floats.
+    constexpr double most = 1e17;
     const double near =
         1.0001 * radii + 1e-4 * between.lpNorm<1>() +
         1e-7 * (a.hierarchy.reach + b.hierarchy.reach + b_to_a.translation.lpNorm<1>());
-    if (squared_norm(between) > near * near) return divided.count;
+    const double squared = squared_norm(between);
+    if (squared > near * near && squared < most * most) return divided.count;
     return std::nullopt;
 }
 

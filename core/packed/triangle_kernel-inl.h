@@ -22,9 +22,9 @@ namespace HWY_NAMESPACE {
 // e_w. The largest magnitudes, plus these errors, are D_p, D_f and D_w. u is 2^-24, half a unit in
 // the last place.
 //
-// A product of two numbers of magnitudes A and B is off by A b + B a, if these are off by a and b;
-// magnitudes that have the errors in them make this true without terms of second order. A cross
-// product of p1 and p2 has components of two products:
+// A product of two numbers of magnitudes A and B is off by A b + B a, if these are off by a and b.
+// This has no term of second order, since A and B bound both the computed and the exact numbers. A
+// cross product of p1 and p2 has components of two products:
 //   magnitude 2 D_p^2, error 4 D_p e_p + 4 u D_p^2 (three roundings of D_p^2, D_p^2 and 2 D_p^2).
 // A dot product of such a component with a vector of magnitude D and error e has three products:
 //   magnitude 6 D_p^2 D, error 3 (2 D_p^2 e + D (4 D_p e_p + 4 u D_p^2)) + 16 u D_p^2 D
@@ -33,9 +33,10 @@ namespace HWY_NAMESPACE {
 // roundings of the bounds themselves are below 2^-16 of these; each constant is larger by 2 % or
 // more.
 //
-// Below `kernel_underflow`, products may have lost digits to the least exponent. Products do not
-// overflow: tested leaves are near each other, so all magnitudes are at most a few times the size
-// of a mesh that passes check_packable.
+// `kernel_underflow` bounds the error of products that lose digits to the least exponent. Products
+// overflow only if the bodies are farther apart than some 1e12 times their largest size: leaves
+// that are tested are near each other, unless both roots are leaves. Then all heights above a plane
+// are infinite or not numbers at once, and no crossing is certain. The triangles are apart.
 
 /// n pairs: edges and the offset, and the errors of their coordinates, e_p, e_f and e_w.
 template <int n>
@@ -90,8 +91,8 @@ struct Heights {
 
 /// Factors of an error bound.
 struct ErrorFactors {
-    float own;       ///< of the error of the triangle whose plane or edge it is
-    float other;     ///< of the errors of the other triangle and of w
+    float own;    ///< of the error of the triangle whose plane it is; of sides, of both triangles
+    float other;  ///< of the errors of the other triangle and of w; of sides, of w
     float rounding;  ///< of u
 };
 
@@ -123,7 +124,6 @@ struct HeightErrors {
 /// Lanes in which neither triangle is certainly on one side of the other's plane, by these bounds.
 template <int n>
 HWY_INLINE LaneMask<n> planes_meet(const Heights<n>& h, Lanes<n> q_bound, Lanes<n> p_bound) {
-    // NaN after an overflow makes comparisons false: not certain.
     return !(on_one_side(h.of_q[0], h.of_q[1], h.of_q[2], q_bound) |
              on_one_side(h.of_p[0], h.of_p[1], h.of_p[2], p_bound));
 }
@@ -133,7 +133,8 @@ HWY_INLINE LaneMask<n> planes_meet(const TrianglePairs<n>& t) {
     return planes_meet(Heights<n>(t), errors.of_q, errors.of_p);
 }
 
-/// The length of a normal is off by sqrt(3) times the error of its components, 7 D e + 7 u D^2.
+/// The length of a normal is off by sqrt(3) times the error of its components, 4 D e + 4 u D^2:
+/// less than 7 D e + 7 u D^2.
 inline constexpr float normal_bound = 7.1f;
 
 /// Lanes in which neither triangle is certainly on one side of the other's plane and farther away
@@ -195,9 +196,9 @@ HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t, const Heights<n>& 
 /// of an edge of P and m1 or m2 is off by
 ///   6 (D_w D_f e_p + D_p D_w e_f + D_p D_f e_w) + 28 u X,
 /// one with normal_q by 6 D_f^2 e_p + 12 D_p D_f e_f + 28 u Y, and one with normal_p by
-/// 6 D_p^2 e_f + 12 D_p D_f e_p + 28 u Z. The middle edges of both have 4, 2 and 2 of them. Their
-/// sums have magnitudes of at most 24 X, 12 Y and 12 Z, and are rounded by 96 X, 36 Y and 24 Z in
-/// all. With W = D_w + D_p + D_f, all this is at most
+/// 6 D_p^2 e_f + 12 D_p D_f e_p + 28 u Z. The side of the two middle edges, the longest sum, has 4,
+/// 2 and 2 of these. The sums have magnitudes of at most 24 X, 12 Y and 12 Z, and are rounded by 96
+/// X, 36 Y and 24 Z in all. With W = D_w + D_p + D_f, all this is at most
 ///   24 (W (D_f e_p + D_p e_f) + D_p D_f e_w) + 208 u W D_p D_f.
 inline constexpr ErrorFactors edge_bound = {24.6f, 24.6f, 213};
 

@@ -46,7 +46,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     throw InputError(name + ": there is no such scene or file" +
                      (nearest.empty() ? "" : ", did you mean " + nearest + "?") + "; name " +
                      what_to_name + " (built in are " +
-                     name_list(builtin_scenes(), &BuiltinScene::name) + ").");
+                     name_list(builtin_scenes(), &BuiltinScene::name) +
+                     "; `scb scenes` lists all).");
 }
 
 /// The name of a mesh from this file, also for tables and terminals.

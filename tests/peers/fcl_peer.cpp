@@ -58,7 +58,7 @@ PeerKind fcl_peer() {
     kind.name = "fcl";
     kind.title = "FCL " FCL_VERSION ", OBB";
     kind.method =
-        "`fcl::collide` of two `BVHModel<OBB<double>>`, all contacts, without points and "
+        "`fcl::collide` of two `BVHModel<OBB<double>>`, without points and "
         "normals.";
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
         return std::make_unique<FclPeer>(a, b, query);

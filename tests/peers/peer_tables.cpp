@@ -60,7 +60,10 @@ std::string tables(std::span<const PeerKind> kinds, Groups groups, const std::st
 std::string pair_tables(std::span<const PeerKind> kinds, Groups groups, PeerQuery query) {
     const auto cell = [&](const SceneComparison& scene, std::size_t p) -> std::string {
         const PairDifference& difference = scene.peers[p].difference;
-        if (kinds[p].name == reference_name) return std::to_string(difference.pairs);
+        if (kinds[p].name == reference_name)
+            return std::to_string(difference.pairs) +
+                   (query == PeerQuery::first_contact ? " of " + std::to_string(difference.frames)
+                                                      : "");
         if (difference.none()) return "same";
         std::string text;
         if (difference.missing.count > 0) text = "−" + std::to_string(difference.missing.count);

@@ -96,7 +96,7 @@ PeerKind reference_peer() {
     kind.title = "SCB, reference";
     kind.method = "`collide` with the overlap test `" +
                   std::string(overlap_test_name(OverlapOptions{}.test)) +
-                  "`, doubles, binary trees; its pairs are sorted within the time.";
+                  "`, doubles, binary trees; all pairs are sorted within the time.";
     kind.own = true;
     kind.prepare = [](const PeerMesh& a, const PeerMesh& b, PeerQuery query) {
         return std::make_unique<ReferencePeer>(a, b, query);
@@ -110,7 +110,7 @@ PeerKind packed_peer(const PackedPeerOptions& options, int threads) {
     kind.title = (options.two_slabs ? "SCB2, " : "SCB, ") + kind.name +
                  (options.by_cost ? ", split by cost" : "");
     kind.method =
-        "`collide_packed`, with a workspace that is kept; its pairs are sorted within "
+        "`collide_packed`, with a workspace that is kept; all pairs are sorted within "
         "the time" +
         std::string(options.layout.corners == LeafCorners::stored
                         ? ", and its memory has the triangles' corners."

@@ -105,5 +105,18 @@ TEST(DoublePairs, AreNotCertainWhereProductsUnderflow) {
     expect_exact(a, b, Pose{}, {{0, 0}}, 1);
 }
 
+// A translation so long that determinants overflow, as sums of infinities of both signs.
+TEST(DoublePairs, AreNotCertainAfterAnOverflow) {
+    Mesh a, b;
+    a.vertices = {{0, 0, 0}, {1e8, 0, 1e8}, {0, 1e8, 1e8}};
+    b.vertices = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (Mesh* mesh : {&a, &b}) mesh->triangles = {{0, 1, 2}};
+    for (const double x : {1e300, -1e300}) {
+        Pose pose;
+        pose.translation = {x, 1e300, 1e300};
+        expect_exact(a, b, pose, {}, 1);
+    }
+}
+
 }  // namespace
 }  // namespace scb
