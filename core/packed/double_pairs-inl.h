@@ -6,6 +6,9 @@
 #define SCB_CORE_DOUBLE_PAIRS_INL_H_
 #endif
 
+#include <array>
+
+#include "core/base/lane_parts-inl.h"
 #include "core/packed/lane_signs-inl.h"
 #include "core/packed/packed_query.h"
 #include "scb/triangle_overlap.h"
@@ -20,34 +23,16 @@ namespace HWY_NAMESPACE {
 /// corners beside each other along an axis.
 class DoublePairs {
   public:
+    using Corners = std::array<Doubles3, 3>;
+
     DoubleMask intersect;  ///< the triangles certainly have a common point
     DoubleMask apart;      ///< the triangles certainly have no common point
 
-    /// Corners of the triangles P and Q.
-    HWY_INLINE DoublePairs(const Doubles3 (&first)[3], const Doubles3 (&second)[3]) {
-        Doubles3 p[3], q[3];
-        rotate_corners(first, p);
-        rotate_corners(second, q);
-        Ways ways;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t next = (i + 1) % 3;
-            edge_p_[i] = p[next] - p[i];
-            edge_q_[i] = q[next] - q[i];
-            for (std::size_t j = 0; j < 3; ++j) ways.between[i][j] = q[j] - p[i];
-            ways.to_q[i] = ways.between[0][i];
-            ways.to_p[i] = p[i] - q[0];
-        }
-        const LanePlane plane_p(edge_p_[0], edge_p_[1]), plane_q(edge_q_[0], edge_q_[1]);
-        intersect = apart = edge_p_[0].x < edge_p_[0].x;  // none
-        in_one_plane_ = apart;
-        for (int attempt = 0; attempt < 2 && some_open(); ++attempt) {
-            if (attempt == 1) ways = along_axes(p, q, ways);
-            decide_across(plane_p, plane_q, ways);
-            if (some_open()) decide_in_projection(p, q, plane_p.normal);
-        }
-
+    /// Of the triangles P and Q.
+    HWY_INLINE DoublePairs(const Corners& p, const Corners& q)
+        : DoublePairs(Rotated{rotated(p)}, Rotated{rotated(q)}) {
         Doubles least = Doubles::all(1);
-        for (const auto* corners : {&p, &q})
+        for (const Corners* corners : {&p, &q})
             for (const Doubles3& corner : *corners) least = smallest_magnitude(least, corner);
         const DoubleMask sure = !underflows(least);
         intersect = intersect & sure;
@@ -55,13 +40,35 @@ class DoublePairs {
     }
 
   private:
+    using Signs = std::array<LaneSigns, 3>;
+
+    /// Corners of which the first edge is parallel to an axis, if there is such an edge.
+    struct Rotated {
+        Corners corners;
+    };
+
     /// Differences of corners for determinants. A determinant of an edge or a plane and a corner is
     /// the same from each corner of the edge or plane.
     struct Ways {
-        Doubles3 between[3][3];     ///< from edge i of P to edge j of Q
-        Doubles3 to_p[3], to_q[3];  ///< from the other triangle to a corner
+        std::array<Corners, 3> between;  ///< from edge i of P to edge j of Q
+        Corners to_p, to_q;              ///< from the other triangle to a corner
     };
 
+    HWY_INLINE DoublePairs(const Rotated& first, const Rotated& second)
+        : intersect(none(first)),
+          apart(none(first)),
+          in_one_plane_(none(first)),
+          p_(first.corners),
+          q_(second.corners),
+          edge_p_(edges(first.corners)),
+          edge_q_(edges(second.corners)) {
+        const LanePlane plane_p(edge_p_[0], edge_p_[1]), plane_q(edge_q_[0], edge_q_[1]);
+        const Ways ways = from_first_corners();
+        decide(plane_p, plane_q, ways);
+        if (some_open()) decide(plane_p, plane_q, along_axes(ways));
+    }
+
+    static HWY_INLINE DoubleMask none(const Rotated& t) { return t.corners[0].x < t.corners[0].x; }
     bool some_open() const { return (!(intersect | apart)).bits() != 0; }
 
     static HWY_INLINE DoubleMask parallel_to_axis(const Doubles3& a, const Doubles3& b) {
@@ -72,38 +79,55 @@ class DoublePairs {
         return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
     }
 
-    /// Rotates the corners so that the first edge is parallel to an axis, if there is such an edge.
-    /// Then the terms of the height of a point on the line of that edge are all 0.
-    static HWY_INLINE void rotate_corners(const Doubles3 (&from)[3], Doubles3 (&to)[3]) {
+    /// With the first edge parallel to an axis, the terms of the height of a point on the line of
+    /// that edge are all 0.
+    static HWY_INLINE Corners rotated(const Corners& from) {
         const DoubleMask first = parallel_to_axis(from[0], from[1]),
                          second = parallel_to_axis(from[1], from[2]) & !first,
                          third = parallel_to_axis(from[2], from[0]) & !(first | second);
-        for (std::size_t i = 0; i < 3; ++i)
-            to[i] = one_of(second, from[(i + 1) % 3], one_of(third, from[(i + 2) % 3], from[i]));
+        return lane_parts<3>([&](std::size_t i) HWY_ATTR {
+            return one_of(second, from[(i + 1) % 3], one_of(third, from[(i + 2) % 3], from[i]));
+        });
+    }
+    static HWY_INLINE Corners edges(const Corners& t) {
+        return {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+    }
+
+    HWY_INLINE Ways from_first_corners() const {
+        const auto between = [this](std::size_t i) HWY_ATTR {
+            return Corners{q_[0] - p_[i], q_[1] - p_[i], q_[2] - p_[i]};
+        };
+        return {lane_parts<3>(between), {p_[0] - q_[0], p_[1] - q_[0], p_[2] - q_[0]}, between(0)};
     }
 
     /// The differences that are parallel to an axis, where there are some: then more terms are 0.
-    static HWY_INLINE Ways along_axes(const Doubles3 (&p)[3], const Doubles3 (&q)[3],
-                                      const Ways& from) {
-        DoubleMask along[3][3];
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) along[i][j] = parallel_to_axis(p[i], q[j]);
-        Ways to = from;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t next_i = (i + 1) % 3;
-            for (std::size_t j = 0; j < 3; ++j) {
-                const std::size_t next_j = (j + 1) % 3;
-                to.between[i][j] =
-                    one_of(along[i][next_j], from.between[i][next_j], from.between[i][j]);
-                to.between[i][j] = one_of(
-                    along[next_i][j], from.between[next_i][j],
-                    one_of(along[next_i][next_j], from.between[next_i][next_j], to.between[i][j]));
-                to.between[i][j] = one_of(along[i][j], from.between[i][j], to.between[i][j]);
-                to.to_q[i] = one_of(along[j][i], from.between[j][i], to.to_q[i]);
-                to.to_p[i] = one_of(along[i][j], -from.between[i][j], to.to_p[i]);
-            }
-        }
-        return to;
+    HWY_INLINE Ways along_axes(const Ways& from) const {
+        const auto along = [this](std::size_t i, std::size_t j)
+                               HWY_ATTR { return parallel_to_axis(p_[i], q_[j]); };
+        const auto best = [&](std::size_t i, std::size_t j) HWY_ATTR {
+            const std::size_t next_i = (i + 1) % 3, next_j = (j + 1) % 3;
+            const auto& d = from.between;
+            return one_of(along(i, j), d[i][j],
+                          one_of(along(next_i, j), d[next_i][j],
+                                 one_of(along(next_i, next_j), d[next_i][next_j],
+                                        one_of(along(i, next_j), d[i][next_j], d[i][j]))));
+        };
+        return {lane_parts<3>([&](std::size_t i) HWY_ATTR {
+                    return Corners{best(i, 0), best(i, 1), best(i, 2)};
+                }),
+                lane_parts<3>([&](std::size_t i) HWY_ATTR {
+                    return one_of(along(i, 1), -from.between[i][1],
+                                  one_of(along(i, 2), -from.between[i][2], from.to_p[i]));
+                }),
+                lane_parts<3>([&](std::size_t j) HWY_ATTR {
+                    return one_of(along(1, j), from.between[1][j],
+                                  one_of(along(2, j), from.between[2][j], from.to_q[j]));
+                })};
+    }
+
+    HWY_INLINE void decide(const LanePlane& plane_p, const LanePlane& plane_q, const Ways& ways) {
+        decide_across(plane_p, plane_q, ways);
+        if (some_open()) decide_in_projection(plane_p.normal);
     }
 
     /// Decides by the planes and the edges. Two proper triangles in planes that cross intersect if
@@ -114,20 +138,21 @@ class DoublePairs {
     /// edge of Q on the same line has an end in P, and another edge of Q has that end.
     HWY_INLINE void decide_across(const LanePlane& plane_p, const LanePlane& plane_q,
                                   const Ways& ways) {
-        LaneSigns of_p[3], of_q[3];  // the sides of corners, of the other's plane
-        for (std::size_t i = 0; i < 3; ++i) {
-            of_q[i] = plane_p.side(ways.to_q[i]);
-            of_p[i] = plane_q.side(ways.to_p[i]);
-        }
+        // The sides of corners, of the other's plane.
+        const Signs of_p = lane_parts<3>([&](std::size_t i)
+                                             HWY_ATTR { return plane_q.side(ways.to_p[i]); }),
+                    of_q = lane_parts<3>([&](std::size_t j)
+                                             HWY_ATTR { return plane_p.side(ways.to_q[j]); });
         const SignRange range_p(of_p[0], of_p[1], of_p[2]), range_q(of_q[0], of_q[1], of_q[2]);
         in_one_plane_ = in_one_plane_ | range_q.all_zero();
         apart = apart | range_p.one_sign() | range_q.one_sign();
         if ((!(apart | in_one_plane_)).bits() == 0) return;
 
-        LaneSigns side[3][3];
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                side[i][j] = LanePlane(edge_p_[i], ways.between[i][j]).side(edge_q_[j]);
+        const auto side = lane_parts<3>([&](std::size_t i) HWY_ATTR {
+            return lane_parts<3>([&](std::size_t j) HWY_ATTR {
+                return LanePlane(edge_p_[i], ways.between[i][j]).side(edge_q_[j]);
+            });
+        });
         // A corner off a plane shows that the triangle of the plane is proper.
         DoubleMask beside = range_p.some_sign() & range_q.some_sign();
         const auto edge = [&](const SignRange& ends, const SignRange& sides) HWY_ATTR {
@@ -147,35 +172,22 @@ class DoublePairs {
     /// Decides by the projections along the axis to which P's plane is closest to perpendicular. A
     /// line of an edge that separates these shows that the triangles are apart. Triangles in one
     /// plane intersect if no edge does, as in coplanar_overlap.
-    HWY_INLINE void decide_in_projection(const Doubles3 (&p)[3], const Doubles3 (&q)[3],
-                                         Doubles3 normal) {
+    HWY_INLINE void decide_in_projection(Doubles3 normal) {
         const Doubles x = abs(normal.x), y = abs(normal.y), z = abs(normal.z);
         const DoubleMask along_x = (y < x) & (z < x), along_y = (z < y) & !along_x;
-        const auto projected = [&](Doubles3 c) HWY_ATTR {
+        const auto projected = [&](const Doubles3& c) HWY_ATTR {
             return Doubles2{select(along_x, c.y, select(along_y, c.z, c.x)),
                             select(along_x, c.z, select(along_y, c.x, c.y))};
         };
-        Doubles2 flat_p[3], flat_q[3], edge_p[3], edge_q[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            flat_p[i] = projected(p[i]);
-            flat_q[i] = projected(q[i]);
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            edge_p[i] = flat_p[(i + 1) % 3] - flat_p[i];
-            edge_q[i] = flat_q[(i + 1) % 3] - flat_q[i];
-        }
+        using Flat = std::array<Doubles2, 3>;
+        const Flat p = {projected(p_[0]), projected(p_[1]), projected(p_[2])},
+                   q = {projected(q_[0]), projected(q_[1]), projected(q_[2])},
+                   edge_p = {p[1] - p[0], p[2] - p[1], p[0] - p[2]},
+                   edge_q = {q[1] - q[0], q[2] - q[1], q[0] - q[2]};
         const LaneSigns turn_p = turn(edge_p[0], edge_p[1]), turn_q = turn(edge_q[0], edge_q[1]);
         const Doubles zero = Doubles::all(0);
         DoubleMask separated = x < x, overlap = in_one_plane_;
-        LaneSigns of_q[3][3], of_p[3][3];  // sides of corners, by edge
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) {
-                const Doubles2 between = flat_q[j] - flat_p[i];
-                of_q[i][j] = turn(edge_p[i], between);
-                of_p[j][i] = turn(between, edge_q[j]);
-            }
-        const auto edge = [&](const LaneSigns& own, const LaneSigns(&other)[3]) HWY_ATTR {
-            const SignRange range(other[0], other[1], other[2]);
+        const auto edge = [&](const LaneSigns& own, const SignRange& range) HWY_ATTR {
             const DoubleMask up = zero < own.value, down = own.value < zero;
             separated = separated | (up & (range.greatest < zero)) | (down & (zero < range.least));
             // A corner whose side is unsure may be the only one that is not beyond the edge.
@@ -185,15 +197,17 @@ class DoublePairs {
                             !range.unsure));
         };
         for (std::size_t i = 0; i < 3; ++i) {
-            edge(turn_p, of_q[i]);
-            edge(turn_q, of_p[i]);
+            edge(turn_p, {turn(edge_p[i], q[0] - p[i]), turn(edge_p[i], q[1] - p[i]),
+                          turn(edge_p[i], q[2] - p[i])});
+            edge(turn_q, {turn(q[i] - p[0], edge_q[i]), turn(q[i] - p[1], edge_q[i]),
+                          turn(q[i] - p[2], edge_q[i])});
         }
         apart = apart | separated;
         intersect = intersect | overlap;
     }
 
-    Doubles3 edge_p_[3], edge_q_[3];
     DoubleMask in_one_plane_;  ///< all corners of Q are certainly in the plane of P
+    Corners p_, q_, edge_p_, edge_q_;
 };
 
 /// The rows of up to double_lanes triangles: x, y, z of each corner. Lanes behind the last have the
@@ -237,10 +251,10 @@ inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
             of_a.set(k, a, undecided[first + k].a);
             of_b.set(k, b, undecided[first + k].b);
         }
-        const Doubles3 p[] = {of_a.corner(0), of_a.corner(1), of_a.corner(2)},
-                       q[] = {transformed(b_to_a, of_b.corner(0)),
-                              transformed(b_to_a, of_b.corner(1)),
-                              transformed(b_to_a, of_b.corner(2))};
+        const DoublePairs::Corners p = {of_a.corner(0), of_a.corner(1), of_a.corner(2)},
+                                   q = {transformed(b_to_a, of_b.corner(0)),
+                                        transformed(b_to_a, of_b.corner(1)),
+                                        transformed(b_to_a, of_b.corner(2))};
         const DoublePairs certain(p, q);
         const std::uint32_t all = low_bits(static_cast<std::uint32_t>(count)),
                             yes = certain.intersect.bits() & all, no = certain.apart.bits() & all;

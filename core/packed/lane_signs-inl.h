@@ -69,18 +69,21 @@ struct LanePlane {
     Doubles3 normal, magnitude;
 
     /// `u` and `v`: two edges of the triangle, or any two vectors.
-    HWY_INLINE LanePlane(Doubles3 u, Doubles3 v) {
-        const Doubles yz = u.y * v.z, zy = u.z * v.y, zx = u.z * v.x, xz = u.x * v.z,
-                      xy = u.x * v.y, yx = u.y * v.x;
-        normal = {yz - zy, zx - xz, xy - yx};
-        magnitude = {abs(yz) + abs(zy), abs(zx) + abs(xz), abs(xy) + abs(yx)};
-    }
+    HWY_INLINE LanePlane(Doubles3 u, Doubles3 v)
+        : LanePlane({u.y * v.z, u.z * v.x, u.x * v.y}, {u.z * v.y, u.x * v.z, u.y * v.x}, 0) {}
 
     /// The signs of det(u, v, w): the side on which a point is, `w` from a corner.
     HWY_INLINE LaneSigns side(Doubles3 w) const {
         return signs_of(dot(normal, w), dot(magnitude, {abs(w.x), abs(w.y), abs(w.z)}),
                         10 * 0x1p-53);
     }
+
+  private:
+    /// Of the products of which components are differences.
+    HWY_INLINE LanePlane(Doubles3 left, Doubles3 right, int)
+        : normal(left - right),
+          magnitude{abs(left.x) + abs(right.x), abs(left.y) + abs(right.y),
+                    abs(left.z) + abs(right.z)} {}
 };
 
 /// Two coordinates in lanes.

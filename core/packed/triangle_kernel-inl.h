@@ -6,6 +6,8 @@
 #define SCB_CORE_TRIANGLE_KERNEL_INL_H_
 #endif
 
+#include <array>
+
 #include "core/base/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -74,19 +76,22 @@ struct Heights {
     Lanes<n> of_q[3], of_p[3];
 
     explicit HWY_INLINE Heights(const TrianglePairs<n>& t)
-        : normal_p(cross(t.p1, t.p2)),
-          normal_q(cross(t.f1, t.f2)),
-          along_p1(dot(normal_q, t.p1)),
-          along_p2(dot(normal_q, t.p2)),
-          along_f1(dot(normal_p, t.f1)),
-          along_f2(dot(normal_p, t.f2)) {
-        of_q[0] = dot(normal_p, t.w);
-        of_q[1] = of_q[0] + along_f1;
-        of_q[2] = of_q[0] + along_f2;
-        of_p[0] = -dot(normal_q, t.w);
-        of_p[1] = of_p[0] + along_p1;
-        of_p[2] = of_p[0] + along_p2;
-    }
+        : Heights(t, cross(t.p1, t.p2), cross(t.f1, t.f2)) {}
+
+  private:
+    HWY_INLINE Heights(const TrianglePairs<n>& t, Lanes3<n> p, Lanes3<n> q)
+        : Heights(p, q, dot(q, t.p1), dot(q, t.p2), dot(p, t.f1), dot(p, t.f2), dot(p, t.w),
+                  -dot(q, t.w)) {}
+    HWY_INLINE Heights(Lanes3<n> p, Lanes3<n> q, Lanes<n> p1, Lanes<n> p2, Lanes<n> f1, Lanes<n> f2,
+                       Lanes<n> first_of_q, Lanes<n> first_of_p)
+        : normal_p(p),
+          normal_q(q),
+          along_p1(p1),
+          along_p2(p2),
+          along_f1(f1),
+          along_f2(f2),
+          of_q{first_of_q, first_of_q + f1, first_of_q + f2},
+          of_p{first_of_p, first_of_p + p1, first_of_p + p2} {}
 };
 
 /// Factors of an error bound.
@@ -174,22 +179,15 @@ struct EdgeSides {
 template <int n>
 HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t, const Heights<n>& h) {
     const Lanes3<n> m1 = cross(t.w, t.f1), m2 = cross(t.w, t.f2);
-    const auto row = [&](Lanes3<n> p, Lanes<n> along, Lanes<n>(&to)[3]) HWY_ATTR {
+    const auto row = [&](Lanes3<n> p, Lanes<n> along) HWY_ATTR {
         const Lanes<n> first = dot(p, m1), last = dot(p, m2);
-        to[0] = first;
-        to[1] = (last - first) + along;
-        to[2] = -last;
+        return std::array<Lanes<n>, 3>{first, (last - first) + along, -last};
     };
-    EdgeSides<n> sides;
-    Lanes<n> by_p2[3];
-    row(t.p1, h.along_p1, sides.of[0]);
-    row(t.p2, h.along_p2, by_p2);
-    const Lanes<n> by_normal[3] = {h.along_f1, h.along_f2 - h.along_f1, -h.along_f2};
-    for (int j = 0; j < 3; ++j) {
-        sides.of[1][j] = (by_p2[j] - sides.of[0][j]) + by_normal[j];
-        sides.of[2][j] = -by_p2[j];
-    }
-    return sides;
+    const std::array<Lanes<n>, 3> first = row(t.p1, h.along_p1), last = row(t.p2, h.along_p2);
+    return {{{first[0], first[1], first[2]},
+             {(last[0] - first[0]) + h.along_f1, (last[1] - first[1]) + (h.along_f2 - h.along_f1),
+              (last[2] - first[2]) - h.along_f2},
+             {-last[0], -last[1], -last[2]}}};
 }
 
 /// The error of edge_sides. With X = D_p D_f D_w, Y = D_p D_f^2 and Z = D_p^2 D_f, a triple product

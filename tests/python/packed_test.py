@@ -47,6 +47,24 @@ class Packed(unittest.TestCase):
             else:
                 self.assertIsNone(touch.pair)
 
+    def test_tells_crossing_from_touching(self):
+        a, b = plate(), tetrahedron()
+        for z, crosses in ((0, False), (2.0 ** -40, None), (-2.0 ** -40, True)):
+            pose = moved(0.25, 0.25, z)
+            pairs = scb.collide(scb.pack(a), scb.pack(b), pose).pairs
+            answers = scb.crossing(a, b, pairs, pose)
+            self.assertEqual((answers.dtype, answers.shape), (np.dtype(bool), (len(pairs),)))
+            if crosses is None:
+                self.assertEqual(len(pairs), 0)
+            else:
+                self.assertEqual(answers.any(), crosses)
+        with self.assertRaisesRegex(scb.InputError, "pairs: there is no triangle 99 in "):
+            scb.crossing(a, b, [[0, 99]])
+        with self.assertRaisesRegex(scb.InputError, "pairs: there is no triangle -1 in "):
+            scb.crossing(a, b, [[-1, 0]])
+        with self.assertRaisesRegex(scb.InputError, "pairs: it is 3; give an array of n x 2"):
+            scb.crossing(a, b, [0, 1, 2])
+
     def test_touches_at_a_single_point(self):
         a, b = scb.pack(plate()), scb.pack(tetrahedron())
         self.assertTrue(scb.touches(a, b, moved(0.25, 0.25, 0)))

@@ -367,6 +367,9 @@ def touches(
 def touches_poses(
     a: PackedHierarchy, b: PackedHierarchy, poses: ArrayLike, *, threads: int = 0
 ) -> NDArray[np.bool_]: ...
+def crossing(
+    a: Mesh, b: Mesh, pairs: ArrayLike, pose: ArrayLike | None = None
+) -> NDArray[np.bool_]: ...
 def explain(
     a: Hierarchy,
     node_a: int,
