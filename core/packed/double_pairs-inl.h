@@ -42,7 +42,7 @@ class DoublePairs {
   private:
     using Signs = std::array<LaneSigns, 3>;
 
-    /// Corners of which the first edge is parallel to an axis, if there is such an edge.
+    /// Corners in an order in which the first edge is parallel to an axis, if there is such an edge.
     struct Rotated {
         Corners corners;
     };

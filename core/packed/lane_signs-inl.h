@@ -79,7 +79,7 @@ struct LanePlane {
     }
 
   private:
-    /// Of the products of which components are differences.
+    /// From the two products of each component of the normal.
     HWY_INLINE LanePlane(Doubles3 left, Doubles3 right, int)
         : normal(left - right),
           magnitude{abs(left.x) + abs(right.x), abs(left.y) + abs(right.y),
