@@ -42,7 +42,8 @@ class DoublePairs {
   private:
     using Signs = std::array<LaneSigns, 3>;
 
-    /// Corners in an order in which the first edge is parallel to an axis, if there is such an edge.
+    /// Corners in an order in which the first edge is parallel to an axis, if there is such an
+    /// edge.
     struct Rotated {
         Corners corners;
     };
