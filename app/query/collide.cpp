@@ -236,10 +236,7 @@ class CollideReport {
         if (is_of_many(query_)) json_frames_.push_back({{"frame", frame}});
         for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
             query_.choose(query_.pairs[i]);
-            Collision found = query_.collide(frame);
-            touching_ = 0;
-            if (!options_.contacts.empty()) choose_contacts(found, frame);
-            add(i, frame, found);
+            add(i, frame, query_.collide(frame));
         }
         ++sums_.frames;
     }
@@ -266,14 +263,14 @@ class CollideReport {
             table_.add(std::move(means));
         }
         return title_of(options_, query_) + table_.text() + recorded_words() +
-               (leaves_out_contacts() ? left_out_words()
-                : is_of_many(query_)  ? many_words()
-                                      : apart_words());
+               (leaves_out_contacts() ? left_out_words() : "") +
+               (is_of_many(query_) ? many_words() : apart_words());
     }
 
   private:
-    /// Counts the pairs that only touch, and keeps the pairs of the chosen contacts.
-    void choose_contacts(Collision& found, int frame) {
+    /// The number of pairs that only touch. Keeps the pairs of the chosen contacts.
+    std::size_t choose_contacts(Collision& found, int frame) {
+        std::size_t touching = 0;
         const Mesh &a = query_.mesh(query_.a), &b = query_.mesh(query_.b);
         const Pose b_to_a = query_.b_to_a(frame);
         const auto first_to_leave_out =
@@ -282,24 +279,25 @@ class CollideReport {
                     triangle_contact(corners(a, pair.a),
                                      transform_corners(b_to_a, corners(b, pair.b))) ==
                     TriangleContact::touching;
-                touching_ += touches;
-                all_touching_ += touches;
+                touching += touches;
                 return is_all_contacts() || touches == (options_.contacts == "touching");
             });
         left_out_ += static_cast<std::size_t>(found.pairs.end() - first_to_leave_out);
         found.pairs.erase(first_to_leave_out, found.pairs.end());
+        all_touching_ += touching;
+        return touching;
     }
     bool is_all_contacts() const { return options_.contacts == "all"; }
     bool leaves_out_contacts() const { return !options_.contacts.empty() && !is_all_contacts(); }
 
     /// `i`: the pair of bodies.
-    void add(std::size_t i, int frame, const Collision& found) {
-        sums_.add(found);
+    void add(std::size_t i, int frame, Collision found) {
         met_[i] = met_[i] || !found.pairs.empty();
-        if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self() &&
-            !leaves_out_contacts())
+        if (found.pairs.empty() && query_.options.stop_level < 0 && !query_.is_self())
             for (Json& found_inside : inside_[i].add(frame))
                 json_inside_.push_back(std::move(found_inside));
+        const std::size_t touching = options_.contacts.empty() ? 0 : choose_contacts(found, frame);
+        sums_.add(found);
         std::optional<RecordedCounts> there;
         if (recorded_ != nullptr) {
             const bool complete = recorded_->frame(frame).found.complete;
@@ -307,9 +305,9 @@ class CollideReport {
             grazing_ += there->grazing;
         }
         if (options_.json)
-            add_json(frame, found, there);
+            add_json(frame, found, touching, there);
         else
-            add_row(frame, found, there);
+            add_row(frame, found, touching, there);
         if (!options_.pairs_out.empty())
             for (const IndexPair& pair : found.pairs)
                 pairs_ += format("%d,", frame) +
@@ -319,9 +317,10 @@ class CollideReport {
                           format("%u,%u\n", pair.a, pair.b);
     }
 
-    void add_json(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
+    void add_json(int frame, const Collision& found, std::size_t touching,
+                  const std::optional<RecordedCounts>& there) {
         Json counts = count_json(frame, query_.b_to_a(frame), found, stages_);
-        if (is_all_contacts()) counts["touching"] = touching_;
+        if (is_all_contacts()) counts["touching"] = touching;
         if (is_of_many(query_)) {
             Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
             counts.erase("frame");
@@ -338,9 +337,10 @@ class CollideReport {
                 {"within_rounding", there->grazing}};
     }
 
-    void add_row(int frame, const Collision& found, const std::optional<RecordedCounts>& there) {
+    void add_row(int frame, const Collision& found, std::size_t touching,
+                 const std::optional<RecordedCounts>& there) {
         std::vector<Cell> cells = count_cells(frame, found, stages_);
-        if (is_all_contacts()) cells.emplace_back(touching_);
+        if (is_all_contacts()) cells.emplace_back(touching);
         if (there) {
             cells.emplace_back(there->pairs);
             cells.push_back(there->missed ? Cell(*there->missed) : Cell("-"));
@@ -376,7 +376,7 @@ class CollideReport {
     /// For frames without contact: whether a body lies inside the other.
     std::string apart_words() const {
         if (sums_.frames != query_.frames.size() || query_.options.stop_level >= 0) return "";
-        if (sums_.pairs == 0) return nothing_text(query_, inside_.front());
+        if (sums_.pairs + left_out_ == 0) return nothing_text(query_, inside_.front());
         const std::string claims = inside_.front().claims(sums_.frames);
         return claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n";
     }
@@ -413,7 +413,6 @@ class CollideReport {
     Table table_;
     std::string pairs_;
     Json json_frames_ = Json::array(), json_inside_ = Json::array();
-    std::size_t touching_ = 0;         ///< pairs of the last query that only touch
     std::size_t all_touching_ = 0;     ///< pairs of all queries that only touch
     std::size_t left_out_ = 0;         ///< pairs of all queries that are not of the chosen contacts
     std::uint64_t grazing_ = 0;        ///< recorded pairs within the tolerance
@@ -440,17 +439,19 @@ int run(CollideCommandOptions& options, const Console& console) {
                                                options.contacts) == contact_names.end())
         throw InputError("--contacts " + options.contacts + ": give " + name_list(contact_names) +
                          ".");
-    if (!options.contacts.empty() && (options.first || !options.limits.levels.empty() ||
-                                      options.limits.max_pairs != QueryLimits{}.max_pairs))
-        throw InputError(
-            "--contacts needs all pairs of triangles; leave out --first, --max-pairs and "
-            "--levels.");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     std::optional<scenes::RecordedTrace> recorded;
     // Recorded pairs can only be compared with all exact pairs of triangles.
     const bool whole = !options.first && options.limits.levels.empty() &&
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
-    if (options.scene.is_recording() && whole && options.contacts.empty()) {
+    if (!options.contacts.empty() && !whole)
+        throw InputError(
+            "--contacts needs all pairs of triangles; leave out --first, --max-pairs and "
+            "--levels.");
+    if (options.scene.is_recording() && !options.contacts.empty() && options.contacts != "all")
+        throw InputError("--contacts " + options.contacts +
+                         ": recorded pairs are compared with all pairs; give --contacts all.");
+    if (options.scene.is_recording() && whole) {
         recorded.emplace(options.scene.names[0], options.query.bodies, options.query.frames,
                          options.scene.selection);
         check_recorded(*recorded, options.scene.names[0]);
@@ -505,8 +506,8 @@ void add_collide(const Command& program, const Console& console, Action& action)
     command
         .add_option("--contacts", options->contacts,
                     "crossing: only pairs whose triangles pass through each other; touching: only "
-                    "pairs that share a corner, an edge or an area and do not cross; all: all "
-                    "pairs, with a column for touching")
+                    "pairs that meet without that, in a point, along a line or in one plane; all: "
+                    "all pairs, with a column `touching`")
         .type_name("KIND")
         .offer(contact_names);
     command

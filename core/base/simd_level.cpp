@@ -41,9 +41,12 @@ std::int64_t supported() {
     return targets;
 }
 
+// Once, since a query asks several times.
 std::size_t simd_target_index(SimdLevel level) {
-    static const std::array<std::size_t, 5> indices = [] {
-        std::array<std::size_t, 5> result{};
+    constexpr std::size_t level_count = 5;
+    static_assert(static_cast<std::size_t>(SimdLevel::avx512) + 1 == level_count);
+    static const std::array<std::size_t, level_count> indices = [] {
+        std::array<std::size_t, level_count> result{};
         for (std::size_t i = 0; i < result.size(); ++i) {
             hwy::ChosenTarget chosen;
             chosen.Update(supported() & targets_of(static_cast<SimdLevel>(i)));

@@ -67,8 +67,8 @@ struct Column {
 
 __extension__ typedef __int128 Int128;
 
-// The differences of a column as integers times a common power of two. Most have few bits: some 30
-// if the coordinates were floats, and often 53 if one of two bodies is moved.
+// The differences of a column as integers times a common power of two. Coordinates
+// that were floats give some 30 bits; after a motion, some 53.
 template <std::size_t N>
 struct IntegerColumn {
     static constexpr int most_bits = 62;
@@ -161,7 +161,7 @@ struct PlaneAxes {
 };
 PlaneAxes across(int axis) { return {(axis + 1) % 3, (axis + 2) % 3}; }
 
-// The same for the component `axis` of (b - a) x (c - a).
+// Two coordinates of three points, for a component of (b - a) x (c - a).
 struct Columns2d {
     Column<3> x, y;
 

@@ -45,6 +45,23 @@ TriangleContact segment_contact(const TriangleCorners& segment, const TriangleCo
     return inside ? TriangleContact::crossing : TriangleContact::touching;
 }
 
+// `sides`: of a filter, see arrange.
+TriangleContact contact_of(const TriangleCorners& a, const TriangleCorners& b, PairSides sides) {
+    switch (arrange(a, b, sides)) {
+        case Arrangement::apart:
+            break;
+        case Arrangement::crossing:
+            return contact_on_line(a, b, sides);
+        case Arrangement::segment_a:
+            return segment_contact(a, b);
+        case Arrangement::segment_b:
+            return segment_contact(b, a);
+        case Arrangement::one_plane:
+            return coplanar_overlap(a, b) ? TriangleContact::touching : TriangleContact::apart;
+    }
+    return TriangleContact::apart;
+}
+
 bool share_corner(const TriangleCorners& a, const TriangleCorners& b) {
     for (const Vec3& p : a)
         for (const Vec3& q : b)
@@ -57,19 +74,7 @@ bool share_corner(const TriangleCorners& a, const TriangleCorners& b) {
                                          PairSides sides) {
     if (share_corner(a, b)) return true;  // neighbors in a mesh
     if (projections_apart(a, b)) return false;
-    switch (arrange(a, b, sides)) {
-        case Arrangement::apart:
-            return false;
-        case Arrangement::crossing:
-            return crossing_overlap(a, b, sides);
-        case Arrangement::segment_a:
-            return segment_contact(a, b) != TriangleContact::apart;
-        case Arrangement::segment_b:
-            return segment_contact(b, a) != TriangleContact::apart;
-        case Arrangement::one_plane:
-            return coplanar_overlap(a, b);
-    }
-    return false;
+    return contact_of(a, b, sides) != TriangleContact::apart;
 }
 
 }  // namespace
@@ -91,19 +96,7 @@ TriangleContact triangle_contact(const TriangleCorners& a, const TriangleCorners
     const PlaneFilter plane_a(a[0], a[1], a[2]), plane_b(b[0], b[1], b[2]);
     sides.of_b = {plane_a.side(b[0]), plane_a.side(b[1]), plane_a.side(b[2])};
     sides.of_a = {plane_b.side(a[0]), plane_b.side(a[1]), plane_b.side(a[2])};
-    switch (arrange(a, b, sides)) {
-        case Arrangement::apart:
-            break;
-        case Arrangement::crossing:
-            return contact_on_line(a, b, sides);
-        case Arrangement::segment_a:
-            return segment_contact(a, b);
-        case Arrangement::segment_b:
-            return segment_contact(b, a);
-        case Arrangement::one_plane:
-            return coplanar_overlap(a, b) ? TriangleContact::touching : TriangleContact::apart;
-    }
-    return TriangleContact::apart;
+    return contact_of(a, b, sides);
 }
 
 }  // namespace scb

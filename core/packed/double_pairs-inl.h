@@ -6,7 +6,12 @@
 #define SCB_CORE_DOUBLE_PAIRS_INL_H_
 #endif
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "core/base/lane_parts-inl.h"
 #include "core/packed/lane_signs-inl.h"
@@ -211,8 +216,7 @@ class DoublePairs {
     Corners p_, q_, edge_p_, edge_q_;
 };
 
-/// The rows of up to double_lanes triangles: x, y, z of each corner. Lanes behind the last have the
-/// numbers of earlier triangles, or 0.
+/// The rows of double_lanes triangles: x, y, z of each corner.
 struct TriangleRows {
     double of[9][double_lanes] = {};
 
@@ -248,9 +252,10 @@ inline void decide_in_doubles(const Mesh& a, const Mesh& b, const Pose& b_to_a,
     std::size_t left = 0;
     for (std::size_t first = 0; first < undecided.size(); first += double_lanes) {
         const std::size_t count = std::min(double_lanes, undecided.size() - first);
-        for (std::size_t k = 0; k < count; ++k) {
-            of_a.set(k, a, undecided[first + k].a);
-            of_b.set(k, b, undecided[first + k].b);
+        for (std::size_t k = 0; k < double_lanes; ++k) {
+            const IndexPair& pair = undecided[first + std::min(k, count - 1)];
+            of_a.set(k, a, pair.a);
+            of_b.set(k, b, pair.b);
         }
         const DoublePairs::Corners p = {of_a.corner(0), of_a.corner(1), of_a.corner(2)},
                                    q = {transformed(b_to_a, of_b.corner(0)),

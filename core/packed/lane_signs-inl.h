@@ -70,20 +70,15 @@ struct LanePlane {
 
     /// `u` and `v`: two edges of the triangle, or any two vectors.
     HWY_INLINE LanePlane(Doubles3 u, Doubles3 v)
-        : LanePlane({u.y * v.z, u.z * v.x, u.x * v.y}, {u.z * v.y, u.x * v.z, u.y * v.x}, 0) {}
+        : normal(cross(u, v)),
+          magnitude{abs(u.y * v.z) + abs(u.z * v.y), abs(u.z * v.x) + abs(u.x * v.z),
+                    abs(u.x * v.y) + abs(u.y * v.x)} {}
 
     /// The signs of det(u, v, w): the side on which a point is, `w` from a corner.
     HWY_INLINE LaneSigns side(Doubles3 w) const {
         return signs_of(dot(normal, w), dot(magnitude, {abs(w.x), abs(w.y), abs(w.z)}),
                         10 * 0x1p-53);
     }
-
-  private:
-    /// From the two products of each component of the normal.
-    HWY_INLINE LanePlane(Doubles3 left, Doubles3 right, int)
-        : normal(left - right),
-          magnitude{abs(left.x) + abs(right.x), abs(left.y) + abs(right.y),
-                    abs(left.z) + abs(right.z)} {}
 };
 
 /// Two coordinates in lanes.

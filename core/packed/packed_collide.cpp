@@ -31,6 +31,7 @@ struct Work {
         open.count = 0;
         found.clear();
         batch.clear();
+        waiting.clear();
     }
 };
 
@@ -201,8 +202,9 @@ Ball root_ball(const PackedHierarchy<Codec>& hierarchy) {
 /// children of a root are rejected. No value if the bodies may be near each other, or if both roots
 /// are leaves.
 template <class Codec>
-std::optional<std::uint64_t> tests_if_far(const PackedCollider<Codec>& a,
-                                          const PackedCollider<Codec>& b, const Pose& b_to_a) {
+std::optional<std::uint64_t> volume_tests_if_far(const PackedCollider<Codec>& a,
+                                                 const PackedCollider<Codec>& b,
+                                                 const Pose& b_to_a) {
     const PackedRef i = a.hierarchy.root, j = b.hierarchy.root;
     if (i.is_leaf() && j.is_leaf()) return std::nullopt;
     const Ball ball_a = root_ball(a.hierarchy), ball_b = root_ball(b.hierarchy);
@@ -287,7 +289,8 @@ PackedCollision collide_packed(const PackedCollider<Codec>& a, const PackedColli
                                PackedWorkspace* workspace, PackedFront* front) {
     assert(options.threads >= 1 && "somebody has to do it");
     if (front == nullptr)
-        if (const auto tests = tests_if_far(a, b, b_to_a)) return {.pairs = {}, .n_v = *tests};
+        if (const auto tests = volume_tests_if_far(a, b, b_to_a))
+            return {.pairs = {}, .n_v = *tests};
     if (workspace == nullptr) {
         PackedWorkspace own;
         return collide_packed(a, b, b_to_a, options, &own, front);
@@ -306,7 +309,8 @@ PackedTouch touches(const PackedCollider<Codec>& a, const PackedCollider<Codec>&
                     const Pose& b_to_a, const PackedOptions& options, PackedWorkspace* workspace,
                     PackedFront* front) {
     if (front == nullptr)
-        if (const auto tests = tests_if_far(a, b, b_to_a)) return {.pair = {}, .n_v = *tests};
+        if (const auto tests = volume_tests_if_far(a, b, b_to_a))
+            return {.pair = {}, .n_v = *tests};
     if (workspace == nullptr) {
         PackedWorkspace own;
         return touches(a, b, b_to_a, options, &own, front);

@@ -154,11 +154,13 @@ void repeat(Mesh& mesh, const JsonPlace& place) {
     std::int64_t all = 1;
     for (std::size_t i = 0; i < 3; ++i) {
         count[i] = read_integer(element(counts, i), 1, max_procedural_triangles);
-        all = std::min<std::int64_t>(all * count[i], max_procedural_triangles);
+        all = std::min<std::int64_t>(all * count[i], max_procedural_triangles + 1);
     }
     const auto most = static_cast<std::size_t>(max_procedural_triangles);
-    if (mesh.triangles.size() > most / static_cast<std::size_t>(all))
-        refuse(counts, "more than " + std::to_string(most) + " triangles; give smaller numbers.");
+    const std::size_t largest = std::max(mesh.triangles.size(), mesh.vertices.size());
+    if (largest > most / static_cast<std::size_t>(all))
+        refuse(counts, "more than " + std::to_string(most) +
+                           " triangles or vertices; give smaller numbers.");
     const Mesh one = std::move(mesh);
     mesh = {};
     for (std::int64_t z = 0; z < count[2]; ++z)

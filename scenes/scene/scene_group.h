@@ -23,8 +23,8 @@ inline constexpr std::string_view table_3_scenes[] = {
 inline constexpr std::string_view cad_scenes[] = {"aatbase", "tray_bottom", "boeing",    "cheese",
                                                   "tr12j",   "anchor",      "cycloidal", "tube"};
 
-/// Each has two bodies of one mesh that move along an axis without a turn, so that faces lie on
-/// each other and edges touch, as in assemblies; the last four are made by formula.
+/// Two bodies with faces in common planes and edges that touch, as in assemblies. In all but the
+/// last, B moves along an axis without a turn. The last four have shapes by formula.
 inline constexpr std::string_view aligned_scenes[] = {"aatbase-aligned",     "tray_bottom-aligned",
                                                       "plate_holes-aligned", "anchor-aligned",
                                                       "boeing-aligned",      "cheese-aligned",

@@ -200,7 +200,7 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const Compari
                     data_block(groups[g].scenes, baseline, panels[i].times) + "END\n";
     text +=
         "set multiplot title '" +
-        std::string(query == PeerQuery::first_contact ? "First contact: whether triangles intersect"
+        std::string(query == PeerQuery::first_contact ? "First contact of two bodies"
                                                       : "All pairs of triangles that intersect") +
         ": speed of a query, by scene' "
         "font ',23' textcolor rgb '#1C2026'\n"

@@ -234,6 +234,10 @@ std::string peer_tables(std::span<const PeerKind> kinds, std::span<const Compari
                        time_tables(kinds, groups, first + "cold, ms" + by, &PeerTimes::cold) +
                        marks(groups) + build_tables(kinds, groups) + summaries(kinds, groups) +
                        frame_lists(kinds, groups);
+    if (query == PeerQuery::first_contact)
+        text +=
+            "Each query ends at the first contact, if the library can; notes on all pairs do not "
+            "apply.\n";
     for (const PeerKind& kind : kinds) text += "- " + kind.title + ": " + kind.method + "\n";
     return text;
 }

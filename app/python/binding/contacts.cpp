@@ -1,6 +1,9 @@
 #include "app/python/binding/contacts.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/python/binding/arrays.h"
 #include "app/python/binding/mesh.h"

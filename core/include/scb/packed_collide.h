@@ -23,7 +23,8 @@ struct PackedCollider {
 template <class Codec>
 PackedCollider(const PackedHierarchy<Codec>&, const Mesh&) -> PackedCollider<Codec>;
 
-/// How a query on packed hierarchies runs. The options do not change its pairs, unless it gives up.
+/// How a query on packed hierarchies runs. The options do not change the set of
+/// its pairs, unless it gives up.
 struct PackedOptions {
     /// Which vector instructions to use.
     SimdLevel level = SimdLevel::best;
@@ -97,8 +98,8 @@ struct PackedTouch {
 /// Whether some triangles of A and B intersect, B moved by `b_to_a` into A's frame; ends at the
 /// first pair. The answer is exact: collide_packed would find a pair. Which pair it has depends on
 /// the layout and on the front, but not on the level. `b_to_a` must be rigid, see check_rigid. Runs
-/// in the calling thread, and ignores PackedOptions::threads and give_up_after. Thread-safe, each
-/// thread with its own workspace and front; throws nothing but std::bad_alloc.
+/// in the calling thread, and ignores PackedOptions::threads, give_up_after and sorted.
+/// Thread-safe, each thread with its own workspace and front; throws nothing but std::bad_alloc.
 ///
 /// A front, which must belong to these two hierarchies, also keeps the pair of the last call. If
 /// these triangles still intersect, the query ends with their test. While bodies touch, no front is

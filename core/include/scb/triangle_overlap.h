@@ -37,10 +37,8 @@ bool triangles_overlap(const TriangleCorners& a, const TriangleCorners& b);
 /// How two triangles meet.
 enum class TriangleContact : std::uint8_t {
     apart,     ///< no common point
-    touching,  ///< common points, but no crossing: a corner or an edge on the other triangle, or an
-               ///< overlap in one plane
-    crossing,  ///< in different planes, and the interiors have a common point: each passes through
-               ///< the other
+    touching,  ///< common points, but none inside both triangles, or both are in one plane
+    crossing,  ///< a common point inside both triangles, which are not in one plane
 };
 
 /// The same test, which also tells a crossing from a touch, exactly. It is `apart` where

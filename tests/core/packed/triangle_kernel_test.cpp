@@ -253,7 +253,7 @@ TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
         const std::array<double, 3> shares = shares_of_bounds(answers[i], truths[i]);
         for (std::size_t b = 0; b < 3; ++b) worst[b] = std::max(worst[b], shares[b]);
     }
-    constexpr std::array<double, 3> reached = {0.64, 0.64, 0.64};
+    constexpr std::array<double, 3> reached = {0.55, 0.55, 0.55};
     for (std::size_t b = 0; b < 3; ++b) {
         EXPECT_LE(worst[b], 1);
         EXPECT_GT(worst[b], reached[b]);
@@ -275,7 +275,7 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
         std::vector<KernelPair> best(kept, KernelPair{});
         for (KernelPair& pair : best)
             for (float& x : pair.seen) x = number();
-        for (int round = 0; round < 60; ++round) {
+        for (int round = 0; round < unless_sanitized(60, 20); ++round) {
             std::vector<KernelPair> pairs = best;
             for (std::size_t i = kept; i < 32 * kept; ++i) {
                 KernelPair& changed = pairs.emplace_back(best[i % kept]);
@@ -298,7 +298,7 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
             worst[b] = std::max(worst[b], -order[0].first);
         }
     }
-    constexpr std::array<double, 3> reached = {0.25, 0.25, 0.1};
+    constexpr std::array<double, 3> reached = {0.2, 0.2, 0.08};
     for (std::size_t b = 0; b < 3; ++b) {
         EXPECT_LE(worst[b], 1);
         EXPECT_GT(worst[b], reached[b]);

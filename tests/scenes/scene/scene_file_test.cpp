@@ -260,8 +260,13 @@ TEST(SceneFile, RepeatsAMeshAlongTheAxes) {
                 EXPECT_EQ(all.vertices[all.triangles[copy * one.triangles.size() + i][k]],
                           Vec3(one.vertices[one.triangles[i][k]] + steps[copy]));
     expect_in(
-        "my.json: models[1].copies.count: more than 8388608 triangles",
+        "my.json: models[1].copies.count: more than 8388608 triangles or vertices",
         refused("/models/1/copies", {{"count", {8388608, 8388608, 8388608}}, {"step", {1, 1, 1}}}));
+    document["models"][1] = {{"name", "crate"},
+                             {"soup", {{"count", 1}}},
+                             {"copies", {{"count", {8388608, 2, 1}}, {"step", {1, 1, 1}}}}};
+    expect_in("models[1].copies.count: more than 8388608 triangles or vertices",
+              refusal([&] { parse(document.dump()); }));
     expect_in("models[1].copies.count: expected three whole numbers",
               refused("/models/1/copies", {{"count", {1, 2}}, {"step", {1, 1, 1}}}));
     expect_in("models[1].copies.count[1]: expected a whole number from 1 to 8388608",
