@@ -69,9 +69,12 @@ class DoublePairs {
           edge_p_(edges(first.corners)),
           edge_q_(edges(second.corners)) {
         const LanePlane plane_p(edge_p_[0], edge_p_[1]), plane_q(edge_q_[0], edge_q_[1]);
-        const Ways ways = from_first_corners();
-        decide(plane_p, plane_q, ways);
-        if (some_open()) decide(plane_p, plane_q, along_axes(ways));
+        Ways ways = from_first_corners();
+        for (int attempt = 0; attempt < 2 && some_open(); ++attempt) {
+            if (attempt == 1) ways = along_axes(ways);
+            decide_across(plane_p, plane_q, ways);
+            if (some_open()) decide_in_projection(plane_p.normal);
+        }
     }
 
     static HWY_INLINE DoubleMask none(const Rotated& t) { return t.corners[0].x < t.corners[0].x; }
@@ -129,11 +132,6 @@ class DoublePairs {
                     return one_of(along(1, j), from.between[1][j],
                                   one_of(along(2, j), from.between[2][j], from.to_q[j]));
                 })};
-    }
-
-    HWY_INLINE void decide(const LanePlane& plane_p, const LanePlane& plane_q, const Ways& ways) {
-        decide_across(plane_p, plane_q, ways);
-        if (some_open()) decide_in_projection(plane_p.normal);
     }
 
     /// Decides by the planes and the edges. Two proper triangles in planes that cross intersect if
@@ -202,11 +200,14 @@ class DoublePairs {
                            (((up & (zero <= range.greatest)) | (down & (range.least <= zero))) &
                             !range.unsure));
         };
+        const auto between = lane_parts<3>([&](std::size_t i) HWY_ATTR {
+            return Flat{q[0] - p[i], q[1] - p[i], q[2] - p[i]};
+        });
         for (std::size_t i = 0; i < 3; ++i) {
-            edge(turn_p, {turn(edge_p[i], q[0] - p[i]), turn(edge_p[i], q[1] - p[i]),
-                          turn(edge_p[i], q[2] - p[i])});
-            edge(turn_q, {turn(q[i] - p[0], edge_q[i]), turn(q[i] - p[1], edge_q[i]),
-                          turn(q[i] - p[2], edge_q[i])});
+            edge(turn_p, {turn(edge_p[i], between[i][0]), turn(edge_p[i], between[i][1]),
+                          turn(edge_p[i], between[i][2])});
+            edge(turn_q, {turn(between[0][i], edge_q[i]), turn(between[1][i], edge_q[i]),
+                          turn(between[2][i], edge_q[i])});
         }
         apart = apart | separated;
         intersect = intersect | overlap;
