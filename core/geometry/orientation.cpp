@@ -67,8 +67,8 @@ struct Column {
 
 __extension__ typedef __int128 Int128;
 
-// The differences of a column as integers times a common power of two. Coordinates
-// that were floats give some 30 bits; after a motion, some 53.
+// The differences of a column as integers times a common power of two. Coordinates that were floats
+// give some 30 bits; after a motion, some 53.
 template <std::size_t N>
 struct IntegerColumn {
     static constexpr int most_bits = 62;

@@ -94,25 +94,19 @@ struct Heights {
           of_p{first_of_p, first_of_p + p1, first_of_p + p2} {}
 };
 
-/// Factors of an error bound.
-struct ErrorFactors {
-    float own;    ///< of the error of the triangle whose plane it is; of sides, of both triangles
-    float other;  ///< of the errors of the other triangle and of w; of sides, of w
-    float rounding;  ///< of u
-};
-
 /// A height above P is the sum of two dot products with its normal, of w and of an edge of Q. With
 /// R = D_w + D_f and e = e_w + e_f it is off by 6 D_p^2 e + 12 D_p R e_p + 28 u D_p^2 R, and by
 /// 6 u D_p^2 R for the rounding of the sum.
-inline constexpr ErrorFactors height_bound = {12.3f, 6.2f, 35};
+/// The factors of e_p, of e and of u:
+inline constexpr float height_own = 12.3f, height_other = 6.2f, height_rounding = 35;
 
 /// The error of heights above a triangle of magnitude `d`, whose edges are off by `own`. `reach`:
 /// R; `other`: e.
 template <int n>
 HWY_INLINE Lanes<n> error_of_height(Lanes<n> d, Lanes<n> own, Lanes<n> reach, Lanes<n> other) {
-    return d * (d * (Lanes<n>::all(height_bound.other) * other +
-                     Lanes<n>::all(height_bound.rounding * rounding_unit) * reach) +
-                Lanes<n>::all(height_bound.own) * reach * own) +
+    return d * (d * (Lanes<n>::all(height_other) * other +
+                     Lanes<n>::all(height_rounding * rounding_unit) * reach) +
+                Lanes<n>::all(height_own) * reach * own) +
            Lanes<n>::all(kernel_underflow);
 }
 
@@ -198,14 +192,15 @@ HWY_INLINE EdgeSides<n> edge_sides(const TrianglePairs<n>& t, const Heights<n>& 
 /// 2 and 2 of these. The sums have magnitudes of at most 24 X, 12 Y and 12 Z, and are rounded by 96
 /// X, 36 Y and 24 Z in all. With W = D_w + D_p + D_f, all this is at most
 ///   24 (W (D_f e_p + D_p e_f) + D_p D_f e_w) + 208 u W D_p D_f.
-inline constexpr ErrorFactors edge_bound = {24.6f, 24.6f, 213};
+/// The factors of the errors of edges, of e_w and of u:
+inline constexpr float side_edges = 24.6f, side_offset = 24.6f, side_rounding = 213;
 
 template <int n>
 HWY_INLINE Lanes<n> error_of_sides(const TrianglePairs<n>& t, const Magnitudes<n>& d) {
     const Lanes<n> all = d.w + d.p + d.f, area = d.p * d.f;
-    return Lanes<n>::all(edge_bound.own) * all * (d.f * t.error_p + d.p * t.error_f) +
-           area * (Lanes<n>::all(edge_bound.other) * t.error_w +
-                   Lanes<n>::all(edge_bound.rounding * rounding_unit) * all) +
+    return Lanes<n>::all(side_edges) * all * (d.f * t.error_p + d.p * t.error_f) +
+           area * (Lanes<n>::all(side_offset) * t.error_w +
+                   Lanes<n>::all(side_rounding * rounding_unit) * all) +
            Lanes<n>::all(kernel_underflow);
 }
 

@@ -7,8 +7,9 @@
 
 namespace scb {
 
-/// Everything that was found, as a JSON document: `peers` (name, title, method) and `scenes`, each
-/// with its frames and, per peer, pairs, times per frame and their means in milliseconds.
+/// Everything that was found, as a JSON document: `query` ("all_pairs" or "first_contact"), `peers`
+/// (name, title, method) and `scenes`, each with its frames and, per peer, pairs, times per frame
+/// and their means in milliseconds.
 std::string peer_json(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
                       PeerQuery query);
 

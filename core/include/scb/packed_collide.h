@@ -23,8 +23,8 @@ struct PackedCollider {
 template <class Codec>
 PackedCollider(const PackedHierarchy<Codec>&, const Mesh&) -> PackedCollider<Codec>;
 
-/// How a query on packed hierarchies runs. The options do not change the set of
-/// its pairs, unless it gives up.
+/// How a query on packed hierarchies runs. The options do not change the set of its pairs, unless
+/// it gives up.
 struct PackedOptions {
     /// Which vector instructions to use.
     SimdLevel level = SimdLevel::best;

@@ -253,7 +253,8 @@ TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
         const std::array<double, 3> shares = shares_of_bounds(answers[i], truths[i]);
         for (std::size_t b = 0; b < 3; ++b) worst[b] = std::max(worst[b], shares[b]);
     }
-    constexpr std::array<double, 3> reached = {0.55, 0.55, 0.55};
+    constexpr auto reached =
+        unless_sanitized(std::array{0.64, 0.64, 0.64}, std::array{0.55, 0.55, 0.55});
     for (std::size_t b = 0; b < 3; ++b) {
         EXPECT_LE(worst[b], 1);
         EXPECT_GT(worst[b], reached[b]);
@@ -262,7 +263,7 @@ TEST(TriangleKernel, DeterminantsAreWithinTheirBounds) {
 
 // The same of numbers that floats hold exactly, so that all errors are of rounding. Pairs with the
 // largest error of a round are changed a little for the next. Roundings rarely add up: the worst
-// that are found here are off by 0.31, 0.31 and 0.11 of the bound.
+// that are found here are off by 0.33, 0.34 and 0.12 of the bound.
 TEST(TriangleKernel, RoundingIsWithinItsBounds) {
     Random random(6);
     constexpr std::size_t kept = 64;
@@ -298,7 +299,8 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
             worst[b] = std::max(worst[b], -order[0].first);
         }
     }
-    constexpr std::array<double, 3> reached = {0.2, 0.2, 0.08};
+    constexpr auto reached =
+        unless_sanitized(std::array{0.3, 0.3, 0.11}, std::array{0.2, 0.2, 0.08});
     for (std::size_t b = 0; b < 3; ++b) {
         EXPECT_LE(worst[b], 1);
         EXPECT_GT(worst[b], reached[b]);
@@ -433,7 +435,8 @@ TEST(TriangleKernel, CornersOfLeavesAreWithinTheirError) {
                     }
                 }
     }
-    constexpr std::array<double, 3> reached = {0.5, 0.22, 0.2};
+    constexpr auto reached =
+        unless_sanitized(std::array{0.6, 0.4, 0.25}, std::array{0.5, 0.22, 0.2});
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_LE(worst[k], 1);
         EXPECT_GT(worst[k], reached[k]);
