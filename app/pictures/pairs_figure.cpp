@@ -6,9 +6,8 @@ std::string pairs_title(const render::PairsStyle& style) {
     return style.leaves ? "pairs with leaves" : "pairs";
 }
 
-void look_at_contact(render::SceneFigure& figure, const QueryView& view, const TraceHeader& header,
-                     const QueryTrace& frame, const render::QueryBodies& bodies) {
-    const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame);
+void look_at_contact(render::SceneFigure& figure, const QueryView& view, const QueryTrace& frame,
+                     const std::vector<AnyVolume>& region) {
     figure.subtitle = view.subtitle(frame.frame);
     figure.pane.camera = view.camera(region);
     figure.center = view.center(region);
@@ -22,14 +21,16 @@ render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& sourc
     const TraceHeader& header = source.header();
     render::SceneFigure figure;
     figure.title = view.title(pairs_title(style));
-    figure.pane = render::pairs_pane(bodies, header, frame, style, view.ids().first_free);
+    const std::vector<render::Segment> contact = render::contact_segments(bodies, header, frame);
+    const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame, contact);
+    figure.pane = render::pairs_pane(bodies, header, frame, contact, style, view.ids().first_free);
     figure.panel = render::pairs_panel(bodies, header, frame, style);
     if (frame.found.pairs.empty())
         figure.remark = "no contact";
     else if (!frame.found.complete)
         figure.remark = stopped_remark(frame);
-    look_at_contact(figure, view, header, frame, bodies);
-    view.show_small_contact(figure, render::contact_region(bodies, header, frame));
+    look_at_contact(figure, view, frame, region);
+    view.show_small_contact(figure, region);
     return figure;
 }
 

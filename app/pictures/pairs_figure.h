@@ -15,8 +15,8 @@ render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& sourc
                                  const render::PairsStyle& style);
 
 /// Sets the camera as in the view's options, and names the frame: common to all pictures of a query
-/// with meshes.
-void look_at_contact(render::SceneFigure& figure, const QueryView& view, const TraceHeader& header,
-                     const QueryTrace& frame, const render::QueryBodies& bodies);
+/// with meshes. `region`: of contact_region.
+void look_at_contact(render::SceneFigure& figure, const QueryView& view, const QueryTrace& frame,
+                     const std::vector<AnyVolume>& region);
 
 }  // namespace scb::app

@@ -9,8 +9,11 @@ namespace scb::app {
 render::ComparedQueries compared_queries(const QueryView& view, const QuerySources& sources,
                                          const QueryFrames& frames) {
     render::ComparedQueries queries;
-    for (std::size_t i = 0; i < 2; ++i)
-        queries[i] = {view.bodies(frames[i]->frame, i), &sources[i].header(), frames[i]};
+    for (std::size_t i = 0; i < 2; ++i) {
+        queries[i] = {view.bodies(frames[i]->frame, i), &sources[i].header(), frames[i], {}};
+        queries[i].contact =
+            render::contact_segments(queries[i].bodies, *queries[i].header, *queries[i].frame);
+    }
     return queries;
 }
 
@@ -22,7 +25,7 @@ void draw_comparison(const QueryView& view, const render::ComparedQueries& queri
     std::vector<AnyVolume> region;
     for (const render::ComparedQuery& query : queries) {
         const std::vector<AnyVolume> contact =
-            render::contact_region(query.bodies, *query.header, *query.frame);
+            render::contact_region(query.bodies, *query.header, *query.frame, query.contact);
         region.insert(region.end(), contact.begin(), contact.end());
     }
     render::ComparisonFigure figure;

@@ -42,7 +42,9 @@ render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& optio
     figure.pane = render::heat_pane(bodies, heat);
     figure.panel = render::heat_panel(bodies, frame, heat);
     if (heat.most == 0) figure.remark = "no such test";
-    look_at_contact(figure, view, header, frame, bodies);
+    look_at_contact(figure, view, frame,
+                    render::contact_region(bodies, header, frame,
+                                           render::contact_segments(bodies, header, frame)));
     return figure;
 }
 

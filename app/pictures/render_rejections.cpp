@@ -47,9 +47,14 @@ struct Shot {
         render::SceneFigure figure;
         figure.title = view.title(options.title());
         figure.subtitle = options.filtered(view.subtitle(frame.frame));
-        figure.pane = render::rejections_pane(bodies, frame, outcomes, ended, style);
+        // Of an animation, the camera shows the contact of the whole query.
+        const std::vector<render::Segment> contact =
+            render::contact_segments(bodies, source.header(), whole);
         const std::vector<AnyVolume> region =
-            render::contact_region(bodies, source.header(), whole);
+            render::contact_region(bodies, source.header(), whole, contact);
+        figure.pane = render::rejections_pane(
+            bodies, frame, outcomes, ended,
+            step ? render::contact_segments(bodies, source.header(), frame) : contact, style);
         figure.pane.camera = view.camera(region);
         figure.center = view.center(region);
         figure.panel =

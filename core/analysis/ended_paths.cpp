@@ -1,29 +1,22 @@
 #include "core/analysis/ended_paths.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <numeric>
 #include <span>
 
 namespace scb {
 namespace {
 
-struct End {
-    std::uint32_t node;
-    std::uint16_t depth;
-    Stage ending;
-};
-
-EndedPaths summary(std::span<const End> ends) {
+EndedPaths summary(std::span<const Stage> endings) {
     EndedPaths result;
-    result.node = ends.front().node;
-    result.depth = ends.front().depth;
-    result.tests = static_cast<std::uint32_t>(ends.size());
-    result.first = ends.front().ending;
-    result.last = ends.back().ending;
+    result.tests = static_cast<std::uint32_t>(endings.size());
+    result.first = endings.front();
+    result.last = endings.back();
     std::array<std::uint32_t, StageTable::most_rows> counts{};
-    for (const End& end : ends) {
-        ++counts[static_cast<std::size_t>(end.ending)];
-        result.rejected += is_rejection(end.ending);
+    for (const Stage ending : endings) {
+        ++counts[static_cast<std::size_t>(ending)];
+        result.rejected += is_rejection(ending);
     }
     const auto most = std::max_element(counts.begin(), counts.end());
     result.dominant = static_cast<Stage>(most - counts.begin());
@@ -31,37 +24,54 @@ EndedPaths summary(std::span<const End> ends) {
     return result;
 }
 
+std::uint32_t node_of(const Step& test, std::size_t side) {
+    return side == 0 ? test.nodes.a : test.nodes.b;
+}
+
+std::uint16_t depth_of(const Step& test, std::size_t side) {
+    return side == 0 ? test.depth_a : test.depth_b;
+}
+
+bool passes(const EndedPathsFilter& filter, Stage ending, int depth) {
+    return depth >= filter.least_depth && depth <= filter.most_depth &&
+           (filter.endings.empty() || std::find(filter.endings.begin(), filter.endings.end(),
+                                                ending) != filter.endings.end());
+}
+
 }  // namespace
 
 std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& outcomes,
                                     std::size_t side, const EndedPathsFilter& filter) {
-    std::vector<End> ends;
-    std::map<std::uint32_t, std::uint32_t> passed_on;
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        const Step& test = frame.steps.volumes[i];
-        const Stage outcome = outcomes[i];
-        if (!is_ending(outcome)) {
-            ++passed_on[side == 0 ? test.nodes.a : test.nodes.b];
-            continue;
+    const std::span<const Step> tests(frame.steps.volumes.data(), outcomes.size());
+    std::uint32_t nodes = 0;
+    for (const Step& test : tests) nodes = std::max(nodes, node_of(test, side) + 1);
+    // Endings of a node follow each other in the order of the traversal; the last one of node i
+    // stands before position ends[i]. A query has millions of tests, so they are not sorted.
+    std::vector<std::uint32_t> tested(nodes), ends(nodes);
+    std::vector<std::uint16_t> depths(nodes);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const std::uint32_t node = node_of(tests[i], side);
+        if (!is_ending(outcomes[i])) {
+            ++tested[node];
+        } else if (passes(filter, outcomes[i], depth_of(tests[i], side))) {
+            ++tested[node];
+            ++ends[node];
+            depths[node] = depth_of(tests[i], side);
         }
-        const std::uint16_t depth = side == 0 ? test.depth_a : test.depth_b;
-        if (depth < filter.least_depth || depth > filter.most_depth) continue;
-        if (!filter.endings.empty() && std::find(filter.endings.begin(), filter.endings.end(),
-                                                 outcome) == filter.endings.end())
-            continue;
-        ends.push_back({side == 0 ? test.nodes.a : test.nodes.b, depth, outcome});
     }
-    // Stable, so that `first` and `last` follow the order of the traversal.
-    std::stable_sort(ends.begin(), ends.end(),
-                     [](const End& x, const End& y) { return x.node < y.node; });
+    std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0u);
+    std::vector<Stage> endings(tests.size());
+    for (std::size_t i = 0; i < tests.size(); ++i)
+        if (is_ending(outcomes[i]) && passes(filter, outcomes[i], depth_of(tests[i], side)))
+            endings[ends[node_of(tests[i], side)]++] = outcomes[i];
     std::vector<EndedPaths> front;
-    for (std::size_t begin = 0; begin < ends.size();) {
-        std::size_t end = begin + 1;
-        while (end < ends.size() && ends[end].node == ends[begin].node) ++end;
-        front.push_back(summary(std::span(ends).subspan(begin, end - begin)));
-        const auto passed = passed_on.find(ends[begin].node);
-        front.back().tested = front.back().tests + (passed == passed_on.end() ? 0 : passed->second);
-        begin = end;
+    for (std::uint32_t node = 0, begin = 0; node < nodes; begin = ends[node++]) {
+        if (ends[node] == begin) continue;
+        EndedPaths& ended = front.emplace_back(
+            summary(std::span<const Stage>(endings).subspan(begin, ends[node] - begin)));
+        ended.node = node;
+        ended.depth = depths[node];
+        ended.tested = tested[node];
     }
     return front;
 }

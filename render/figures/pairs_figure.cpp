@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/parallel_for.h"
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/figure_words.h"
 #include "render/plots/ending_colors.h"
@@ -97,25 +98,30 @@ void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
 
 }  // namespace
 
-std::vector<Segment> contact_segments(const QueryBodies& bodies, const QueryTrace& frame,
-                                      std::uint32_t first_id) {
-    std::vector<Segment> segments;
-    for (std::size_t i = 0; i < frame.found.pairs.size(); ++i) {
-        const IndexPair pair = frame.found.pairs[i];
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
+                                      const QueryTrace& frame) {
+    if (pairs_are_nodes(header)) return {};
+    const std::vector<IndexPair>& pairs = frame.found.pairs;
+    std::vector<std::optional<LineSegment>> meet(pairs.size());
+    parallel_blocks(processor_count(), pairs.size(), [&](std::size_t first, std::size_t end) {
         // In A's frame, where the triangles were tested.
-        const auto meet = triangles_intersection(
-            corners(*bodies[0].mesh, pair.a),
-            transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pair.b)));
-        if (!meet) continue;
-        segments.push_back({transform_point(bodies[0].pose, meet->a),
-                            transform_point(bodies[0].pose, meet->b), Rgba8{},
-                            first_id + static_cast<std::uint32_t>(i)});
-    }
+        for (std::size_t i = first; i < end; ++i)
+            meet[i] = triangles_intersection(
+                corners(*bodies[0].mesh, pairs[i].a),
+                transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
+    });
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (meet[i])
+            segments.push_back({transform_point(bodies[0].pose, meet[i]->a),
+                                transform_point(bodies[0].pose, meet[i]->b), Rgba8{},
+                                static_cast<std::uint32_t>(i)});
     return segments;
 }
 
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
-                const PairsStyle& style, std::uint32_t first_pair_id) {
+                std::vector<Segment> contact, const PairsStyle& style,
+                std::uint32_t first_pair_id) {
     Pane pane;
     for (std::size_t side = 0; side < body_count(header); ++side) {
         const QueryBody& body = bodies[side];
@@ -132,8 +138,9 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
                        ending_color(Stage::triangles_apart, *style.theme), side == 1);
     }
     if (pairs_are_nodes(header)) return pane;
-    pane.segments = contact_segments(bodies, frame, first_pair_id);
+    pane.segments = std::move(contact);
     for (Segment& segment : pane.segments) {
+        segment.id += first_pair_id;
         segment.color = style.theme->text;
         segment.hidden_color = hidden_color(*style.theme);
         segment.width = 3;
@@ -196,13 +203,11 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
 }
 
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
-                                      const QueryTrace& frame) {
+                                      const QueryTrace& frame, std::span<const Segment> contact) {
     std::vector<AnyVolume> region;
-    if (!pairs_are_nodes(header)) {
-        for (const Segment& segment : contact_segments(bodies, frame, 0))
-            for (const Vec3& end : {segment.from, segment.to}) region.push_back(Ball{end, 0});
-        return region;
-    }
+    for (const Segment& segment : contact)
+        for (const Vec3& end : {segment.from, segment.to}) region.push_back(Ball{end, 0});
+    if (!pairs_are_nodes(header)) return region;
     for (const IndexPair& pair : frame.found.pairs)
         for (std::size_t side = 0; side < 2; ++side)
             region.push_back(volume_of(bodies[side], side == 0 ? pair.a : pair.b));

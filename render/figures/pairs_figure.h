@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "core/analysis/trace.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
@@ -12,17 +15,18 @@ struct PairsStyle {
     const Theme* theme = &light_theme;
 };
 
-/// The segments in which the pairs of triangles meet, in the world; one per pair, in their order.
-std::vector<Segment> contact_segments(const QueryBodies& bodies, const QueryTrace& frame,
-                                      std::uint32_t first_id);
+/// The segments in which the pairs of triangles meet, in the world. The id of each is the index of
+/// its pair. Empty if the pairs are nodes.
+std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
+                                      const QueryTrace& frame);
 
 /// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
 /// the segments in which they meet, thin and gray where a body hides them; and, on request,
 /// translucent and hatched for B, the volumes of leaves that overlapped although their triangles do
 /// not intersect. For a query that stopped at a level: the volumes of the pairs of nodes.
-/// `first_pair_id` is the id of the first pair's segment.
+/// `contact`: of contact_segments. `first_pair_id` is the id of the first pair's segment.
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
-                const PairsStyle& style, std::uint32_t first_pair_id);
+                std::vector<Segment> contact, const PairsStyle& style, std::uint32_t first_pair_id);
 
 /// Its numbers and legend.
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
@@ -33,8 +37,8 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
                                     const QueryTrace& frame, const PairsStyle& style);
 
 /// The volumes that a camera following the contact must show: the ends of the segments in which
-/// triangles meet, or the volumes of nodes. Empty without contact.
+/// triangles meet, or the volumes of nodes. Empty without contact. `contact`: of contact_segments.
 std::vector<AnyVolume> contact_region(const QueryBodies& bodies, const TraceHeader& header,
-                                      const QueryTrace& frame);
+                                      const QueryTrace& frame, std::span<const Segment> contact);
 
 }  // namespace scb::render

@@ -126,8 +126,8 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
         const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
-        views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, style,
-                                      first_pair_id + static_cast<std::uint32_t>(before));
+        views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, query.contact,
+                                      style, first_pair_id + static_cast<std::uint32_t>(before));
         views[side].legend = pairs_legend(query.bodies, *query.header, *query.frame, style);
     }
     compare(views, queries, only_here, *style.theme);
@@ -135,7 +135,7 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
     if (queries[0].header->options.stop_level >= 0) return views;
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        for (Segment& segment : contact_segments(query.bodies, *query.frame, 0)) {
+        for (Segment segment : query.contact) {
             const IndexPair pair = query.frame->found.pairs[segment.id];
             if (!std::binary_search(only_here[side].begin(), only_here[side].end(), pair)) continue;
             segment.id = 0;
@@ -159,8 +159,8 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
     const std::array<EndedNodes, 2> ended = compared_nodes(queries, trees, style);
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        views[side].pane =
-            rejections_pane(query.bodies, *query.frame, trees[side], ended[side], style);
+        views[side].pane = rejections_pane(query.bodies, *query.frame, trees[side], ended[side],
+                                           query.contact, style);
         views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
         for (PanelItem& item : node_color_keys(style))
             views[side].legend.push_back(std::move(item));

@@ -16,6 +16,7 @@ struct ComparedQuery {
                          ///< nodes
     const TraceHeader* header = nullptr;
     const QueryTrace* frame = nullptr;
+    std::vector<Segment> contact;  ///< see contact_segments
 };
 using ComparedQueries = std::array<ComparedQuery, 2>;
 

@@ -111,34 +111,41 @@ std::string volumes_text(std::size_t side, const std::string& name) {
     return letter + (side == 1 ? ", hatched" : "") + (name == letter ? "" : ": " + name);
 }
 
-/// The triangles of the leaves at which paths ended because triangles met.
-std::vector<std::uint32_t> meeting_triangles(const QueryBody& body, const QueryTrace& frame,
-                                             const Outcomes& outcomes, std::size_t side,
-                                             EndedPathsFilter filter) {
-    filter.endings = {Stage::triangles_meet};
-    std::vector<std::uint32_t> triangles;
-    for (const EndedPaths& leaf : ended_paths(frame, outcomes, side, filter))
-        for (const std::uint32_t triangle : body.tree->items(leaf.node))
-            triangles.push_back(triangle);
-    std::sort(triangles.begin(), triangles.end());
-    return triangles;
+/// Per triangle, whether paths ended at its leaf because triangles met.
+std::vector<char> meeting_triangles(const QueryBody& body, const QueryTrace& frame,
+                                    const Outcomes& outcomes, std::size_t side,
+                                    const EndedPathsFilter& filter) {
+    std::vector<char> meet(body.mesh->triangles.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (outcomes[i] != Stage::triangles_meet) continue;
+        const Step& test = frame.steps.volumes[i];
+        const int depth = side == 0 ? test.depth_a : test.depth_b;
+        if (depth < filter.least_depth || depth > filter.most_depth) continue;
+        for (const std::uint32_t triangle :
+             body.tree->items(side == 0 ? test.nodes.a : test.nodes.b))
+            if (triangle < meet.size()) meet[triangle] = 1;
+    }
+    return meet;
 }
 
 /// The lines in which triangles meet, in front of everything. Found pairs are the rarest ending and
 /// the most interesting one, but most of these triangles are more often apart from others.
 std::vector<Segment> meeting_lines(const QueryBodies& bodies, const QueryTrace& frame,
-                                   const Outcomes& outcomes, const RejectionsStyle& style) {
+                                   const Outcomes& outcomes, std::vector<Segment> contact,
+                                   const RejectionsStyle& style) {
     if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return {};
-    std::array<std::vector<std::uint32_t>, 2> shown;
+    std::array<std::vector<char>, 2> shown;
     for (std::size_t side = 0; side < 2; ++side)
         if (style.sides[side])
             shown[side] = meeting_triangles(bodies[side], frame, outcomes, side, style.filter);
-    if (shown[0].empty() && shown[1].empty()) return {};
+    const auto is_shown_of = [&](std::size_t side, std::uint32_t triangle) {
+        return triangle < shown[side].size() && shown[side][triangle] != 0;
+    };
     std::vector<Segment> lines;
-    for (Segment& line : contact_segments(bodies, frame, 0)) {
+    for (Segment& line : contact) {
         const IndexPair pair = frame.found.pairs[line.id];
-        const bool of_a = std::binary_search(shown[0].begin(), shown[0].end(), pair.a);
-        if (!of_a && !std::binary_search(shown[1].begin(), shown[1].end(), pair.b)) continue;
+        const bool of_a = is_shown_of(0, pair.a);
+        if (!of_a && !is_shown_of(1, pair.b)) continue;
         line.id =
             of_a ? bodies[0].first_triangle_id + pair.a : bodies[1].first_triangle_id + pair.b;
         line.color = ending_color(Stage::triangles_meet, *style.theme);
@@ -164,7 +171,8 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const QueryTrace& frame, const
 }
 
 Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
-                     const EndedNodes& ended, const RejectionsStyle& style) {
+                     const EndedNodes& ended, std::vector<Segment> contact,
+                     const RejectionsStyle& style) {
     Pane pane;
     for (std::size_t side = 0; side < 2; ++side) {
         MeshDraw tested = marked_triangles(bodies[side], {}, style.theme->mesh);
@@ -194,7 +202,7 @@ Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const O
         mesh.backdrop = true;
         pane.meshes.push_back(std::move(mesh));
     }
-    pane.segments = meeting_lines(bodies, frame, outcomes, style);
+    pane.segments = meeting_lines(bodies, frame, outcomes, std::move(contact), style);
     return pane;
 }
 

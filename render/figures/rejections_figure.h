@@ -37,9 +37,10 @@ EndedNodes ended_nodes(const QueryBodies& bodies, const QueryTrace& frame, const
 
 /// Each node at which paths ended, in its ending's color, and hatched for B: as its exact volume,
 /// or, if its triangles were tested, as these. Behind them, faint, are the meshes; in front of all
-/// are the lines in which triangles meet.
+/// are the lines in which triangles meet, of `contact`, see contact_segments.
 Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const Outcomes& outcomes,
-                     const EndedNodes& ended, const RejectionsStyle& style);
+                     const EndedNodes& ended, std::vector<Segment> contact,
+                     const RejectionsStyle& style);
 
 /// Whether it has only the meshes in the background.
 bool shows_no_node(const Pane& pane);

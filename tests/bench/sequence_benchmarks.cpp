@@ -94,16 +94,19 @@ enum class What { rejections, pairs };
 
 void describe(render::SceneFigure& figure, What what, const render::QueryBodies& bodies,
               const TraceHeader& header, const QueryTrace& frame) {
+    std::vector<render::Segment> contact = render::contact_segments(bodies, header, frame);
     if (what == What::pairs) {
         const render::PairsStyle style;
-        figure.pane = render::pairs_pane(bodies, header, frame, style, 1u << 30);
+        figure.pane =
+            render::pairs_pane(bodies, header, frame, std::move(contact), style, 1u << 30);
         figure.panel = render::pairs_panel(bodies, header, frame, style);
         return;
     }
     const render::RejectionsStyle style;
     const Outcomes outcomes = outcomes_of(header, frame);
     const render::EndedNodes ended = render::ended_nodes(bodies, frame, outcomes, style);
-    figure.pane = render::rejections_pane(bodies, frame, outcomes, ended, style);
+    figure.pane =
+        render::rejections_pane(bodies, frame, outcomes, ended, std::move(contact), style);
     figure.panel = render::rejections_panel(bodies, header, frame, outcomes, ended, style);
     figure.chart = render::endings_chart(header, frame, outcomes, style);
 }

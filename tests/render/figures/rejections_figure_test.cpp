@@ -39,6 +39,7 @@ struct Query {
         bodies[1].name = "lid";
         bodies[1].pose = pose;
     }
+    std::vector<Segment> contact() const { return contact_segments(bodies, header, frame); }
     const Topology& topology() const { return mesh.topology(); }
     bool at_triangle(const EndedPaths& node) const {
         return topology().nodes[node.node].is_leaf() && !is_rejection(node.dominant);
@@ -88,7 +89,9 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
     RejectionsStyle style;
     const auto lines = [&] {
         const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.outcomes, style);
-        return rejections_pane(query.bodies, query.frame, query.outcomes, ended, style).segments;
+        return rejections_pane(query.bodies, query.frame, query.outcomes, ended, query.contact(),
+                               style)
+            .segments;
     };
     ASSERT_FALSE(query.frame.found.pairs.empty());
     // Also the lines of triangles that are left out.
@@ -113,9 +116,9 @@ TEST(RejectionsFigure, WhatMeetsIsAlwaysSeen) {
 TEST(RejectionsFigure, BodiesAreToldApart) {
     const Query query;
     const RejectionsStyle style;
-    const Pane pane =
-        rejections_pane(query.bodies, query.frame, query.outcomes,
-                        ended_nodes(query.bodies, query.frame, query.outcomes, style), style);
+    const Pane pane = rejections_pane(query.bodies, query.frame, query.outcomes,
+                                      ended_nodes(query.bodies, query.frame, query.outcomes, style),
+                                      query.contact(), style);
     const std::uint32_t first_of_b = query.bodies[1].first_node_id;
     ASSERT_FALSE(pane.volumes.empty());
     EXPECT_FALSE(pane.volumes.front().hatched);
@@ -141,7 +144,8 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
     RejectionsStyle style;
     style.sides = {true, false};
     const EndedNodes ended = ended_nodes(query.bodies, query.frame, query.outcomes, style);
-    const Pane pane = rejections_pane(query.bodies, query.frame, query.outcomes, ended, style);
+    const Pane pane =
+        rejections_pane(query.bodies, query.frame, query.outcomes, ended, query.contact(), style);
     std::vector<std::uint32_t> triangles;
     for (const EndedPaths& node : ended[0])
         if (query.at_triangle(node))
@@ -159,14 +163,14 @@ TEST(RejectionsFigure, LeavesAreTrianglesWhereTheseWereTested) {
     }
     EXPECT_FALSE(shows_no_node(pane));
     EXPECT_TRUE(
-        shows_no_node(rejections_pane(query.bodies, query.frame, query.outcomes, {}, style)));
+        shows_no_node(rejections_pane(query.bodies, query.frame, query.outcomes, {}, {}, style)));
 }
 
 TEST(PairsFigure, MarksWhatIntersectsAndTheCameraHoldsTheLinesAlone) {
     const Query query;
     const std::vector<IndexPair>& pairs = query.frame.found.pairs;
     ASSERT_FALSE(pairs.empty());
-    const Pane pane = pairs_pane(query.bodies, query.header, query.frame, {}, 1);
+    const Pane pane = pairs_pane(query.bodies, query.header, query.frame, query.contact(), {}, 1);
     ASSERT_EQ(pane.meshes.size(), 4u);
     for (const IndexPair pair : pairs)
         for (std::size_t side = 0; side < 2; ++side) {
@@ -177,7 +181,8 @@ TEST(PairsFigure, MarksWhatIntersectsAndTheCameraHoldsTheLinesAlone) {
                                            side == 0 ? pair.a : pair.b));
             EXPECT_FALSE(pane.meshes[2 * side + 1].chosen);
         }
-    const std::vector<AnyVolume> region = contact_region(query.bodies, query.header, query.frame);
+    const std::vector<AnyVolume> region =
+        contact_region(query.bodies, query.header, query.frame, query.contact());
     ASSERT_EQ(region.size(), 2 * pairs.size());
     for (std::size_t i = 0; i < region.size(); ++i) {
         const TriangleCorners at = corners(query.mesh.mesh, pairs[i / 2].a);
@@ -194,7 +199,8 @@ TEST(PairsFigure, LeavesAreCountedAndThoseOfBAreHatched) {
     const Query query;
     PairsStyle style;
     style.leaves = true;
-    const Pane pane = pairs_pane(query.bodies, query.header, query.frame, style, 1);
+    const Pane pane =
+        pairs_pane(query.bodies, query.header, query.frame, query.contact(), style, 1);
     std::vector<PanelLegendRow> rows;
     for (const PanelItem& item : pairs_panel(query.bodies, query.header, query.frame, style))
         if (const auto* row = std::get_if<PanelLegendRow>(&item)) rows.push_back(*row);
