@@ -30,17 +30,23 @@ render::Image picture_of(const std::filesystem::path& file, int width, int heigh
 
 /// The picture with the green of volumes and meshes changed by 1 of 255 (up, or down from 255): a
 /// deliberate, invisible error for `scb golden selftest`.
-render::Picture shifted_colors(render::Picture picture) {
+void shift_colors(render::Pane& pane) {
     const auto shift = [](render::Rgba8& color) {
         color.g = static_cast<std::uint8_t>(color.g < 255 ? color.g + 1 : color.g - 1);
     };
-    for (render::Pane& pane : picture.panes) {
-        for (render::VolumeInstance& volume : pane.volumes) shift(volume.color);
-        for (render::MeshDraw& mesh : pane.meshes) {
-            shift(mesh.color);
-            for (render::Rgba8& color : mesh.triangle_colors) shift(color);
-        }
+    for (render::VolumeInstance& volume : pane.volumes) shift(volume.color);
+    for (render::MeshDraw& mesh : pane.meshes) {
+        shift(mesh.color);
+        for (render::Rgba8& color : mesh.triangle_colors) shift(color);
     }
+}
+
+render::Picture shifted_colors(render::Picture picture) {
+    for (render::Pane& pane : picture.panes)
+        pane.add_contents = [add = std::move(pane.add_contents)](render::Pane& drawn) {
+            if (add) add(drawn);
+            shift_colors(drawn);
+        };
     return picture;
 }
 
@@ -149,8 +155,9 @@ void PictureRun::explain(const render::SceneFigure& figure) {
 void PictureRun::draw(const std::string& name, const render::Picture& picture, Json entry,
                       bool of_sequence) {
     const bool with_ids = (options_.ids || options_.pick) && of_sequence;
-    render::Rendering rendering = renderer_.draw(
-        options_.shift_color ? shifted_colors(picture) : picture, &overlay_, with_ids);
+    render::Rendering rendering = options_.shift_color
+                                      ? renderer_.draw(shifted_colors(picture), &overlay_, with_ids)
+                                      : renderer_.draw(picture, &overlay_, with_ids);
     Json files = {{"file", name + ".png"}};
     Json picture_of_shard;
     if (video_ && of_sequence) video_->push(rendering.image);

@@ -23,6 +23,8 @@ class QuerySource {
     /// The query that this project makes; not for recordings.
     const SceneQuery& query() const { return query_; }
     bool is_recording() const { return recorded() != nullptr; }
+    /// Whether it makes its queries itself: no trace, no recorded queries.
+    bool makes_queries() const { return input_ == nullptr; }
     /// The recorded queries; null for other sources.
     scenes::RecordedTrace* recorded() const { return input_ ? input_->recorded() : nullptr; }
     const TraceHeader& header() const { return input_ ? input_->header() : header_; }
@@ -51,10 +53,10 @@ class QuerySource {
     /// The query of a frame, in any order of frames: makes or reads the query again.
     QueryTrace frame_again(int number) const;
     /// The verdicts on the tests of the latest frame().
-    Attribution attribution(const QueryTrace& frame);
+    Attribution attribution(const QueryTrace& frame) const;
     /// Of the two bodies, see core/analysis/level_overlaps.h: by the query's own test; in a
     /// recording, by the exact verdict on its volumes.
-    std::vector<std::size_t> level_overlaps(const QueryTrace& frame, std::size_t most);
+    std::vector<std::size_t> level_overlaps(const QueryTrace& frame, std::size_t most) const;
 
   private:
     void open_trace(const SceneOptions& scene, const std::string& frames);

@@ -1,6 +1,8 @@
 #include "app/view/view_query.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -10,6 +12,7 @@
 #include "core/analysis/ending.h"
 #include "core/analysis/traversal_part.h"
 #include "core/analysis/worst_pairs.h"
+#include "core/base/parallel_for.h"
 #include "core/platform/utf8.h"
 #include "render/figures/explain_figure.h"
 #include "render/figures/inspect_figure.h"
@@ -80,6 +83,12 @@ struct Worst {
         wrong.add(frame, attribution);
     }
 
+    void add(const Worst& of_other_frames) {
+        fits.add(of_other_frames.fits.outermost(), of_other_frames.fits.parts());
+        tests.add(of_other_frames.tests.outermost(), of_other_frames.tests.parts());
+        wrong.add(of_other_frames.wrong.pairs());
+    }
+
     /// Lists by the index of the verdict, with the nodes' numbers.
     Json json() const {
         Json worst = Json::array();
@@ -105,9 +114,7 @@ struct Worst {
 };
 
 /// Tests whose steps a reader looks for first: the worst of each kind, and all wrong rejections.
-std::vector<std::uint32_t> worst_tests(const QueryTrace& frame, const Attribution& attribution) {
-    Worst worst;
-    worst.add(frame, attribution);
+std::vector<std::uint32_t> worst_tests(const Worst& worst, const Attribution& attribution) {
     std::vector<std::uint32_t> tests;
     for (const WorstPairs* pairs : {&worst.fits, &worst.tests})
         for (const FalsePair& pair : pairs->pairs()) tests.push_back(pair.pair.test);
@@ -116,46 +123,95 @@ std::vector<std::uint32_t> worst_tests(const QueryTrace& frame, const Attributio
     return tests;
 }
 
+/// A frame of a page.
+struct FramePart {
+    Json entry;                 ///< with numbers of its own blocks
+    render::BlockStore blocks;  ///< compressed before the frame's turn comes
+    Worst worst;
+};
+
+/// The keys of an entry whose values are numbers of blocks.
+constexpr std::array block_keys = {"outcomes", "pair_block", "nodes", "steps"};
+
+/// Makes the parts of the frames of a column.
+class PartMaker {
+  public:
+    PartMaker(const ViewColumn& column, std::size_t steps)
+        : source_(*column.query),
+          groups_(render::ending_groups(source_.header(), render::light_theme)),
+          most_steps_(steps == 0 ? 0 : std::max<std::size_t>(1, steps / source_.frames().size())) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            bodies_[side].tree = column.bodies[side].tree.get();
+            source_.body(side, source_.frames().front());  // builds its tree, before threads ask
+        }
+    }
+
+    FramePart part(const QueryTrace& frame) const {
+        const TraceHeader& header = source_.header();
+        const Outcomes outcomes = outcomes_of(header, frame);
+        const Attribution attribution = source_.attribution(frame);
+        FramePart part;
+        part.worst.add(frame, attribution);
+        const render::QueryBlocks blocks =
+            render::query_blocks(bodies_, frame, outcomes, attribution, groups_, part.blocks);
+        part.entry = {{"frame", frame.frame},
+                      {"n_v", frame.found.n_v},
+                      {"n_p", frame.found.n_p},
+                      {"pairs", frame.found.pairs.size()},
+                      {"judged", attribution.counts.all.volume_tests > 0},
+                      {"wasted", attribution.counts.wasted.volume_tests},
+                      {"overlaps", source_.level_overlaps(frame, most_overlaps)},
+                      {"outcomes", blocks.outcomes},
+                      {"pair_block", blocks.pairs}};
+        if (blocks.nodes) part.entry["nodes"] = *blocks.nodes;
+        if (!source_.is_recording() && most_steps_ > 0)
+            part.entry["steps"] = part.blocks.add(std::string_view(
+                view_steps_json(
+                    source_.query(), frame,
+                    costly_tests(frame.steps, worst_tests(part.worst, attribution), most_steps_))
+                    .dump(-1, ' ', false, Json::error_handler_t::replace)));
+        return part;
+    }
+
+  private:
+    const QuerySource& source_;
+    std::vector<render::EndingGroup> groups_;
+    std::size_t most_steps_;
+    render::QueryBodies bodies_;
+};
+
 }  // namespace
 
 Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, std::size_t steps,
                      render::BlockStore& store, const std::function<void()>& step) {
     QuerySource& source = *column.query;
     const TraceHeader& header = source.header();
-    const std::vector<render::EndingGroup> groups =
-        render::ending_groups(header, render::light_theme);
-    render::QueryBodies bodies;
-    for (std::size_t side = 0; side < 2; ++side) bodies[side].tree = column.bodies[side].tree.get();
-    const std::size_t most_steps =
-        steps == 0 ? 0 : std::max<std::size_t>(1, steps / source.frames().size());
+    std::vector<int> numbers;
+    std::set_intersection(source.frames().begin(), source.frames().end(), in_page.begin(),
+                          in_page.end(), std::back_inserter(numbers));
+    const PartMaker maker(column, steps);
     Json frames = Json::array();
     Worst worst;
-    for (const int number : source.frames()) {
-        if (!std::binary_search(in_page.begin(), in_page.end(), number)) continue;
-        const QueryTrace& frame = source.frame(number);
-        const Outcomes outcomes = outcomes_of(header, frame);
-        const Attribution attribution = source.attribution(frame);
-        worst.add(frame, attribution);
-        const render::QueryBlocks blocks =
-            render::query_blocks(bodies, frame, outcomes, attribution, groups, store);
-        Json entry = {{"frame", number},
-                      {"n_v", frame.found.n_v},
-                      {"n_p", frame.found.n_p},
-                      {"pairs", frame.found.pairs.size()},
-                      {"judged", attribution.counts.all.volume_tests > 0},
-                      {"wasted", attribution.counts.wasted.volume_tests},
-                      {"overlaps", source.level_overlaps(frame, most_overlaps)},
-                      {"outcomes", blocks.outcomes},
-                      {"pair_block", blocks.pairs}};
-        if (blocks.nodes) entry["nodes"] = *blocks.nodes;
-        if (!source.is_recording() && most_steps > 0)
-            entry["steps"] = store.add(std::string_view(
-                view_steps_json(
-                    source.query(), frame,
-                    costly_tests(frame.steps, worst_tests(frame, attribution), most_steps))
-                    .dump(-1, ' ', false, Json::error_handler_t::replace)));
-        frames.push_back(std::move(entry));
-        step();
+    // A recording is read frame by frame.
+    const std::size_t at_once =
+        source.makes_queries() ? 4 * static_cast<std::size_t>(processor_count()) : 1;
+    for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+        std::vector<FramePart> parts(std::min(at_once, numbers.size() - first));
+        if (source.makes_queries())
+            parallel_for(processor_count(), parts.size(), [&](std::size_t i) {
+                parts[i] = maker.part(source.frame_again(numbers[first + i]));
+            });
+        else
+            parts[0] = maker.part(source.frame(numbers[first]));
+        for (FramePart& part : parts) {
+            for (const char* key : block_keys)
+                if (part.entry.contains(key))
+                    part.entry[key] =
+                        store.add(part.blocks.blocks()[part.entry[key].get<std::size_t>()]);
+            worst.add(part.worst);
+            frames.push_back(std::move(part.entry));
+            step();
+        }
     }
     Json symbols = Json::array();
     if (!source.is_recording())

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/analysis/cost_equation.h"
+#include "core/base/parallel_for.h"
 #include "core/collide/query_placement.h"
 #include "core/explain/exact_overlap.h"
 #include "core/volumes/shape.h"
@@ -100,16 +101,25 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
                                      const QueryTrace& frame,
                                      const std::vector<std::uint64_t>& contacts) {
     const Placement placed = query_placement(a, b, frame.b_to_a);
-    std::vector<TestedPair> pairs;
-    pairs.reserve(contacts.size());
-    for (const Step& test : frame.steps.volumes) {
-        const IndexPair nodes = test.nodes;
-        const ContactCertificate certificate =
-            exact_verdict(shape_of(a.volumes[nodes.a]), shape_of(b.volumes[nodes.b]), placed);
-        pairs.push_back(
-            {true, certificate.contact, certificate.margin, contacts[pairs.size()],
-             a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()});
-    }
+    std::vector<TestedPair> pairs(contacts.size());
+    parallel_blocks(processor_count(), pairs.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const Step& test = frame.steps.volumes[i];
+            const IndexPair nodes = test.nodes;
+            const auto& of_a = shape_of(a.volumes[nodes.a]);
+            const auto& of_b = shape_of(b.volumes[nodes.b]);
+            // Of a right rejection, the gap is not wanted.
+            if (test.stage != Stage::overlapping && contacts[i] == 0 &&
+                apart_along_centers(of_a, of_b, placed)) {
+                pairs[i].exact = Contact::disjoint;
+                continue;
+            }
+            const ContactCertificate certificate = exact_verdict(of_a, of_b, placed);
+            pairs[i] = {
+                true, certificate.contact, certificate.margin, contacts[i],
+                a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()};
+        }
+    });
     return pairs;
 }
 

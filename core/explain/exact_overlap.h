@@ -93,6 +93,11 @@ double least_depth(const ConvexShape& a, const ConvexShape& b, const DepthSearch
 template <class V>
 ContactCertificate exact_verdict(const V& a, const V& b, const Placement& placed);
 
+/// Whether a plane across the line of the centers shows that the exact verdict is `disjoint`. False
+/// for many that are disjoint.
+template <class V>
+bool apart_along_centers(const V& a, const V& b, const Placement& placed);
+
 /// B in A's frame, for the exact verdict: normals are normalized again, since a pose that is rigid
 /// to ten digits may change their lengths.
 template <class V>

@@ -183,24 +183,39 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     const Pair pair(a, b);
 
     ContactCertificate certificate;
+    const Crossing crossing(a.n, b.n);
+    const auto have_common_point = [&] {
+        const Pair inner = cores(pair, crossing, 2 * least);
+        if (!(least > 0 && find_common_point(inner, crossing, 1e-14 * larger, certificate.point)))
+            return false;
+        certificate.contact = Contact::overlapping;
+        certificate.margin = least;
+        return true;
+    };
     ScbSeparation separation{pair};
-    try_closed_forms(pair, separation);
+    const auto are_disjoint = [&] {
+        try_closed_forms(pair, separation);
+        if (!(separation.gap > least)) return false;
+        certificate.contact = Contact::disjoint;
+        certificate.direction = separation.direction;
+        certificate.margin = separation.gap;
+        return true;
+    };
+    // Each result is a proof, so the order of the searches changes only their time.
+    ScbSeparation centers{pair};
+    centers.try_direction(pair.to_b());
+    if (centers.gap > 0) {
+        if (are_disjoint() || have_common_point()) return certificate;
+    } else {
+        if (have_common_point() || are_disjoint()) return certificate;
+    }
+
     const auto conclude_disjoint = [&] {
         certificate.contact = Contact::disjoint;
         certificate.direction = separation.direction;
         certificate.margin = separation.gap;
         return certificate;
     };
-    if (separation.gap > least) return conclude_disjoint();
-
-    const Crossing crossing(a.n, b.n);
-    const Pair inner = cores(pair, crossing, 2 * least);
-    if (least > 0 && find_common_point(inner, crossing, 1e-14 * larger, certificate.point)) {
-        certificate.contact = Contact::overlapping;
-        certificate.margin = least;
-        return certificate;
-    }
-
     try_corners(pair, crossing, separation);
     if (separation.gap > least) return conclude_disjoint();
     const Pair exchanged = pair.exchanged();

@@ -20,12 +20,33 @@ V seen_from_a(const V& b, const Placement& placed) {
     return moved;
 }
 
+namespace {
+
+// The length that the tolerance of exact_overlap is a share of.
+template <class V>
+double size_of(const V& a, const V& b) {
+    return std::max(diameter(a), diameter(b)) / 2;
+}
+
+double tolerance_of(double size, const Placement& placed) {
+    return size > 0 ? std::max(contact_tolerance, placed.margin / size) : contact_tolerance;
+}
+
+}  // namespace
+
+template <class V>
+bool apart_along_centers(const V& a, const V& b, const Placement& placed) {
+    const V moved = seen_from_a(b, placed);
+    const Vec3 to_b = shape_center(moved) - shape_center(a);
+    const double size = size_of(a, b);
+    // Well above what rounding can do.
+    const double least = 2 * tolerance_of(size, placed) * size;
+    return squared_norm(to_b) > 0 && least > 0 && proven_gap(a, moved, to_b) > least;
+}
+
 template <class V>
 ContactCertificate exact_verdict(const V& a, const V& b, const Placement& placed) {
-    // The length that the tolerance of exact_overlap is a share of.
-    const double size = std::max(diameter(a), diameter(b)) / 2;
-    const double tolerance =
-        size > 0 ? std::max(contact_tolerance, placed.margin / size) : contact_tolerance;
+    const double tolerance = tolerance_of(size_of(a, b), placed);
     const ContactCertificate certificate = exact_overlap(a, seen_from_a(b, placed), tolerance);
     // Points, which have no size, are disjoint at any distance.
     const bool lost =
@@ -33,8 +54,9 @@ ContactCertificate exact_verdict(const V& a, const V& b, const Placement& placed
     return lost ? ContactCertificate{} : certificate;
 }
 
-#define SCB_INSTANTIATE(V)                              \
-    template V seen_from_a(const V&, const Placement&); \
+#define SCB_INSTANTIATE(V)                                                   \
+    template V seen_from_a(const V&, const Placement&);                      \
+    template bool apart_along_centers(const V&, const V&, const Placement&); \
     template ContactCertificate exact_verdict(const V&, const V&, const Placement&);
 SCB_FOR_EACH_SHAPE(SCB_INSTANTIATE)
 #undef SCB_INSTANTIATE

@@ -5,7 +5,7 @@
 
 namespace scb::render {
 
-EyeView make_eye_view(const Pane& pane, int picture_height, int scale) {
+EyeView make_eye_view(const Pane& pane, const PixelRect& part, int scale) {
     const PixelRect& v = pane.viewport;
     assert(v.width > 0 && v.height > 0 && "a pane needs a rectangle");
     EyeView view;
@@ -15,8 +15,8 @@ EyeView make_eye_view(const Pane& pane, int picture_height, int scale) {
     view.half_height = pane.camera.orthographic ? pane.camera.view_height / 2 / view.unit
                                                 : tan_half_fov(pane.camera);
     view.half_width = view.half_height * v.width / v.height;
-    view.target = {scale * v.x, scale * (picture_height - v.y - v.height), scale * v.width,
-                   scale * v.height};
+    view.target = {scale * (v.x - part.x), scale * (part.y + part.height - v.y - v.height),
+                   scale * v.width, scale * v.height};
     view.scale = scale;
     if (const std::optional<FacePlane>& clip = pane.camera.clip) {
         view.clip_normal = rotate_to_eye(view, -clip->normal);

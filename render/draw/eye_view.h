@@ -23,8 +23,9 @@ struct EyeView {
     double clip_offset = 0;
 };
 
-/// `picture_height` in pixels; `scale` is 1 or 2. Asserts that the pane's rectangle is not empty.
-EyeView make_eye_view(const Pane& pane, int picture_height, int scale);
+/// `part`: the rectangle of the picture that the render target has. `scale` is 1 or 2. Asserts that
+/// the pane's rectangle is not empty.
+EyeView make_eye_view(const Pane& pane, const PixelRect& part, int scale);
 
 /// A world point in eye space, in eye units.
 Vec3 to_eye_units(const EyeView& view, const Vec3& point);

@@ -24,6 +24,9 @@ namespace {
 // Rows of a picture read back at a time: few enough that their samples stay in the cache.
 constexpr int rows_at_a_time = 16;
 
+// More than a picture of 1280x720 pixels with 4 samples.
+constexpr std::int64_t most_samples_at_once = 4'000'000;
+
 /// The largest side of a render target.
 int largest_side(const Gl& gl) {
     std::array<GLint, 2> viewport{};
@@ -74,6 +77,11 @@ void clear(const Gl& gl, Rgba8 background) {
     gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
 }
 
+void fill(Image& image, Rgba8 color) {
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        std::memcpy(&image.rgba[i], std::array{color.r, color.g, color.b, color.a}.data(), 4);
+}
+
 bool has_translucent(const Pane& pane) {
     return std::any_of(pane.volumes.begin(), pane.volumes.end(),
                        [](const VolumeInstance& v) { return v.color.a > 0 && v.color.a < 255; });
@@ -118,10 +126,11 @@ struct Renderer::Parts {
         overlaid.reset();
     }
 
-    void fit_target(std::optional<RenderTarget>& target, int width, int height, bool with_depth) {
+    void fit_target(std::optional<RenderTarget>& target, int width, int height,
+                    RenderTarget::Use use) {
         if (target && target->width() == width && target->height() == height) return;
         target.reset();
-        target.emplace(gl, width, height, with_depth);
+        target.emplace(gl, width, height, use);
     }
 
     void clear_depth() {
@@ -144,15 +153,15 @@ struct Renderer::Parts {
         clear_depth();
     }
 
-    void draw_pane(const Pane& pane, const Picture& picture, int scale) {
-        const EyeView view = make_eye_view(pane, picture.height, scale);
-        const Rgba8 background = pane.background.value_or(picture.background);
+    void draw_pane(const Pane& pane, const PixelRect& part, bool first, Rgba8 of_picture,
+                   int scale) {
+        const EyeView view = make_eye_view(pane, part, scale);
+        const Rgba8 background = pane.background.value_or(of_picture);
         gl.Viewport(view.target.x, view.target.y, view.target.width, view.target.height);
         gl.Scissor(view.target.x, view.target.y, view.target.width, view.target.height);
         // The first pane is clear already if it has the picture's background. (A clear with a
         // scissor is not free: it draws quads.)
-        if (&pane != &picture.panes.front() || background != picture.background)
-            clear(gl, background);
+        if (!first || background != of_picture) clear(gl, background);
         draw_backdrop(pane, view, background);
         draw_meshes(pane, view, background, false);
         volumes.draw_opaque(pane.volumes, view);
@@ -171,48 +180,87 @@ struct Renderer::Parts {
         segments.draw_over(pane.segments, view);
     }
 
-    /// Resolves an attachment of `drawn` row by row, from the top, into `pixels`, 4 bytes each. A
-    /// shader would take a fifth of the processor time of a whole picture on llvmpipe.
+    /// Resolves an attachment of `drawn` row by row, from the top, into the rectangle `part` of
+    /// `pixels`, 4 bytes each, in rows of `width` pixels. A shader would take a fifth of the
+    /// processor time of a whole picture on llvmpipe.
     template <typename Resolve>
-    void read_resolved(GLenum attachment, GLenum format, GLenum type, int scale, void* pixels,
-                       Resolve resolve) {
-        const int width = drawn->width() / scale, height = drawn->height() / scale;
-        const std::size_t words =
-            static_cast<std::size_t>(scale) * static_cast<std::size_t>(drawn->width());  // per row
+    void read_resolved(GLenum attachment, GLenum format, GLenum type, int scale,
+                       const PixelRect& part, int width, void* pixels, Resolve resolve) {
+        const std::size_t words = static_cast<std::size_t>(scale) *
+                                  static_cast<std::size_t>(scale * part.width);  // per row
         samples.resize(rows_at_a_time * words);
-        row.resize(static_cast<std::size_t>(width));
-        auto* bytes = static_cast<std::uint8_t*>(pixels);
-        gl.BindFramebuffer(GL_FRAMEBUFFER, drawn->framebuffer());
+        row.resize(static_cast<std::size_t>(part.width));
         gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
         gl.ReadBuffer(attachment);
-        for (int top = 0; top < height; top += rows_at_a_time) {
-            const int rows = std::min(rows_at_a_time, height - top);
-            gl.ReadPixels(0, scale * (height - top - rows), drawn->width(), scale * rows, format,
-                          type, samples.data());
-            for (int i = rows - 1; i >= 0; --i) {
-                resolve(samples.data() + static_cast<std::size_t>(i) * words, scale, row);
-                std::memcpy(bytes, row.data(), 4 * row.size());
-                bytes += 4 * row.size();
+        for (int top = 0; top < part.height; top += rows_at_a_time) {
+            const int rows = std::min(rows_at_a_time, part.height - top);
+            gl.ReadPixels(0, scale * (part.height - top - rows), scale * part.width, scale * rows,
+                          format, type, samples.data());
+            for (int i = 0; i < rows; ++i) {
+                resolve(samples.data() + static_cast<std::size_t>(rows - 1 - i) * words, scale,
+                        row);
+                const std::size_t at =
+                    static_cast<std::size_t>(part.y + top + i) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(part.x);
+                std::memcpy(static_cast<std::uint8_t*>(pixels) + 4 * at, row.data(),
+                            4 * row.size());
             }
         }
     }
 
-    Rendering read_back(int scale, bool with_ids) {
-        const int width = drawn->width() / scale, height = drawn->height() / scale;
-        const std::size_t pixels =
-            static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        Rendering result{{width, height, std::vector<std::uint8_t>(4 * pixels)}, std::nullopt};
-        read_resolved(GL_COLOR_ATTACHMENT0, GL_RGBA, GL_UNSIGNED_BYTE, scale,
-                      result.image.rgba.data(), resolve_colors);
-        if (!with_ids) return result;
-        result.ids = IdImage{width, height, std::vector<std::uint32_t>(pixels)};
-        read_resolved(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT, scale,
-                      result.ids->ids.data(), resolve_ids);
-        return result;
+    /// Draws the panes, and reads them back into the part of the picture.
+    void draw_part(const PixelRect& part, std::span<const Pane> panes, Rgba8 background, int scale,
+                   Rendering& result) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, drawn->framebuffer());
+        gl.Disable(GL_SCISSOR_TEST);
+        clear(gl, background);
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_LESS);
+        for (const Pane& pane : panes) {
+            const bool first = &pane == panes.data();
+            if (!pane.add_contents) {
+                draw_pane(pane, part, first, background, scale);
+                continue;
+            }
+            Pane whole = pane;
+            pane.add_contents(whole);
+            draw_pane(whole, part, first, background, scale);
+        }
+        gl.Disable(GL_DEPTH_TEST);
+        gl.Disable(GL_SCISSOR_TEST);
+        read_resolved(GL_COLOR_ATTACHMENT0, GL_RGBA, GL_UNSIGNED_BYTE, scale, part,
+                      result.image.width, result.image.rgba.data(), resolve_colors);
+        if (result.ids)
+            read_resolved(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT, scale, part,
+                          result.image.width, result.ids->ids.data(), resolve_ids);
+    }
+
+    /// Draws all panes at once, or, of large pictures of several panes, each by itself: a sheet of
+    /// 3840x2160 pixels with 4 samples would take 400 MB.
+    void draw_panes(const Picture& picture, int scale, Rendering& result) {
+        const std::vector<Pane>& panes = picture.panes;
+        const PixelRect whole{0, 0, picture.width, picture.height};
+        const bool each = panes.size() > 1 && static_cast<std::int64_t>(scale * picture.width) *
+                                                      (scale * picture.height) >
+                                                  most_samples_at_once;
+        PixelRect largest = whole;
+        if (each) {
+            largest = {};
+            for (const Pane& pane : panes) {
+                largest.width = std::max(largest.width, pane.viewport.width);
+                largest.height = std::max(largest.height, pane.viewport.height);
+            }
+        }
+        fit_target(drawn, scale * largest.width, scale * largest.height, RenderTarget::Use::views);
+        if (!each) return draw_part(whole, panes, picture.background, scale, result);
+        fill(result.image, picture.background);
+        for (const Pane& pane : panes)
+            draw_part(pane.viewport, {&pane, 1}, picture.background, scale, result);
     }
 
     void paint_over(Image& image, const Overlay& figures) {
-        fit_target(overlaid, image.width, image.height, false);
+        fit_target(overlaid, image.width, image.height, RenderTarget::Use::overlay);
         gl.BindTexture(GL_TEXTURE_2D, overlaid->colors());
         gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
         gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA,
@@ -253,21 +301,14 @@ Rendering Renderer::draw(const Picture& picture, const Overlay* overlay, bool wi
     const Gl& gl = parts_->gl;
     const int scale = scale_of(picture.samples);
     check(picture, largest_size(picture.samples));
-    parts_->fit_target(parts_->drawn, scale * picture.width, scale * picture.height, true);
-
-    gl.BindFramebuffer(GL_FRAMEBUFFER, parts_->drawn->framebuffer());
-    gl.Disable(GL_SCISSOR_TEST);
-    clear(gl, picture.background);
-    gl.Enable(GL_SCISSOR_TEST);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LESS);
-    for (const Pane& pane : picture.panes) parts_->draw_pane(pane, picture, scale);
-    gl.Disable(GL_DEPTH_TEST);
-    gl.Disable(GL_SCISSOR_TEST);
-
     const bool outlined = std::any_of(picture.panes.begin(), picture.panes.end(),
                                       [](const Pane& pane) { return !pane.outline.ids.empty(); });
-    Rendering result = parts_->read_back(scale, with_ids || outlined);
+    const std::size_t pixels =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    Rendering result{{picture.width, picture.height, std::vector<std::uint8_t>(4 * pixels)}, {}};
+    if (with_ids || outlined)
+        result.ids = IdImage{picture.width, picture.height, std::vector<std::uint32_t>(pixels)};
+    parts_->draw_panes(picture, scale, result);
     for (const Pane& pane : picture.panes)
         if (!pane.outline.ids.empty())
             draw_outline(result.image, *result.ids, pane.viewport, pane.outline);

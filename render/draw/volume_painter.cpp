@@ -24,6 +24,9 @@ namespace {
 constexpr std::size_t texels_per_volume = 5;
 constexpr std::size_t words_per_volume = 4 * texels_per_volume;
 
+// Drawn before the next ones are set up: some 20 MB of llvmpipe.
+constexpr std::size_t volumes_at_once = 1 << 13;
+
 PackedVolume::Shape shape_of(const AnyVolume& volume) {
     if (std::holds_alternative<Scb2>(volume)) return PackedVolume::Shape::scb2;
     if (std::holds_alternative<Obb>(volume)) return PackedVolume::Shape::obb;
@@ -166,8 +169,14 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
         }
         if (run.shape == PackedVolume::Shape::polytope)
             convex_.use_planes(program, run.first_of_convex, run.planes);
-        gl_.DrawArrays(GL_TRIANGLES, static_cast<GLint>(corners * (run.first % batch_limit_)),
-                       static_cast<GLsizei>(corners * run.count));
+        for (std::size_t drawn = 0; drawn < run.count; drawn += volumes_at_once) {
+            // llvmpipe keeps what is set up and not yet drawn, without a limit.
+            if (drawn > 0) gl_.Finish();
+            const std::size_t count = std::min(volumes_at_once, run.count - drawn);
+            gl_.DrawArrays(GL_TRIANGLES,
+                           static_cast<GLint>(corners * (run.first % batch_limit_ + drawn)),
+                           static_cast<GLsizei>(corners * count));
+        }
     }
 }
 

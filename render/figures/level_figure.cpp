@@ -176,6 +176,7 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             for (const std::uint32_t root : shape.roots) whole += surfaces[root];
         std::optional<AnyVolume> drawn;
         const std::vector<std::uint32_t> cover = level_cover(shape, level);
+        pane.volumes.reserve(pane.volumes.size() + cover.size());
         for (const std::uint32_t node : cover) {
             if (!body.tree->has_volume(node)) continue;
             AnyVolume volume = body.tree->volume(node);

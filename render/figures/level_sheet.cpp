@@ -95,14 +95,26 @@ void draw_cell_text(Overlay& overlay, const LevelSheet& sheet, const LevelSheetC
     overlay.text(x, y + unit * 5 / 4, fitted_text(overlay, second, faint, width), faint);
 }
 
+/// All levels of a large mesh have millions of volumes, so those of a pane are made when it is
+/// drawn.
+Pane cell_pane(const PixelRect& viewport, const Camera& camera, const LevelSheetCell& cell,
+               const LevelStyle& style) {
+    Pane pane;
+    pane.viewport = viewport;
+    pane.camera = camera;
+    pane.add_contents = [bodies = cell.bodies, level = cell.level, style](Pane& drawn) {
+        drawn = level_pane(drawn.viewport, drawn.camera, bodies, level, style);
+    };
+    return pane;
+}
+
 /// The detail below a view, and its place in the view.
 void draw_detail(Overlay& overlay, Picture& picture, const LevelSheet& sheet,
                  const LevelSheetCell& cell, const PixelRect& view) {
     const Theme& theme = *sheet.style.theme;
     const int unit = sheet.layout.unit, size = sheet.layout.detail_size;
     const PixelRect square{view.x + (view.width - size) / 2, view.y + view.height, size, size};
-    picture.panes.push_back(
-        level_pane(square, sheet.detail->camera, cell.bodies, cell.level, sheet.style));
+    picture.panes.push_back(cell_pane(square, sheet.detail->camera, cell, sheet.style));
     overlay.frame(square, theme.accent, 2);
     if (const auto marker =
             marker_of(view, cell.camera, sheet.detail->center, sheet.detail->radius))
@@ -120,7 +132,7 @@ void draw_cell(Overlay& overlay, Picture& picture, const LevelSheet& sheet,
     const int unit = layout.unit;
     draw_cell_text(overlay, sheet, cell, x, y);
     const PixelRect view{x, y + unit * 5 / 2, layout.view_width, layout.view_height};
-    picture.panes.push_back(level_pane(view, cell.camera, cell.bodies, cell.level, sheet.style));
+    picture.panes.push_back(cell_pane(view, cell.camera, cell, sheet.style));
     overlay.frame(view, theme.border);
     draw_length_histogram(overlay,
                           {x, view.y + view.height + layout.detail_size + unit / 2,

@@ -38,6 +38,7 @@ namespace scb::render {
     X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)     \
     X(ENABLE, Enable)                                     \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)   \
+    X(FINISH, Finish)                                     \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)         \
     X(GENBUFFERS, GenBuffers)                             \
     X(GENFRAMEBUFFERS, GenFramebuffers)                   \

@@ -21,7 +21,7 @@ void attach(const Gl& gl, GLuint texture, GLenum attachment, GLint internal, GLe
 
 }  // namespace
 
-RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
+RenderTarget::RenderTarget(const Gl& gl, int width, int height, Use use)
     : width_(width), height_(height), colors_(gl), ids_(gl), depth_(gl), framebuffer_(gl) {
     // Twelve for drawing, and twelve for reading back and encoding.
     constexpr std::uint64_t bytes_per_pixel = 24;
@@ -30,13 +30,14 @@ RenderTarget::RenderTarget(const Gl& gl, int width, int height, bool with_depth)
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     attach(gl, colors_.name(), GL_COLOR_ATTACHMENT0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width,
            height);
-    attach(gl, ids_.name(), GL_COLOR_ATTACHMENT1, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, width,
-           height);
-    if (with_depth)
+    const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl.DrawBuffers(use == Use::views ? 2 : 1, attachments);
+    if (use == Use::views) {
+        attach(gl, ids_.name(), GL_COLOR_ATTACHMENT1, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
+               width, height);
         attach(gl, depth_.name(), GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT,
                GL_FLOAT, width, height);
-    const GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    gl.DrawBuffers(2, attachments);
+    }
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw DrawError("The OpenGL library cannot draw colors and ids into a framebuffer of " +
                         std::to_string(width) + " x " + std::to_string(height) +

@@ -4,18 +4,19 @@
 
 namespace scb::render {
 
-/// A framebuffer of its own: colors (RGBA8), ids (R32UI), and, if it is drawn into, depth (32 bits,
-/// float).
+/// A framebuffer of its own: colors (RGBA8), and, for views of a scene, ids (R32UI) and depth (32
+/// bits, float).
 class RenderTarget {
   public:
+    enum class Use { views, overlay };
+
     /// Throws DrawError if the OpenGL library cannot draw into such a framebuffer.
-    RenderTarget(const Gl& gl, int width, int height, bool with_depth);
+    RenderTarget(const Gl& gl, int width, int height, Use use);
 
     int width() const { return width_; }
     int height() const { return height_; }
     GLuint framebuffer() const { return framebuffer_.name(); }
     GLuint colors() const { return colors_.name(); }
-    GLuint ids() const { return ids_.name(); }
 
   private:
     int width_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -100,6 +101,9 @@ struct Pane {
     std::vector<VolumeInstance> volumes;
     std::vector<Segment> segments;
     Outline outline;
+    /// If set, adds further contents to the pane while it is drawn. So the panes of a sheet do not
+    /// need memory all at once.
+    std::function<void(Pane&)> add_contents = nullptr;
 };
 
 /// The input of a Renderer. Panes are drawn in order; where two overlap, the later one covers the

@@ -46,9 +46,13 @@ std::size_t BlockStore::add(Type type, std::span<const std::uint8_t> bytes, std:
         Z_OK)
         throw std::bad_alloc();
     packed.resize(size);
-    blocks_.push_back({type, count, base64(packed)});
+    return add(Block{type, count, base64(packed)});
+}
+
+std::size_t BlockStore::add(const Block& block) {
+    blocks_.push_back(block);
     const auto [place, is_new] =
-        places_.try_emplace({type, count, blocks_.back().text}, blocks_.size() - 1);
+        places_.try_emplace({block.type, block.count, blocks_.back().text}, blocks_.size() - 1);
     if (!is_new) blocks_.pop_back();
     return place->second;
 }

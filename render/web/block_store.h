@@ -32,6 +32,8 @@ class BlockStore {
     std::size_t add(std::span<const double> values);
     /// UTF-8, as u8.
     std::size_t add(std::string_view text);
+    /// A block of another store.
+    std::size_t add(const Block& block);
 
     const std::deque<Block>& blocks() const { return blocks_; }
 

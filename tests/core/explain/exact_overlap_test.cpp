@@ -92,6 +92,28 @@ TEST(ExactOverlap, OfBallsAgreesWithTheirTestAndProvesIt) {
     expect_all_proven(Random(2), random_ball, 1);
 }
 
+/// The number of pairs that are apart along their centers; each must be disjoint.
+template <class V>
+int apart_pairs(Random random, V (*random_volume)(Random&)) {
+    int apart = 0;
+    for (int i = 0; i < many_pairs; ++i) {
+        const V a = random_volume(random);
+        V b = random_volume(random);
+        b.center = a.center + 2 * random.uniform() * (b.center - a.center);
+        if (i % 2 == 0) b = moved_to_contact(a, b, log_uniform(random, 1e-12, 1e-6));
+        const Placement placed = placement(Pose{}, 4, 4);
+        if (!apart_along_centers(a, b, placed)) continue;
+        EXPECT_EQ(exact_verdict(a, b, placed).contact, Contact::disjoint);
+        ++apart;
+    }
+    return apart;
+}
+
+TEST(ExactOverlap, IsDisjointWhereCentersShowIt) {
+    EXPECT_GT(apart_pairs(Random(3), random_ball), many_pairs / 3);
+    EXPECT_GT(apart_pairs(Random(4), random_box), many_pairs / 10);
+}
+
 TEST(ExactOverlap, KnowsBoxesThatOnlyTouch) {
     const Obb unit{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(1)};
     for (const Vec3& at : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 2, 2), Vec3(0, -2, 0.3)}) {

@@ -66,6 +66,48 @@ TEST(Renderer, TheSamePictureGivesTheSameBytes) {
     }
 }
 
+TEST(Renderer, DrawsThePanesOfLargePicturesOneByOne) {
+    Drawing drawing;
+    Everything scene(drawing.renderer, 4);
+    Picture large = scene.picture;
+    large.width = 1500;
+    large.height = 1000;
+    large.panes[0].viewport = {100, 700, 300, 200};
+    large.panes[1].viewport = {350, 750, 100, 70};  // over a part of the first
+    // The same panes, where all are drawn at once.
+    Picture small = large;
+    small.width = 500;
+    small.height = 300;
+    small.panes[0].viewport = {100, 50, 300, 200};
+    small.panes[1].viewport = {350, 100, 100, 70};
+    const Rendering of_large = drawing.renderer.draw(large, nullptr, true),
+                    of_small = drawing.renderer.draw(small, nullptr, true);
+    int different = 0;
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 500; ++x)
+            different += pixel(of_large.image, x, y + 650) != pixel(of_small.image, x, y) ||
+                         pixel(*of_large.ids, x, y + 650) != pixel(*of_small.ids, x, y);
+    // Elsewhere in the target, corners may be rounded to another 256th of a pixel.
+    EXPECT_LT(different, 20);
+    EXPECT_EQ(pixel(of_large.image, 1400, 20), large.background);
+    EXPECT_EQ(pixel(*of_large.ids, 1400, 20), 0u);
+}
+
+TEST(Renderer, AsksForTheContentsOfAPaneWhenItIsDrawn) {
+    Drawing drawing;
+    Everything scene(drawing.renderer, 1);
+    const Rendering whole = drawing.renderer.draw(scene.picture, nullptr, true);
+    for (Pane& pane : scene.picture.panes) {
+        pane.add_contents = [volumes = std::move(pane.volumes)](Pane& drawn) {
+            drawn.volumes = volumes;
+        };
+        pane.volumes.clear();
+    }
+    const Rendering later = drawing.renderer.draw(scene.picture, nullptr, true);
+    EXPECT_EQ(later.image, whole.image);
+    EXPECT_EQ(later.ids, whole.ids);
+}
+
 TEST(Renderer, KeepsItsShadersAndNothingElseForTheNextContext) {
     std::optional<Rendering> first;
     std::vector<const ContextPlatform*> used;
@@ -116,7 +158,7 @@ TEST(Renderer, SaysWhatFailedOnceThereIsAContext) {
     Drawing drawing;
     const Gl& gl = drawing.context.gl();
     EXPECT_THROW(GlProgram(gl, {"no shader"}, {"void main() {}"}), DrawError);
-    EXPECT_THROW(RenderTarget(gl, 1 << 20, 8, true), DrawError);
+    EXPECT_THROW(RenderTarget(gl, 1 << 20, 8, RenderTarget::Use::views), DrawError);
     while (gl.GetError() != GL_NO_ERROR) {
     }
     gl.Enable(

@@ -33,6 +33,18 @@ TEST(WebPage, TakesNamesForText) {
     EXPECT_EQ(plain.find('@' + std::string("MANIFEST@")), std::string::npos);
 }
 
+TEST(BlockStore, TakesBlocksOfOtherStoresOnce) {
+    BlockStore one, other;
+    one.add(std::vector<std::uint8_t>{1, 2, 3});
+    other.add(std::vector<std::uint32_t>{4});
+    const std::size_t same = other.add(std::vector<std::uint8_t>{1, 2, 3});
+    EXPECT_EQ(one.add(other.blocks()[same]), 0u);
+    EXPECT_EQ(one.add(other.blocks()[0]), 1u);
+    ASSERT_EQ(one.blocks().size(), 2u);
+    EXPECT_EQ(one.blocks()[1].text, other.blocks()[0].text);
+    EXPECT_EQ(one.add(std::vector<std::uint32_t>{4}), 1u);
+}
+
 TEST(WebPage, HasTheFragmentShadersOfThePictures) {
     namespace fs = std::filesystem;
     const fs::path sources = fs::path(SCB_SOURCE_DIR) / "render";
