@@ -280,7 +280,7 @@ std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, dou
 }  // namespace
 
 std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all) {
-    constexpr double most_tests = 1e8, usual_settings = 50;
+    constexpr double most_tests = 3e7, usual_settings = 50;
     return affordable_frames(
         frames, usual_settings * static_cast<double>(all.volume_tests + all.triangle_tests),
         most_tests);

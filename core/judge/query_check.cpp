@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/parallel_for.h"
 #include "core/judge/division_check.h"
 #include "core/judge/item_contact.h"
 #include "core/judge/missed_pairs.h"
@@ -45,6 +46,9 @@ std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const
 /// nothing misses millions.
 constexpr std::size_t most_looked_into = 100'000;
 
+/// Events whose certificates are found ahead: few, so that an interrupt need not wait.
+constexpr std::size_t events_at_once = 1 << 14;
+
 class Judge {
   public:
     Judge(const EngineQuery& query, std::span<const IndexPair> contacts,
@@ -57,6 +61,7 @@ class Judge {
 
     QueryJudgement judged() && {
         for (std::uint32_t i = 0; i < query_.events.size(); ++i) {
+            if (i % events_at_once == 0) find_certificates(i);
             take(i);
             if (is_interrupted(i)) return std::move(result_);
         }
@@ -79,6 +84,21 @@ class Judge {
         constexpr std::size_t every = 256;
         if ((done + 1) % every == 0 && go_on_ && !go_on_()) result_.interrupted = true;
         return result_.interrupted;
+    }
+
+    /// Finds the certificates of the tests of volumes among the next events, which take most of the
+    /// time of a judgement, in all threads.
+    void find_certificates(std::size_t first) {
+        const std::size_t count = std::min(query_.events.size() - first, events_at_once);
+        certificates_.assign(count, std::nullopt);
+        parallel_blocks(processor_count(), count, [&](std::size_t from, std::size_t end) {
+            for (std::size_t i = from; i < end; ++i) {
+                const EngineEvent& event = query_.events[first + i];
+                if (event.kind == Kind::volumes)
+                    certificates_[i] =
+                        certificate_of(query_, query_.b_to_a, nodes_of(query_, event));
+            }
+        });
     }
 
     /// Counts the objects that have neither an extent nor a leaf with a volume.
@@ -162,7 +182,7 @@ class Judge {
 
     void take_test(std::uint32_t i, const EngineEvent& event) {
         JudgedTest test{i, nodes_of(query_, event)};
-        const auto found = certificate_of(query_, query_.b_to_a, test.nodes);
+        const std::optional<ContactCertificate>& found = certificates_[i % events_at_once];
         test.verdict = verdict_of(found, event.stage);
         if (found) test.margin = found->margin;
         const TestLinks::Link link =
@@ -306,6 +326,7 @@ class Judge {
     const std::function<bool()>& go_on_;
     QueryJudgement result_;
     TestLinks links_;
+    std::vector<std::optional<ContactCertificate>> certificates_;  ///< see find_certificates
     std::optional<SelfPairs> self_;  ///< set in a self query of triangles
     // By pair_key: lookups only.
     std::unordered_map<std::uint64_t, ItemTest> item_tests_;  ///< the first test of each pair

@@ -95,7 +95,7 @@ void draw_cell_text(Overlay& overlay, const LevelSheet& sheet, const LevelSheetC
     overlay.text(x, y + unit * 5 / 4, fitted_text(overlay, second, faint, width), faint);
 }
 
-/// All levels of a large mesh have millions of volumes, so those of a pane are made when it is
+/// All levels of a large mesh have millions of volumes, so a pane gets its volumes when it is
 /// drawn.
 Pane cell_pane(const PixelRect& viewport, const Camera& camera, const LevelSheetCell& cell,
                const LevelStyle& style) {
