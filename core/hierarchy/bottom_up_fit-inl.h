@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <iterator>
 #include <span>
 #include <type_traits>
@@ -21,7 +20,7 @@
 #include "core/fit/fit_convex-inl.h"
 #include "core/fit/fit_obb-inl.h"
 #include "core/fit/fit_scb2-inl.h"
-#include "core/hierarchy/fit_volumes.h"
+#include "core/hierarchy/fit_target.h"
 #include "core/hierarchy/mesh_topology.h"
 #include "core/hierarchy/unfitted_triangle.h"
 #include "scb/topology.h"
@@ -55,16 +54,12 @@ template <class V>
 class BottomUpFit {
   public:
     BottomUpFit(const Topology& topology, const LeafOrder& points, const FitOptions& options,
-                int threads, const FittedNodes& wanted, std::span<V> volumes)
+                int threads, const FitTarget<V>& target)
         : topology_(topology),
           points_(points),
           options_(options),
           threads_(threads),
-          wanted_(wanted),
-          volumes_(volumes) {
-        assert((wanted.leaf_triangles == 1 || wanted.deepest == FittedNodes{}.deepest) &&
-               "one or the other");
-    }
+          target_(target) {}
 
     void run(std::uint32_t root, int depth = 0) {
         // Above some thousand triangles, the two halves are fitted in parallel.
@@ -74,7 +69,7 @@ class BottomUpFit {
             in_turn(root, depth);
             return;
         }
-        BottomUpFit right(topology_, points_, options_, threads_, wanted_, volumes_);
+        BottomUpFit right(topology_, points_, options_, threads_, target_);
         parallel_invoke(
             threads_, [&] { run(node.left, depth + 1); },
             [&] { right.run(node.left + 1, depth + 1); });
@@ -84,9 +79,11 @@ class BottomUpFit {
     }
 
     const FitCounts& counts() const { return counts_; }
+    /// Of nodes with one triangle, in no order; only if volumes are packed.
+    std::vector<std::pair<std::uint32_t, V>>& triangles() { return triangles_; }
 
   private:
-    static constexpr bool may_be_unfitted = std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>;
+    static constexpr bool can_be_packed = std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>;
     static constexpr bool needs_dop = !std::is_same_v<V, Obb>;
     static constexpr bool needs_moments = std::is_same_v<V, Obb> || ConvexVolume<V>;
 
@@ -126,30 +123,37 @@ class BottomUpFit {
     // Fits the node on top of the stack.
     void fit_if_wanted(std::uint32_t index, int depth) {
         const TopologyNode& node = topology_.nodes[index];
-        if (depth > wanted_.deepest) return;
-        if (leaves_out_ && node.is_leaf() && depth > 0) {
-            leave_unfitted(node, volumes_[index]);
-            return;
-        }
-        fit_top(node, volumes_[index]);
-        if (leaves_out_ && !node.is_leaf()) fit_triangles_below(index);
+        if constexpr (can_be_packed)
+            if (target_.packable) return fit_packable(index, node, depth);
+        if (depth <= target_.deepest) fit_top(node, target_.volumes[index]);
+    }
+
+    void fit_packable(std::uint32_t index, const TopologyNode& node, int depth) {
+        const bool shares_leaves = target_.leaf_triangles > 1;
+        if (!node.is_leaf())
+            fit_and_weigh(index, target_.packable->inner[PackableVolumes<V>::place_of_inner(node)]);
+        else if (shares_leaves && depth > 0)
+            target_.packable->costs[index] = unfitted_cost(node);
+        else
+            fit_and_weigh(index, triangles_.emplace_back(index, V{}).second);
+        if (shares_leaves && !node.is_leaf()) fit_triangles_below(index);
+    }
+    void fit_and_weigh(std::uint32_t index, V& volume) {
+        fit_top(topology_.nodes[index], volume);
+        target_.packable->costs[index] = static_cast<float>(visit_cost(volume));
     }
 
     // Fits the children that are triangles, after their parent. If the parent may become a packed
     // leaf, they need volumes only if leaves of their own might cost less, see collapse.
     void fit_triangles_below(std::uint32_t parent) {
-        if constexpr (may_be_unfitted) {
-            const TopologyNode& node = topology_.nodes[parent];
-            if (node.count <= static_cast<std::uint32_t>(wanted_.leaf_triangles) &&
-                !(least_cost(node.left) + least_cost(node.left + 1) < own_cost(parent)))
-                return;
-            for (const std::uint32_t child : {node.left, node.left + 1})
-                if (topology_.nodes[child].is_leaf()) fit_by_itself(child);
-        }
+        const TopologyNode& node = topology_.nodes[parent];
+        if (node.count <= target_.leaf_triangles &&
+            !(least_cost(node.left) + least_cost(node.left + 1) < own_cost(parent)))
+            return;
+        for (const std::uint32_t child : {node.left, node.left + 1})
+            if (topology_.nodes[child].is_leaf()) fit_by_itself(child);
     }
-    float own_cost(std::uint32_t index) const {
-        return static_cast<float>(visit_cost(volumes_[index]));
-    }
+    float own_cost(std::uint32_t index) const { return target_.packable->costs[index]; }
     // The least cost of the few triangles below a node, divided into leaves in any way.
     float least_cost(std::uint32_t index) const {
         const TopologyNode& node = topology_.nodes[index];
@@ -159,21 +163,23 @@ class BottomUpFit {
     }
     void fit_by_itself(std::uint32_t leaf) {
         push_leaf(topology_.nodes[leaf]);
-        fit_top(topology_.nodes[leaf], volumes_[leaf]);
+        fit_and_weigh(leaf, triangles_.emplace_back(leaf, V{}).second);
         shared_.resize(shared_.size() - stack_.back().shared_count);
         stack_.pop_back();
     }
-    void leave_unfitted(const TopologyNode& leaf, V& volume) const {
+    float unfitted_cost(const TopologyNode& leaf) const {
         const auto& corners = points_.corners[leaf.first];
         const PointsView all = points_.points.view();
-        if constexpr (may_be_unfitted)
-            set_unfitted(volume, all[corners[0]], all[corners[1]], all[corners[2]]);
+        V volume;
+        set_unfitted(volume, all[corners[0]], all[corners[1]], all[corners[2]]);
+        return static_cast<float>(visit_cost(volume));
     }
 
     void append(BottomUpFit& right) {
         stack_.push_back(right.stack_.back());
         shared_.insert(shared_.end(), right.shared_.begin(), right.shared_.end());
         counts_.add(right.counts_);
+        triangles_.insert(triangles_.end(), right.triangles_.begin(), right.triangles_.end());
     }
 
     void push_leaf(const TopologyNode& node) {
@@ -261,10 +267,9 @@ class BottomUpFit {
     const LeafOrder& points_;
     const FitOptions& options_;
     const int threads_;
-    const FittedNodes wanted_;
-    const bool leaves_out_ = may_be_unfitted && wanted_.leaf_triangles > 1;
-    std::span<V> volumes_;
+    const FitTarget<V> target_;
     FitCounts counts_;
+    std::vector<std::pair<std::uint32_t, V>> triangles_;
     std::vector<Subtree> stack_;
     std::vector<std::uint32_t> shared_, merged_;
     PointArrays gathered_;

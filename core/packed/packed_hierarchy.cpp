@@ -25,29 +25,35 @@ constexpr std::size_t words_behind = PackedLeaf::fetched_words;
 
 double up(float value) { return static_cast<double>(value); }
 
+/// The volumes of the nodes, as they are packed.
+template <class V>
+struct NodeVolumes {
+    const Topology& topology;
+    const std::vector<V>* all = nullptr;           ///< per node
+    const PackableVolumes<V>* packable = nullptr;  ///< instead of `all`
+
+    const V& operator[](std::uint32_t node) const {
+        return all ? (*all)[node] : packable->of(topology, node);
+    }
+};
+
 template <class Codec>
 class Packing {
     using Volume = typename Codec::Volume;
     using Decoded = typename Codec::Decoded;
 
   public:
-    Packing(const Hierarchy<Volume>& hierarchy, const Mesh& mesh, LeafCorners corners,
+    Packing(const NodeVolumes<Volume>& volumes, const Mesh& mesh, LeafCorners corners,
             std::string_view name, int threads)
-        : topology_(*hierarchy.topology),
-          volumes_(hierarchy.volumes),
+        : topology_(volumes.topology),
+          volumes_(volumes),
           mesh_(mesh),
           name_(name),
           threads_(threads) {
         packed_.corners = corners;
     }
 
-    PackedHierarchy<Codec> run(int leaf_triangles) {
-        std::vector<float> cost(volumes_.size());
-        parallel_blocks(threads_, cost.size(), [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i)
-                cost[i] = static_cast<float>(visit_cost(volumes_[i]));
-        });
-        const WideTopology wide = collapse(topology_, cost, Codec::width, leaf_triangles, threads_);
+    PackedHierarchy<Codec> run(const WideTopology& wide) {
         packed_.reach = scb::reach(volumes_[0]);
         resize_large(packed_.nodes, wide.nodes.size());
         place_leaves(wide);
@@ -127,7 +133,7 @@ class Packing {
     }
 
     const Topology& topology_;
-    const std::vector<Volume>& volumes_;
+    const NodeVolumes<Volume> volumes_;
     const Mesh& mesh_;
     std::string name_;
     int threads_;
@@ -168,19 +174,34 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
                             int threads) {
     assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
     check_packable(mesh, name);
-    return Packing<Codec>(hierarchy, mesh, corners, name, threads).run(leaf_triangles);
+    const Topology& topology = *hierarchy.topology;
+    std::vector<float> costs(topology.nodes.size());
+    parallel_blocks(threads, costs.size(), [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
+            costs[i] = static_cast<float>(visit_cost(hierarchy.volumes[i]));
+    });
+    const NodeVolumes<typename Codec::Volume> volumes{topology, &hierarchy.volumes, nullptr};
+    return Packing<Codec>(volumes, mesh, corners, name, threads)
+        .run(collapse(topology, costs, Codec::width, leaf_triangles, threads));
 }
 
 template <class Codec>
 PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& options,
                                     int leaf_triangles, LeafCorners corners,
                                     std::string_view name) {
+    assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see build_packed");
     MeshTopology shared = checked_topology(mesh, options, name);
-    auto volumes =
-        fit_volumes<typename Codec::Volume>(*shared.topology, shared.points, options.fit,
-                                            options.threads, {.leaf_triangles = leaf_triangles});
-    return pack<Codec>({std::move(shared.topology), std::move(volumes)}, mesh, leaf_triangles,
-                       corners, name, options.threads);
+    check_packable(mesh, name);
+    const Topology& topology = *shared.topology;
+    auto packable = fit_for_packing<typename Codec::Volume>(topology, shared.points, options.fit,
+                                                            options.threads, leaf_triangles);
+    // What is not needed any more is freed before the packed nodes are made.
+    shared.points = {};
+    const WideTopology wide =
+        collapse(topology, packable.costs, Codec::width, leaf_triangles, options.threads);
+    packable.costs = {};
+    const NodeVolumes<typename Codec::Volume> volumes{topology, nullptr, &packable};
+    return Packing<Codec>(volumes, mesh, corners, name, options.threads).run(wide);
 }
 
 #define SCB_PACK(...)                                                                              \

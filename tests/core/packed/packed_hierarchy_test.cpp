@@ -161,16 +161,25 @@ template <class V>
 void expect_that_triangles_are_left_out() {
     const Mesh mesh = height_field(40);
     const MeshTopology shared = mesh_topology(mesh, {});
-    const auto all = fit_volumes<V>(*shared.topology, shared.points, {}, 1),
-               some = fit_volumes<V>(*shared.topology, shared.points, {}, 1, {.leaf_triangles = 4});
-    std::size_t left_out = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (std::memcmp(&all[i], &some[i], sizeof all[i]) != 0) {
-            EXPECT_TRUE(shared.topology->nodes[i].is_leaf()) << i;
-            EXPECT_LE(visit_cost(some[i]), visit_cost(all[i])) << i;
-            ++left_out;
+    const Topology& topology = *shared.topology;
+    const auto all = fit_volumes<V>(topology, shared.points);
+    const PackableVolumes<V> some = fit_for_packing<V>(topology, shared.points, {}, 1, 4);
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const auto cost = static_cast<float>(visit_cost(all[i]));
+        if (topology.nodes[i].is_leaf()) {
+            EXPECT_LE(some.costs[i], cost) << i;
+            continue;
         }
-    EXPECT_GT(10 * left_out, mesh.triangles.size());
+        EXPECT_EQ(some.costs[i], cost) << i;
+        EXPECT_EQ(std::memcmp(&all[i], &some.of(topology, i), sizeof all[i]), 0) << i;
+    }
+    for (const auto& [node, volume] : some.triangles) {
+        EXPECT_TRUE(topology.nodes[node].is_leaf());
+        EXPECT_EQ(std::memcmp(&all[node], &some.of(topology, node), sizeof all[node]), 0) << node;
+    }
+    EXPECT_LT(10 * some.triangles.size(), 9 * mesh.triangles.size());
+    EXPECT_TRUE(std::is_sorted(some.triangles.begin(), some.triangles.end(),
+                               [](const auto& x, const auto& y) { return x.first < y.first; }));
 }
 
 TEST(PackedHierarchy, BuiltAtOnceLeavesOutTriangles) {
