@@ -51,6 +51,12 @@ struct FoundPacked {
     std::uint64_t n_v = 0, n_p = 0, n_exact = 0;
 };
 
+/// The memory of this thread's queries. To allocate it anew takes up to half of a short query.
+PackedWorkspace& workspace_of_thread() {
+    thread_local PackedWorkspace workspace;
+    return workspace;
+}
+
 FoundPacked collide_packed_once(const SharedPacked& a, const SharedPacked& b,
                                 const py::object& pose, std::int64_t threads) {
     const Pose b_to_a = pose_of(pose, "pose");
@@ -59,7 +65,8 @@ FoundPacked collide_packed_once(const SharedPacked& a, const SharedPacked& b,
     PackedCollision found;
     {
         const py::gil_scoped_release unlocked;
-        found = collide_packed(a->packed, *a->mesh, b->packed, *b->mesh, b_to_a, options);
+        found = collide_packed(a->packed, *a->mesh, b->packed, *b->mesh, b_to_a, options,
+                               &workspace_of_thread());
     }
     return {array_of<std::uint32_t>(std::move(found.pairs), 2), found.n_v, found.n_p,
             found.n_exact};
@@ -68,7 +75,7 @@ FoundPacked collide_packed_once(const SharedPacked& a, const SharedPacked& b,
 PackedTouch touches_once(const SharedPacked& a, const SharedPacked& b, const py::object& pose) {
     const Pose b_to_a = pose_of(pose, "pose");
     const py::gil_scoped_release unlocked;
-    return touches(a->packed, *a->mesh, b->packed, *b->mesh, b_to_a);
+    return touches(a->packed, *a->mesh, b->packed, *b->mesh, b_to_a, {}, &workspace_of_thread());
 }
 
 /// Calls `query(i, pose, workspace)` for each pose, in threads and without the interpreter's lock.
