@@ -27,7 +27,7 @@ std::vector<PackedLayout> tried_layouts() {
         if (layout.width != QuickestCodec::width || layout.corners != LeafCorners::stored ||
             layout.numbers != PackedLayout::Numbers::quantized)
             continue;
-        for (const int leaf_triangles : {2, 1}) {
+        for (const int leaf_triangles : {3, 2, 1}) {
             tried.push_back(layout);
             tried.back().leaf_triangles = leaf_triangles;
         }

@@ -54,7 +54,7 @@ TEST(TuneCommand, LayoutsHaveTheCountsAndMemoryOfBench) {
         EXPECT_FALSE(layout.contains("ms") || layout.contains("build_ms"));
         ++volumes[layout["volume"]];
     }
-    EXPECT_EQ(volumes, (std::map<std::string, std::size_t>{{"scb", 11}, {"scb2", 11}}));
+    EXPECT_EQ(volumes, (std::map<std::string, std::size_t>{{"scb", 12}, {"scb2", 12}}));
     EXPECT_FALSE(found["best"].contains("layout"));
 }
 
