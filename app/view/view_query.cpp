@@ -142,7 +142,8 @@ class PartMaker {
           most_steps_(steps == 0 ? 0 : std::max<std::size_t>(1, steps / source_.frames().size())) {
         for (std::size_t side = 0; side < 2; ++side) {
             bodies_[side].tree = column.bodies[side].tree.get();
-            source_.body(side, source_.frames().front());  // builds its tree, before threads ask
+            // Builds the tree before threads ask for it.
+            if (source_.makes_queries()) source_.body(side, source_.frames().front());
         }
     }
 
@@ -192,17 +193,17 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
     const PartMaker maker(column, steps);
     Json frames = Json::array();
     Worst worst;
-    // A recording is read frame by frame.
-    const std::size_t at_once =
-        source.makes_queries() ? 4 * static_cast<std::size_t>(processor_count()) : 1;
+    // A recording is read frame by frame. Each thread holds a query with all its tests.
+    const int threads = source.makes_queries() ? std::min(processor_count(), 8) : 1;
+    const std::size_t at_once = threads == 1 ? 1 : 4 * static_cast<std::size_t>(threads);
     for (std::size_t first = 0; first < numbers.size(); first += at_once) {
         std::vector<FramePart> parts(std::min(at_once, numbers.size() - first));
-        if (source.makes_queries())
-            parallel_for(processor_count(), parts.size(), [&](std::size_t i) {
+        if (threads == 1)
+            parts[0] = maker.part(source.frame(numbers[first]));
+        else
+            parallel_for(threads, parts.size(), [&](std::size_t i) {
                 parts[i] = maker.part(source.frame_again(numbers[first + i]));
             });
-        else
-            parts[0] = maker.part(source.frame(numbers[first]));
         for (FramePart& part : parts) {
             for (const char* key : block_keys)
                 if (part.entry.contains(key))
