@@ -28,8 +28,7 @@ render::Image picture_of(const std::filesystem::path& file, int width, int heigh
     return image;
 }
 
-/// The picture with the green of volumes and meshes changed by 1 of 255 (up, or down from 255): a
-/// deliberate, invisible error for `scb golden selftest`.
+/// Changes the green of volumes and meshes by 1 of 255 (up, or down from 255).
 void shift_colors(render::Pane& pane) {
     const auto shift = [](render::Rgba8& color) {
         color.g = static_cast<std::uint8_t>(color.g < 255 ? color.g + 1 : color.g - 1);
@@ -41,6 +40,7 @@ void shift_colors(render::Pane& pane) {
     }
 }
 
+/// The picture with a deliberate, invisible error for `scb golden selftest`.
 render::Picture shifted_colors(render::Picture picture) {
     for (render::Pane& pane : picture.panes)
         pane.add_contents = [add = std::move(pane.add_contents)](render::Pane& drawn) {

@@ -209,7 +209,8 @@ Attribution QuerySource::attribution(const QueryTrace& frame) const {
         all_contacts(a, query_.mesh(query_.a), b, query_.mesh(query_.b), header(), frame));
 }
 
-std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame, std::size_t most) const {
+std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame,
+                                                     std::size_t most) const {
     if (is_recording()) return recorded()->level_overlaps(most);
     const BodyAtFrame a = body(0, frame.frame), b = body(1, frame.frame);
     return scb::level_overlaps(query_.hierarchy(query_.a), a.tree->shape(),

@@ -52,7 +52,7 @@ class QuerySource {
     const QueryTrace& frame(int number);
     /// The query of a frame, in any order of frames: makes or reads the query again.
     QueryTrace frame_again(int number) const;
-    /// The verdicts on the tests of the latest frame().
+    /// The verdicts on the tests of a query; of a recording, only of the latest frame().
     Attribution attribution(const QueryTrace& frame) const;
     /// Of the two bodies, see core/analysis/level_overlaps.h: by the query's own test; in a
     /// recording, by the exact verdict on its volumes.

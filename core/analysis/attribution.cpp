@@ -101,25 +101,30 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
                                      const QueryTrace& frame,
                                      const std::vector<std::uint64_t>& contacts) {
     const Placement placed = query_placement(a, b, frame.b_to_a);
+    // A verdict takes microseconds to milliseconds.
+    constexpr std::size_t tests_in_block = 128;
     std::vector<TestedPair> pairs(contacts.size());
-    parallel_blocks(processor_count(), pairs.size(), [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) {
-            const Step& test = frame.steps.volumes[i];
-            const IndexPair nodes = test.nodes;
-            const auto& of_a = shape_of(a.volumes[nodes.a]);
-            const auto& of_b = shape_of(b.volumes[nodes.b]);
-            // Of a right rejection, the gap is not wanted.
-            if (test.stage != Stage::overlapping && contacts[i] == 0 &&
-                apart_along_centers(of_a, of_b, placed)) {
-                pairs[i].exact = Contact::disjoint;
-                continue;
+    parallel_blocks(
+        processor_count(), pairs.size(),
+        [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) {
+                const Step& test = frame.steps.volumes[i];
+                const IndexPair nodes = test.nodes;
+                const auto& of_a = shape_of(a.volumes[nodes.a]);
+                const auto& of_b = shape_of(b.volumes[nodes.b]);
+                // The gap of a right rejection is not wanted: `attribute` skips such tests.
+                if (test.stage != Stage::overlapping && contacts[i] == 0 &&
+                    apart_along_centers(of_a, of_b, placed)) {
+                    pairs[i].exact = Contact::disjoint;
+                    continue;
+                }
+                const ContactCertificate certificate = exact_verdict(of_a, of_b, placed);
+                pairs[i] = {
+                    true, certificate.contact, certificate.margin, contacts[i],
+                    a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()};
             }
-            const ContactCertificate certificate = exact_verdict(of_a, of_b, placed);
-            pairs[i] = {
-                true, certificate.contact, certificate.margin, contacts[i],
-                a.topology->nodes[nodes.a].is_leaf() && b.topology->nodes[nodes.b].is_leaf()};
-        }
-    });
+        },
+        tests_in_block);
     return pairs;
 }
 

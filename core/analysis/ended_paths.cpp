@@ -45,8 +45,8 @@ std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& out
     const std::span<const Step> tests(frame.steps.volumes.data(), outcomes.size());
     std::uint32_t nodes = 0;
     for (const Step& test : tests) nodes = std::max(nodes, node_of(test, side) + 1);
-    // Endings of a node follow each other in the order of the traversal; the last one of node i
-    // stands before position ends[i]. A query has millions of tests, so they are not sorted.
+    // A query has millions of tests, so the endings are not sorted: they are counted per node, and
+    // then put behind each other, node by node, each node's in the order of the traversal.
     std::vector<std::uint32_t> tested(nodes), ends(nodes);
     std::vector<std::uint16_t> depths(nodes);
     for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -59,6 +59,7 @@ std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& out
             depths[node] = depth_of(tests[i], side);
         }
     }
+    // Of each node, first the begin of its endings, then, as they are put, their end.
     std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0u);
     std::vector<Stage> endings(tests.size());
     for (std::size_t i = 0; i < tests.size(); ++i)

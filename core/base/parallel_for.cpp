@@ -130,8 +130,7 @@ void parallel_invoke(int threads, const std::function<void()>& first,
 #endif
 
 void parallel_blocks(int threads, std::size_t count,
-                     const std::function<void(std::size_t, std::size_t)>& work) {
-    constexpr std::size_t block = 8192;
+                     const std::function<void(std::size_t, std::size_t)>& work, std::size_t block) {
     if (threads == 1 || count <= block) return work(0, count);
     parallel_for(threads, (count + block - 1) / block,
                  [&](std::size_t i) { work(i * block, std::min(count, (i + 1) * block)); });

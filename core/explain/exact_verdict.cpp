@@ -38,10 +38,11 @@ template <class V>
 bool apart_along_centers(const V& a, const V& b, const Placement& placed) {
     const V moved = seen_from_a(b, placed);
     const Vec3 to_b = shape_center(moved) - shape_center(a);
-    const double size = size_of(a, b);
-    // Well above what rounding can do.
-    const double least = 2 * tolerance_of(size, placed) * size;
-    return squared_norm(to_b) > 0 && least > 0 && proven_gap(a, moved, to_b) > least;
+    const double distance = std::sqrt(squared_norm(to_b));
+    // The greatest gap of two boxes along the 15 directions of exact_overlap is at least this gap
+    // over the root of 3. A factor of 2 also covers rounding.
+    const double size = size_of(a, b), least = 2 * tolerance_of(size, placed) * size;
+    return distance > 0 && least > 0 && proven_gap(a, moved, Vec3(to_b / distance)) > least;
 }
 
 template <class V>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -43,10 +44,11 @@ struct PackableVolumes {
     const V& of(const Topology& topology, std::uint32_t node) const {
         const TopologyNode& at = topology.nodes[node];
         if (!at.is_leaf()) return inner[place_of_inner(at)];
-        return std::lower_bound(
-                   triangles.begin(), triangles.end(), node,
-                   [](const auto& triangle, std::uint32_t i) { return triangle.first < i; })
-            ->second;
+        const auto found = std::lower_bound(
+            triangles.begin(), triangles.end(), node,
+            [](const auto& triangle, std::uint32_t i) { return triangle.first < i; });
+        assert(found != triangles.end() && found->first == node && "a node with a volume");
+        return found->second;
     }
     /// The root is followed by pairs of children.
     static std::size_t place_of_inner(const TopologyNode& node) { return (node.left - 1) / 2; }

@@ -46,8 +46,9 @@ std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const
 /// nothing misses millions.
 constexpr std::size_t most_looked_into = 100'000;
 
-/// Events whose certificates are found ahead: few, so that an interrupt need not wait.
-constexpr std::size_t events_at_once = 1 << 14;
+/// The number of events whose certificates are found ahead: few, so that an interrupt need not
+/// wait, and shared in blocks, since a certificate takes microseconds to milliseconds.
+constexpr std::size_t events_at_once = 1 << 11, events_in_block = 128;
 
 class Judge {
   public:
@@ -91,14 +92,17 @@ class Judge {
     void find_certificates(std::size_t first) {
         const std::size_t count = std::min(query_.events.size() - first, events_at_once);
         certificates_.assign(count, std::nullopt);
-        parallel_blocks(processor_count(), count, [&](std::size_t from, std::size_t end) {
-            for (std::size_t i = from; i < end; ++i) {
-                const EngineEvent& event = query_.events[first + i];
-                if (event.kind == Kind::volumes)
-                    certificates_[i] =
-                        certificate_of(query_, query_.b_to_a, nodes_of(query_, event));
-            }
-        });
+        parallel_blocks(
+            processor_count(), count,
+            [&](std::size_t from, std::size_t end) {
+                for (std::size_t i = from; i < end; ++i) {
+                    const EngineEvent& event = query_.events[first + i];
+                    if (event.kind == Kind::volumes)
+                        certificates_[i] =
+                            certificate_of(query_, query_.b_to_a, nodes_of(query_, event));
+                }
+            },
+            events_in_block);
     }
 
     /// Counts the objects that have neither an extent nor a leaf with a volume.

@@ -24,7 +24,8 @@ namespace {
 // Rows of a picture read back at a time: few enough that their samples stay in the cache.
 constexpr int rows_at_a_time = 16;
 
-// More than a picture of 1280x720 pixels with 4 samples.
+// Panes of pictures with more samples are drawn one by one. A picture of 1280x720 pixels with 4
+// samples has fewer.
 constexpr std::int64_t most_samples_at_once = 4'000'000;
 
 /// The largest side of a render target.
@@ -79,7 +80,8 @@ void clear(const Gl& gl, Rgba8 background) {
 
 void fill(Image& image, Rgba8 color) {
     for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-        std::memcpy(&image.rgba[i], std::array{color.r, color.g, color.b, color.a}.data(), 4);
+        std::memcpy(&image.rgba[i],
+                    std::array<std::uint8_t, 4>{color.r, color.g, color.b, 255}.data(), 4);
 }
 
 bool has_translucent(const Pane& pane) {

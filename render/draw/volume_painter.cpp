@@ -24,8 +24,9 @@ namespace {
 constexpr std::size_t texels_per_volume = 5;
 constexpr std::size_t words_per_volume = 4 * texels_per_volume;
 
-// Drawn before the next ones are set up: some 20 MB of llvmpipe.
-constexpr std::size_t volumes_at_once = 1 << 13;
+// Corners of triangles that llvmpipe sets up before it must draw them. It keeps some 400 bytes of
+// each: 20 MB.
+constexpr std::size_t corners_at_once = 6 << 13;
 
 PackedVolume::Shape shape_of(const AnyVolume& volume) {
     if (std::holds_alternative<Scb2>(volume)) return PackedVolume::Shape::scb2;
@@ -169,10 +170,11 @@ void VolumePainter::draw(const EyeView& view, Sides sides) {
         }
         if (run.shape == PackedVolume::Shape::polytope)
             convex_.use_planes(program, run.first_of_convex, run.planes);
-        for (std::size_t drawn = 0; drawn < run.count; drawn += volumes_at_once) {
+        const std::size_t at_once = std::max<std::size_t>(1, corners_at_once / corners);
+        for (std::size_t drawn = 0; drawn < run.count; drawn += at_once) {
             // llvmpipe keeps what is set up and not yet drawn, without a limit.
             if (drawn > 0) gl_.Finish();
-            const std::size_t count = std::min(volumes_at_once, run.count - drawn);
+            const std::size_t count = std::min(at_once, run.count - drawn);
             gl_.DrawArrays(GL_TRIANGLES,
                            static_cast<GLint>(corners * (run.first % batch_limit_ + drawn)),
                            static_cast<GLsizei>(corners * count));

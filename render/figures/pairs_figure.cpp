@@ -102,14 +102,18 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHead
                                       const QueryTrace& frame) {
     if (pairs_are_nodes(header)) return {};
     const std::vector<IndexPair>& pairs = frame.found.pairs;
+    constexpr std::size_t pairs_in_block = 256;
     std::vector<std::optional<LineSegment>> meet(pairs.size());
-    parallel_blocks(processor_count(), pairs.size(), [&](std::size_t first, std::size_t end) {
-        // In A's frame, where the triangles were tested.
-        for (std::size_t i = first; i < end; ++i)
-            meet[i] = triangles_intersection(
-                corners(*bodies[0].mesh, pairs[i].a),
-                transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
-    });
+    parallel_blocks(
+        processor_count(), pairs.size(),
+        [&](std::size_t first, std::size_t end) {
+            // In A's frame, where the triangles were tested.
+            for (std::size_t i = first; i < end; ++i)
+                meet[i] = triangles_intersection(
+                    corners(*bodies[0].mesh, pairs[i].a),
+                    transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
+        },
+        pairs_in_block);
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < pairs.size(); ++i)
         if (meet[i])

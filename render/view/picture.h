@@ -101,8 +101,8 @@ struct Pane {
     std::vector<VolumeInstance> volumes;
     std::vector<Segment> segments;
     Outline outline;
-    /// If set, adds further contents to the pane while it is drawn. So the panes of a sheet do not
-    /// need memory all at once.
+    /// If set, makes the meshes, volumes and segments of the pane when it is drawn. So the panes of
+    /// a sheet do not need memory all at once. An outline must be in the pane before.
     std::function<void(Pane&)> add_contents = nullptr;
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/explain/contact_certificate.h"
+#include "core/volumes/shape.h"
+#include "scb/capsule.h"
 #include "scb/overlap.h"
 #include "tests/core/overlap/random_scb_pairs.h"
 #include "tests/core/overlap/scb2_pairs.h"
@@ -107,6 +109,40 @@ int apart_pairs(Random random, V (*random_volume)(Random&)) {
         ++apart;
     }
     return apart;
+}
+
+template <class V>
+bool apart(const V& a, const V& b) {
+    const Placement placed = placement(Pose{}, 400, 400);
+    const bool found = apart_along_centers(shape_of(a), shape_of(b), placed);
+    if (found) {
+        EXPECT_EQ(exact_verdict(shape_of(a), shape_of(b), placed).contact, Contact::disjoint);
+    }
+    return found;
+}
+
+// Of sizes above and below 1.
+TEST(ExactOverlap, IsDisjointWhereCentersShowItForAnyVolume) {
+    for (const double size : {0.01, 1.0, 100.0}) {
+        const auto capsule = [&](double x) {
+            return Capsule{size * Vec3(x, 0, 0), size * Vec3(0, 0, 1), size * 2};
+        };
+        EXPECT_FALSE(apart(capsule(0), capsule(3)));
+        EXPECT_TRUE(apart(capsule(0), capsule(4.1)));
+        const auto scb = [&](double x) {
+            return Scb{size * Vec3(x, 0, 0), size, Vec3::UnitX(), size / 2, -size / 2};
+        };
+        EXPECT_FALSE(apart(scb(0), scb(0.9)));
+        EXPECT_TRUE(apart(scb(0), scb(1.1)));
+        const auto scb2 = [&](double x) {
+            return Scb2{
+                size * Vec3(x, 0, 0),
+                size,
+                {Slab{Vec3::UnitX(), size / 2, -size / 2}, Slab{Vec3::UnitY(), size, -size}}};
+        };
+        EXPECT_FALSE(apart(scb2(0), scb2(0.9)));
+        EXPECT_TRUE(apart(scb2(0), scb2(1.1)));
+    }
 }
 
 TEST(ExactOverlap, IsDisjointWhereCentersShowIt) {
