@@ -24,8 +24,8 @@ class BlockStore {
         std::string text;   ///< base 64 of a zlib stream
     };
 
-    /// Adds a block, or finds an equal one; returns its number. The bytes stand in planes: all first
-    /// bytes of the elements, then all second bytes. So numbers of like size compress better.
+    /// Adds a block, or finds an equal one; returns its number. The bytes stand in planes: all
+    /// first bytes of the elements, then all second bytes. So numbers of like size compress better.
     std::size_t add(std::span<const std::uint8_t> values) { return add(Type::u8, values, 1); }
     std::size_t add(std::span<const std::uint32_t> values);
     std::size_t add(std::span<const float> values);
