@@ -101,7 +101,7 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
                                      const QueryTrace& frame,
                                      const std::vector<std::uint64_t>& contacts) {
     const Placement placed = query_placement(a, b, frame.b_to_a);
-    // A verdict takes microseconds to milliseconds.
+    // A verdict takes microseconds, of some shapes more.
     constexpr std::size_t tests_in_block = 128;
     std::vector<TestedPair> pairs(contacts.size());
     parallel_blocks(

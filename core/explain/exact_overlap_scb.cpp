@@ -194,41 +194,38 @@ ContactCertificate exact_overlap(const Scb& a, const Scb& b, double tolerance) {
     };
     ScbSeparation separation{pair};
     const auto are_disjoint = [&] {
-        try_closed_forms(pair, separation);
         if (!(separation.gap > least)) return false;
         certificate.contact = Contact::disjoint;
         certificate.direction = separation.direction;
         certificate.margin = separation.gap;
         return true;
     };
+    const auto closed_forms_show_it = [&] {
+        try_closed_forms(pair, separation);
+        return are_disjoint();
+    };
     // Each result is a proof, so the order of the searches changes only their time.
     ScbSeparation centers{pair};
     centers.try_direction(pair.to_b());
     if (centers.gap > 0) {
-        if (are_disjoint() || have_common_point()) return certificate;
+        if (closed_forms_show_it() || have_common_point()) return certificate;
     } else {
-        if (have_common_point() || are_disjoint()) return certificate;
+        if (have_common_point() || closed_forms_show_it()) return certificate;
     }
 
-    const auto conclude_disjoint = [&] {
-        certificate.contact = Contact::disjoint;
-        certificate.direction = separation.direction;
-        certificate.margin = separation.gap;
-        return certificate;
-    };
     try_corners(pair, crossing, separation);
-    if (separation.gap > least) return conclude_disjoint();
+    if (are_disjoint()) return certificate;
     const Pair exchanged = pair.exchanged();
     ScbSeparation backward{exchanged};
     try_corners(exchanged, Crossing(b.n, a.n), backward);
     separation.try_direction(-backward.direction);
-    if (separation.gap > least) return conclude_disjoint();
+    if (are_disjoint()) return certificate;
 
     const double missed = std::max(0.0, separation.gap);
     try_wider_slabs(pair, missed, separation);
     try_wider_slabs(exchanged, missed, backward);
     separation.try_direction(-backward.direction);
-    if (separation.gap > least) return conclude_disjoint();
+    are_disjoint();
     return certificate;
 }
 

@@ -47,7 +47,7 @@ std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const
 constexpr std::size_t most_looked_into = 100'000;
 
 /// The number of events whose certificates are found ahead: few, so that an interrupt need not
-/// wait, and shared in blocks, since a certificate takes microseconds to milliseconds.
+/// wait, and shared in blocks, since a certificate takes microseconds and more.
 constexpr std::size_t events_at_once = 1 << 11, events_in_block = 128;
 
 class Judge {

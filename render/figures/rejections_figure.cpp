@@ -114,20 +114,12 @@ std::string volumes_text(std::size_t side, const std::string& name) {
 /// Per triangle, whether paths ended at its leaf because triangles met there.
 std::vector<char> meeting_triangles(const QueryBody& body, const QueryTrace& frame,
                                     const Outcomes& outcomes, std::size_t side,
-                                    const EndedPathsFilter& filter) {
-    std::vector<char> leaves(body.tree->shape().size()), meet(body.mesh->triangles.size());
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (outcomes[i] != Stage::triangles_meet) continue;
-        const Step& test = frame.steps.volumes[i];
-        const int depth = side == 0 ? test.depth_a : test.depth_b;
-        if (depth >= filter.least_depth && depth <= filter.most_depth)
-            leaves[side == 0 ? test.nodes.a : test.nodes.b] = 1;
-    }
-    for (std::uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
-        if (leaves[leaf] == 0) continue;
-        for (const std::uint32_t triangle : body.tree->items(leaf))
+                                    EndedPathsFilter filter) {
+    filter.endings = {Stage::triangles_meet};
+    std::vector<char> meet(body.mesh->triangles.size());
+    for (const EndedPaths& leaf : ended_paths(frame, outcomes, side, filter))
+        for (const std::uint32_t triangle : body.tree->items(leaf.node))
             if (triangle < meet.size()) meet[triangle] = 1;
-    }
     return meet;
 }
 
