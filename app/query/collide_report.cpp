@@ -18,10 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<Cell> mean_cells(const CollideSums& sums, const std::vector<Stage>& stages) {
+std::vector<Cell> mean_cells(const SceneQuery& query, const CollideSums& sums,
+                             const std::vector<Stage>& stages) {
     const auto mean = [&](std::uint64_t sum) { return Cell(sums.mean(sum), "%.1f"); };
     std::vector<Cell> cells = {
         "mean", mean(sums.pairs), mean(sums.n_v), mean(sums.n_p), mean(sums.n_u), {}, {}};
+    if (query.is_packed()) cells[4] = Cell(Json(), std::string("-"));
     for (const Stage stage : stages)
         cells.push_back(mean(sums.stages[static_cast<std::size_t>(stage)]));
     return cells;
@@ -58,12 +60,17 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     for (const std::size_t i : queried_bodies(query)) result["bodies"].push_back(body(i));
     result["volume"] = volume_kind_name(query.kind);
     if (query.is_self()) result["query"] = "self";
-    if (query.kind == VolumeKind::scb) {
-        result["test"] = options.query.test;
-        if (has_threshold(query.options.overlap.test))
-            result["threshold"] = options.query.threshold;
+    if (query.is_packed()) {
+        result["layout"] = options.layout;
+        result["leaf"] = options.leaf_triangles;
+    } else {
+        if (query.kind == VolumeKind::scb) {
+            result["test"] = options.query.test;
+            if (has_threshold(query.options.overlap.test))
+                result["threshold"] = options.query.threshold;
+        }
+        result["descent"] = descent_rule_name(options.query.descent);
     }
-    result["descent"] = descent_rule_name(options.query.descent);
     result["growth"] = ball_growth_name(options.hierarchy.growth);
     result["margin"] = options.hierarchy.margin;
     result["split"] = split_method_name(options.hierarchy.split);
@@ -76,8 +83,8 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     result["frames"] = std::move(frames);
     result["mean"] = {{"pairs", sums.mean(sums.pairs)},
                       {"n_v", sums.mean(sums.n_v)},
-                      {"n_p", sums.mean(sums.n_p)},
-                      {"n_u", sums.mean(sums.n_u)}};
+                      {"n_p", sums.mean(sums.n_p)}};
+    if (!query.is_packed()) result["mean"]["n_u"] = sums.mean(sums.n_u);
     return result;
 }
 
@@ -95,6 +102,10 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
             text += (i + 1 < bodies.size() ? ", " : " and ") + body(bodies[i]);
     if (is_of_many(query)) text += format(", %zu pairs of bodies", query.pairs.size());
     text += ", " + std::string(volume_kind_name(query.kind)) + " hierarchies";
+    if (query.is_packed())
+        return text + ", layout " + options.layout +
+               format(", at most %d triangles in a leaf", options.leaf_triangles) +
+               build_text(query.build) + "\n\n";
     if (query.kind == VolumeKind::scb) {
         text += ", test " + options.query.test;
         if (has_threshold(query.options.overlap.test) &&
@@ -157,7 +168,8 @@ CollideReport::CollideReport(const CollideCommandOptions& options, SceneQuery& q
     : options_(options),
       query_(query),
       recorded_(recorded),
-      stages_(counted_stages(query.kind, query.options.overlap)),
+      stages_(query.is_packed() ? std::vector<Stage>{}
+                                : counted_stages(query.kind, query.options.overlap)),
       met_(query.pairs.size()) {
     pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
              (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
@@ -200,7 +212,7 @@ std::string CollideReport::text() {
     }
     if (options_.csv) return table_.csv_header() + table_.csv_rows();
     if (sums_.frames > 1) {
-        std::vector<Cell> means = mean_cells(sums_, stages_);
+        std::vector<Cell> means = mean_cells(query_, sums_, stages_);
         if (is_all_contacts()) means.emplace_back(sums_.mean(all_touching_), "%.1f");
         table_.add(std::move(means));
     }
@@ -255,7 +267,8 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
 
 void CollideReport::add_json(int frame, const Collision& found, std::size_t touching,
                              const std::optional<RecordedCounts>& there) {
-    Json counts = count_json(frame, query_.b_to_a(frame), found, stages_);
+    Json counts = query_.is_packed() ? packed_count_json(frame, query_.b_to_a(frame), found)
+                                     : count_json(frame, query_.b_to_a(frame), found, stages_);
     if (is_all_contacts()) counts["touching"] = touching;
     if (is_of_many(query_)) {
         Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
@@ -275,7 +288,8 @@ void CollideReport::add_json(int frame, const Collision& found, std::size_t touc
 
 void CollideReport::add_row(int frame, const Collision& found, std::size_t touching,
                             const std::optional<RecordedCounts>& there) {
-    std::vector<Cell> cells = count_cells(frame, found, stages_);
+    std::vector<Cell> cells =
+        query_.is_packed() ? packed_count_cells(frame, found) : count_cells(frame, found, stages_);
     if (is_all_contacts()) cells.emplace_back(touching);
     if (there) {
         cells.emplace_back(there->pairs);

@@ -23,6 +23,8 @@ struct CollideCommandOptions {
     QueryLimits limits;
     bool first = false, json = false, csv = false;
     std::string pairs_out;
+    std::string layout = "reference";
+    int leaf_triangles = most_leaf_triangles;
     std::string contacts;  ///< --contacts; empty: all pairs, and contacts are not told apart
 };
 

@@ -39,10 +39,13 @@ std::vector<Column> columns_of(const StageTests& stages) {
     return columns;
 }
 
-/// `n_u`: other engines have none.
-std::vector<Cell> cells_of(int frame, const Collision& c, Cell n_u, const StageTests& stages) {
-    std::vector<Cell> cells = {frame, c.pairs.size(), c.n_v, c.n_p, std::move(n_u)};
-    cells.push_back({c.depth, std::to_string(c.depth) + " "});
+Cell depth_cell(const Collision& c) { return {c.depth, std::to_string(c.depth) + " "}; }
+
+/// `n_u`, `depth`: "-" where they are not counted.
+std::vector<Cell> cells_of(int frame, const Collision& c, Cell n_u, Cell depth,
+                           const StageTests& stages) {
+    std::vector<Cell> cells = {frame, c.pairs.size(), c.n_v,
+                               c.n_p, std::move(n_u), std::move(depth)};
     cells.emplace_back(c.complete);
     for (const auto& [name, count] : stages) cells.emplace_back(count);
     return cells;
@@ -68,7 +71,12 @@ std::vector<Column> count_columns(const std::vector<Stage>& stages) {
 }
 
 std::vector<Cell> count_cells(int frame, const Collision& c, const std::vector<Stage>& stages) {
-    return cells_of(frame, c, c.n_u, stage_tests(c, stages));
+    return cells_of(frame, c, c.n_u, depth_cell(c), stage_tests(c, stages));
+}
+
+std::vector<Cell> packed_count_cells(int frame, const Collision& c) {
+    const nlohmann::ordered_json none;
+    return cells_of(frame, c, {none, std::string("-")}, {none, std::string("- ")}, {});
 }
 
 std::string count_note(const Collision& c) { return c.complete ? "" : "  stopped"; }
@@ -81,8 +89,9 @@ std::string count_table_row(const TraceHeader& header, const QueryTrace& frame) 
     const StageTests stages = table_stages(header, frame);
     const Collision& c = frame.found;
     Table table(columns_of(stages));
-    table.add(cells_of(frame.frame, c, header.engine ? Cell("-") : Cell(c.n_u), stages),
-              count_note(c));
+    table.add(
+        cells_of(frame.frame, c, header.engine ? Cell("-") : Cell(c.n_u), depth_cell(c), stages),
+        count_note(c));
     return table.text_row(0);
 }
 
@@ -110,6 +119,12 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
             {"depth", c.depth},
             {"stages", counts},
             {"complete", c.complete}};
+}
+
+nlohmann::ordered_json packed_count_json(int frame, const Pose& b_to_a, const Collision& c) {
+    nlohmann::ordered_json json = count_json(frame, b_to_a, c, {});
+    for (const char* not_counted : {"n_u", "depth", "stages"}) json.erase(not_counted);
+    return json;
 }
 
 }  // namespace scb::app

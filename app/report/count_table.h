@@ -21,11 +21,15 @@ inline constexpr std::size_t most_stage_columns = 8;
 std::vector<Column> count_columns(const std::vector<Stage>& stages);
 std::vector<Cell> count_cells(int frame, const Collision& found, const std::vector<Stage>& stages);
 std::string count_note(const Collision& found);
+/// The cells of a query on packed layouts, which count neither N_u nor depths and stages.
+std::vector<Cell> packed_count_cells(int frame, const Collision& found);
 
 /// A query as JSON, in the paper's notation, with the pose of B in A's frame ([R|t] row by row)
 /// and the hash of the pairs.
 nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision& found,
                                   const std::vector<Stage>& stages);
+/// The same of a query on packed layouts.
+nlohmann::ordered_json packed_count_json(int frame, const Pose& b_to_a, const Collision& found);
 
 /// A table of a trace or a recording, line by line, each with its line end. Other engines have no
 /// N_u and their own stages.

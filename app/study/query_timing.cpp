@@ -1,23 +1,12 @@
 #include "app/study/query_timing.h"
 
-#include <time.h>
-
+#include <algorithm>
 #include <utility>
 
 #include "core/base/statistics.h"
+#include "core/platform/clock.h"
 
 namespace scb::app {
-namespace {
-
-/// Processor time of this thread, which excludes other programs on a shared machine. With `wall`
-/// the time of day, which includes the work of other threads.
-double milliseconds(bool wall) {
-    timespec now{};
-    clock_gettime(wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 Collision collision_of(PackedCollision found) {
     Collision result;
@@ -43,14 +32,16 @@ std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& 
     std::vector<std::vector<std::vector<double>>> ms(subjects);
     for (auto& of_subject : ms) of_subject.resize(frames);
     const bool cold = timing.order == BenchOrder::cold;
+    const Clock clock = timing.wall ? Clock::wall : Clock::thread;
+    const double reading = reading_milliseconds(clock);
     for (int repeat = 0; repeat < timing.repeats; ++repeat)
         for (std::size_t k = 0; k < subjects * frames; ++k) {
             const std::size_t s = cold ? k % subjects : k / frames;
             const std::size_t i = cold ? k / subjects : k % frames;
             if (timing.before) timing.before(s, i);
-            const double start = milliseconds(timing.wall);
+            const double start = milliseconds(clock);
             const Collision found = timing.query(s, i);
-            ms[s][i].push_back(milliseconds(timing.wall) - start);
+            ms[s][i].push_back(std::max(0.0, milliseconds(clock) - start - reading));
             if (repeat == 0 && timing.keep) timing.keep(s, i, found);
             if (!timing.step()) return std::nullopt;
         }

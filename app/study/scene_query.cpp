@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/study/query_timing.h"
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
@@ -56,7 +57,23 @@ CollideOptions SceneQuery::mutated_options() const {
     return mutated;
 }
 
+void SceneQuery::pack(const PackedLayout& layout) {
+    packed.clear();
+    for (std::size_t m = 0; m < hierarchies.size(); ++m)
+        packed.push_back(
+            pack_any(layout, hierarchies[m], scene.meshes[m].mesh, scene.meshes[m].name));
+}
+
 Collision SceneQuery::collide(int frame) const {
+    if (is_packed()) {
+        const auto of = [&](const auto& query) {
+            return collision_of(query(packed[scene.bodies[a].mesh], mesh(a),
+                                      packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame)));
+        };
+        return options.max_pairs == 1
+                   ? of([](const auto&... sides) { return touches(sides...); })
+                   : of([](const auto&... sides) { return collide_packed(sides...); });
+    }
     Collision found = is_self() ? collide_self(hierarchy(a), mesh(a), joined, mutated_options())
                                 : scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b),
                                                b_to_a(frame), mutated_options());

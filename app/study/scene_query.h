@@ -3,6 +3,7 @@
 #include "app/study/query_setup.h"
 #include "core/analysis/trace.h"
 #include "scb/any_collide.h"
+#include "scb/any_packed.h"
 #include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {
@@ -23,8 +24,14 @@ struct SceneQuery {
     BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
     Mutation mutation = Mutation::none;
+    std::vector<AnyPacked> packed;  ///< per mesh; empty: queries run on `hierarchies`
 
     bool is_self() const { return a == b; }
+    bool is_packed() const { return !packed.empty(); }
+    /// From now on, `collide` runs on hierarchies that are packed in this layout. Its result has
+    /// N_v, N_p and pairs only; at `options.max_pairs` of 1 it has the first pair that is found.
+    /// Throws InputError if the volumes cannot be packed.
+    void pack(const PackedLayout& layout);
     /// Sets the bodies of the next query.
     void choose(const BodyPair& pair);
     const Mesh& mesh(std::size_t body) const;

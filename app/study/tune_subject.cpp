@@ -1,22 +1,11 @@
 #include "app/study/tune_subject.h"
 
-#include <time.h>
-
 #include "app/study/query_timing.h"
 #include "core/base/statistics.h"
+#include "core/platform/clock.h"
 #include "scenes/scene/scene_hierarchies.h"
 
 namespace scb::app {
-namespace {
-
-/// Processor time of all threads, since building has several.
-double process_milliseconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 TuneSubject::TuneSubject(const scenes::Scene& scene, std::size_t a, std::size_t b,
                          const std::vector<int>& frames, const BuildOptions& build)
@@ -33,14 +22,14 @@ BuiltSetting TuneSubject::build(const TuneSetting& setting) {
     options.fit.growth = setting.growth;
     Split* split = &splits_[setting.split == SplitMethod::cost ? 1 : 0];
     if (split->topologies.empty()) {
-        const double start = process_milliseconds();
+        const double start = milliseconds(Clock::process);
         split->topologies = scenes::build_topologies(scene_, options.topology());
-        split->ms = process_milliseconds() - start;
+        split->ms = milliseconds(Clock::process) - start;
     }
     BuiltSetting built{setting, nullptr, 0};
-    const double start = process_milliseconds();
+    const double start = milliseconds(Clock::process);
     built.hierarchies = scenes::shared_hierarchies(split->topologies, setting.volume, options);
-    built.ms = split->ms + process_milliseconds() - start;
+    built.ms = split->ms + milliseconds(Clock::process) - start;
     return built;
 }
 
@@ -49,9 +38,9 @@ BuiltLayout TuneSubject::pack(const BuiltSetting& built, const PackedLayout& lay
         return pack_any(layout, (*built.hierarchies)[m], scene_.meshes[m].mesh,
                         scene_.meshes[m].name, build_.threads);
     };
-    const double start = process_milliseconds();
+    const double start = milliseconds(Clock::process);
     BuiltLayout result{packed(mesh_a_), packed(mesh_b_), 0};
-    result.ms = built.ms + process_milliseconds() - start;
+    result.ms = built.ms + milliseconds(Clock::process) - start;
     return result;
 }
 

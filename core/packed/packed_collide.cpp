@@ -102,14 +102,17 @@ void decide_first(const AnyQuery& query, Work& work) {
     undecided.clear();
 }
 
-/// Traverses the pairs of the lists up to the first triangles that intersect. Batches are small, so
-/// that little work is done beyond these, and grow, so that a query without a pair takes little
-/// longer than one for all pairs. Of several pairs of a batch, the first counts in sorted order.
+/// Traverses the pairs of the lists up to the first triangles that intersect. The traversal goes
+/// straight to the nearest leaves: where bodies overlap, their triangles often intersect. Then
+/// batches are small, so that little work is done beyond the first pair, and grow, so that a query
+/// without a pair takes little longer than one for all pairs. Of several pairs of a batch, the
+/// first counts in sorted order.
 std::optional<IndexPair> first_pair(const AnyQuery& query, Work& work) {
-    constexpr PackedPace least{2, 4}, most{};
+    constexpr PackedPace least{.nodes = 2, .leaves = 1, .nearest = 16}, most{};
     auto& [lists, open, found, batch, waiting] = work;
     for (PackedPace pace = least; !lists.empty();
-         pace = {std::min(2 * pace.nodes, most.nodes), std::min(2 * pace.leaves, most.leaves)}) {
+         pace = {.nodes = std::min(2 * pace.nodes, most.nodes),
+                .leaves = std::min(2 * pace.leaves, most.leaves)}) {
         divide_nodes(query.nodes, query.level, pace, lists, found);
         batch.move_last(lists.leaf_leaf, pace.leaves);  // a front may have many
         test_leaves(query.leaves, query.level, batch, open, found);

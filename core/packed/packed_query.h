@@ -95,30 +95,34 @@ class RefPairs {
 /// The waiting pairs, by whether A's and B's are inner nodes or leaves.
 struct PackedLists {
     RefPairs inner_inner, inner_leaf, leaf_inner, leaf_leaf;
+    RefPairs deferred;  ///< overlapping pairs of which only A's node is to be divided
 
     void reserve(std::size_t more) {
         inner_inner.reserve(more);
         inner_leaf.reserve(more);
         leaf_inner.reserve(more);
         leaf_leaf.reserve(more);
+        deferred.reserve(more);
     }
     bool empty() const { return size() == 0; }
     std::size_t size() const { return inner_size() + leaf_leaf.size(); }
     /// The number of pairs that can be divided.
     std::size_t inner_size() const {
-        return inner_inner.size() + inner_leaf.size() + leaf_inner.size();
+        return inner_inner.size() + inner_leaf.size() + leaf_inner.size() + deferred.size();
     }
     void clear() {
         inner_inner.clear();
         inner_leaf.clear();
         leaf_inner.clear();
         leaf_leaf.clear();
+        deferred.clear();
     }
     void append(const PackedLists& from) {
         inner_inner.append(from.inner_inner, 0, from.inner_inner.size());
         inner_leaf.append(from.inner_leaf, 0, from.inner_leaf.size());
         leaf_inner.append(from.leaf_inner, 0, from.leaf_inner.size());
         leaf_leaf.append(from.leaf_leaf, 0, from.leaf_leaf.size());
+        deferred.append(from.deferred, 0, from.deferred.size());
     }
     void add(PackedRef a, PackedRef b) {
         RefPairs& list = a.is_leaf() ? (b.is_leaf() ? leaf_leaf : leaf_inner)
@@ -182,6 +186,7 @@ struct PackedPace {
     std::size_t nodes = most_nodes;  ///< pairs of one list to divide before another list is chosen
     std::size_t leaves = 256;  ///< pairs of leaves to wait for: their tests are long runs of the
                                ///< same code
+    std::size_t nearest = 0;   ///< the first so many pairs are divided one by one, nearest first
 };
 
 /// Divides every pair once, except pairs of leaves.

@@ -20,7 +20,9 @@ namespace HWY_NAMESPACE {
 
 /// The traversal of two packed hierarchies, compiled for one layout. Pairs wait in one list for
 /// each combination of inner nodes and leaves. A batch of one list at a time is divided, with its
-/// cache lines prefetched. `Steps`: PackedSteps&, which receives every test, or NoObserver.
+/// cache lines prefetched. To find a first pair of triangles, a traversal begins with the nearest
+/// pair of children at each pair of nodes, and defers the others. `Steps`: PackedSteps&, which
+/// receives every test, or NoObserver.
 template <class Codec, class Steps = NoObserver>
 class PackedTraversal {
   public:
@@ -37,16 +39,23 @@ class PackedTraversal {
 
     /// Runs until no pair is left to divide, or many pairs of leaves wait.
     void run(const PackedPace& pace = {}) {
+        std::size_t nearest = pace.nearest;
         while (lists_.leaf_leaf.size() < pace.leaves) {
+            nearest_first_ = nearest > 0;
+            if (nearest_first_) --nearest;
+            const std::size_t most = nearest_first_ ? 1 : pace.nodes;
             if (!lists_.inner_leaf.empty())
-                divide(pace, &PackedLists::inner_leaf,
+                divide(most, &PackedLists::inner_leaf,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_leaf(i, j); });
             else if (!lists_.leaf_inner.empty())
-                divide(pace, &PackedLists::leaf_inner,
+                divide(most, &PackedLists::leaf_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { leaf_inner(i, j); });
             else if (!lists_.inner_inner.empty())
-                divide(pace, &PackedLists::inner_inner,
+                divide(most, &PackedLists::inner_inner,
                        [&](PackedRef i, PackedRef j) HWY_ATTR { inner_inner(i, j); });
+            else if (!lists_.deferred.empty())
+                divide(most, &PackedLists::deferred,
+                       [&](PackedRef i, PackedRef j) HWY_ATTR { deferred(i, j); });
             else
                 return;
         }
@@ -114,9 +123,9 @@ class PackedTraversal {
     }
 
     template <class Divide>
-    HWY_INLINE void divide(const PackedPace& pace, RefPairs PackedLists::*which, Divide each) {
+    HWY_INLINE void divide(std::size_t most, RefPairs PackedLists::*which, Divide each) {
         std::uint32_t a[PackedPace::most_nodes], b[PackedPace::most_nodes];
-        std::size_t count = (lists_.*which).take(a, b, pace.nodes);
+        std::size_t count = (lists_.*which).take(a, b, most);
         if (skin_ > 0) count = keep_small(a, b, count, found_.kept.*which);
         lists_.reserve(count * (W * W + 16));
         for (std::size_t i = 0; i < count && i < ahead; ++i) prefetch_pair({a[i]}, {b[i]});
@@ -142,6 +151,16 @@ class PackedTraversal {
         RefPairs& leaf = b.is_leaf() ? lists_.leaf_leaf : lists_.leaf_inner;
         put(inner.a_end(), inner.b_end(), a.child, bits & ~a.leaf_bits, b.bits, inner);
         put(leaf.a_end(), leaf.b_end(), a.child, bits & a.leaf_bits, b.bits, leaf);
+    }
+    /// The same. While the traversal goes to the nearest pair first, the nearest child is added
+    /// last: the last pair is divided next. `apart`: see separation.
+    HWY_INLINE void put_a(const Node& a, std::uint32_t bits, PackedRef b, const float* apart) {
+        if (nearest_first_ && bits != 0) {
+            const std::uint32_t nearest = least(apart, bits);
+            put_a(a, bits & ~nearest, b);
+            bits = nearest;
+        }
+        put_a(a, bits, b);
     }
     HWY_INLINE void put_b(PackedRef a, const Node& b, std::uint32_t bits) {
         RefPairs& inner = a.is_leaf() ? lists_.leaf_inner : lists_.inner_inner;
@@ -178,6 +197,23 @@ class PackedTraversal {
         return placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t));
     }
 
+    /// Least for the balls that overlap most: the squared distance of their centers minus the
+    /// squared sum of their radii.
+    static HWY_INLINE Lanes<n> separation(const Part& a, const Part& b) {
+        const Lanes3<n> c = b.c - a.c;
+        const Lanes<n> sum = a.r + b.r;
+        return dot(c, c) - sum * sum;
+    }
+    /// The bit of the least of the values that `bits` chooses; the first of equal ones.
+    static HWY_INLINE std::uint32_t least(const float* values, std::uint32_t bits) {
+        int best = std::countr_zero(bits);
+        for (std::uint32_t left = bits & (bits - 1); left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            if (values[k] < values[best]) best = k;
+        }
+        return 1u << best;
+    }
+
     HWY_INLINE void inner_inner(PackedRef i, PackedRef j) {
         const Node &a = a_.nodes[i.index()], &b = b_.nodes[j.index()];
         const Offset o = offset(placed_, a.own.c, a.reach, b.own.c, b.reach);
@@ -186,14 +222,22 @@ class PackedTraversal {
         found_.n_v += b.count;
         std::uint32_t left = 0;
         float rows[Part::rows][W];  // the children of B in A's frame
+        float apart[W];
         for (int first = 0; first < W; first += n) {
             const Part of_b = children_of_b(b, first, o);
             left |= overlap(own, of_b, wide).bits() << first;
             of_b.put(rows, first);
+            if (nearest_first_) separation(own, of_b).store(apart + first);
         }
         left &= low_bits(b.count);
         report_b(i, b, left, {i, j});
         if (left == 0) return;
+        if (nearest_first_) {
+            const std::uint32_t nearest = least(apart, left);
+            RefPairs& others = lists_.deferred;
+            put(others.b_end(), others.a_end(), b.child, left & ~nearest, i.bits, others);
+            left = nearest;
+        }
         const auto of_a = lane_parts<W / n>([&a](std::size_t part) HWY_ATTR {
             return load_children(a.volumes, static_cast<int>(part) * n);
         });
@@ -202,25 +246,40 @@ class PackedTraversal {
             const Part one = Part::column(rows, k);
             found_.n_v += a.count;
             std::uint32_t bits = 0;
-            for (std::size_t part = 0; part < of_a.size(); ++part)
-                bits |= overlap(of_a[part], one, wide).bits() << part * std::size_t{n};
+            for (std::size_t part = 0; part < of_a.size(); ++part) {
+                const std::size_t first = part * std::size_t{n};
+                bits |= overlap(of_a[part], one, wide).bits() << first;
+                if (nearest_first_) separation(of_a[part], one).store(apart + first);
+            }
             report_a(a, bits, {b.child[k]}, {i, {b.child[k]}});
-            put_a(a, bits & low_bits(a.count), {b.child[k]});
+            put_a(a, bits & low_bits(a.count), {b.child[k]}, apart);
         }
     }
 
     HWY_INLINE void inner_leaf(PackedRef i, PackedRef j) {
+        divide_a(i, j, b_.leaf(j).template own<Volume>());
+    }
+
+    /// B's node has been divided already.
+    HWY_INLINE void deferred(PackedRef i, PackedRef j) {
+        divide_a(i, j, j.is_leaf() ? b_.leaf(j).template own<Volume>() : b_.nodes[j.index()].own);
+    }
+
+    HWY_INLINE void divide_a(PackedRef i, PackedRef j, const Volume& b) {
         const Node& a = a_.nodes[i.index()];
-        const Volume b = b_.leaf(j).template own<Volume>();
         const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
         const Lanes<n> wide = Lanes<n>::all(margin(o));
         const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
         found_.n_v += a.count;
         std::uint32_t bits = 0;
-        for (int first = 0; first < W; first += n)
-            bits |= overlap(load_children(a.volumes, first), of_b, wide).bits() << first;
+        float apart[W];
+        for (int first = 0; first < W; first += n) {
+            const Part of_a = load_children(a.volumes, first);
+            bits |= overlap(of_a, of_b, wide).bits() << first;
+            if (nearest_first_) separation(of_a, of_b).store(apart + first);
+        }
         report_a(a, bits, j, {i, j});
-        put_a(a, bits & low_bits(a.count), j);
+        put_a(a, bits & low_bits(a.count), j, apart);
     }
 
     HWY_INLINE void leaf_inner(PackedRef i, PackedRef j) {
@@ -243,6 +302,7 @@ class PackedTraversal {
     PackedLists& lists_;
     PackedFindings& found_;
     [[no_unique_address]] Steps steps_;
+    bool nearest_first_ = false;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/platform/clock.h"
 #include "scb/triangle_overlap.h"
 #include "tests/peers/core_mesh.h"
 #include "tests/peers/peers.h"
@@ -28,9 +29,9 @@ SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>
     for (std::size_t p = 0; p < kinds.size(); ++p) {
         say("builds " + kinds[p].name);
         if (kinds[p].name == reference_name) reference = p;
-        const double start = process_milliseconds();
+        const double start = milliseconds(Clock::process);
         peers.push_back(kinds[p].prepare(a, b, query));
-        result.peers[p].build_ms = process_milliseconds() - start;
+        result.peers[p].build_ms = milliseconds(Clock::process) - start;
         result.peers[p].bytes = peers[p]->bytes() / static_cast<double>(result.triangles);
     }
 
@@ -44,6 +45,7 @@ SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>
     const Box box = bounding_box(mesh_a);
     const double closeness = closeness_share * (box.upper - box.lower).maxCoeff();
     std::vector<double> estimates(kinds.size());
+    const Clock clock = timing.wall ? Clock::wall : Clock::thread;
     const std::size_t step = (frames.size() + compared_frames - 1) / compared_frames;
     for (std::size_t i = 0; i < frames.size(); i += step) {
         const PairScene at{mesh_a, mesh_b,
@@ -53,9 +55,9 @@ SceneComparison compare_peers(const scenes::Scene& scene, const std::vector<int>
         peers[reference]->query(poses[i].a, poses[i].b);
         const std::vector<IndexPair> expected = peers[reference]->pairs();
         for (std::size_t p = 0; p < peers.size(); ++p) {
-            const double start = milliseconds(timing.wall);
+            const double start = milliseconds(clock);
             peers[p]->query(poses[i].a, poses[i].b);
-            estimates[p] += milliseconds(timing.wall) - start;
+            estimates[p] += milliseconds(clock) - start;
             std::vector<IndexPair> found = peers[p]->pairs();
             // Each peer may find another first pair. An own peer's pair must intersect.
             if (query == PeerQuery::first_contact && !found.empty() && !expected.empty() &&

@@ -1,21 +1,14 @@
 #include "tests/peers/peer_timing.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <numeric>
 #include <random>
 
 #include "core/base/statistics.h"
+#include "core/platform/clock.h"
 
 namespace scb {
 namespace {
-
-double clock_milliseconds(clockid_t clock) {
-    timespec now{};
-    clock_gettime(clock, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 /// The smallest power of two that is enough: strides are then multiples of each other, so that any
 /// two peers have frames in common.
@@ -28,12 +21,6 @@ std::size_t stride_of(double estimate, std::size_t frames, double budget) {
 }
 
 }  // namespace
-
-double milliseconds(bool wall) {
-    return clock_milliseconds(wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID);
-}
-
-double process_milliseconds() { return clock_milliseconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 std::vector<PeerTimes> time_peers(std::span<const std::unique_ptr<Peer>> peers,
                                   std::span<const double> estimates,
@@ -49,10 +36,12 @@ std::vector<PeerTimes> time_peers(std::span<const std::unique_ptr<Peer>> peers,
         rounds[p].warm.resize(taken);
         rounds[p].cold.resize(taken);
     }
+    const Clock clock = timing.wall ? Clock::wall : Clock::thread;
+    const double reading = reading_milliseconds(clock);
     const auto timed = [&](std::size_t p, std::size_t frame) {
-        const double start = milliseconds(timing.wall);
+        const double start = milliseconds(clock);
         peers[p]->query(frames[frame].a, frames[frame].b);
-        return milliseconds(timing.wall) - start;
+        return std::max(0.0, milliseconds(clock) - start - reading);
     };
 
     std::mt19937 random(1);

@@ -34,12 +34,6 @@ struct PeerTimes {
     std::vector<double> cold;
 };
 
-/// Milliseconds of processor time of this thread, or of the time of day.
-double milliseconds(bool wall);
-
-/// Milliseconds of processor time of all threads of this process.
-double process_milliseconds();
-
 /// Times the peers, all in one run: so many rounds of a warm pass of each and a cold pass of all.
 /// `estimates`: about how many milliseconds a query of each peer takes.
 std::vector<PeerTimes> time_peers(std::span<const std::unique_ptr<Peer>> peers,

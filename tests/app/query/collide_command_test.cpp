@@ -355,6 +355,34 @@ TEST(CollideCommand, TellsCrossingFromTouching) {
               run_scb(stack + "--contacts some").err);
 }
 
+TEST(CollideCommand, QueriesPackedHierarchies) {
+    const std::string spheres = "collide spheres-l1 --frames 0,100 ";
+    const json reference = json::parse(run_scb(spheres + "--json").out),
+               packed = json::parse(run_scb(spheres + "--layout quantized8 --leaf 3 --json").out);
+    EXPECT_EQ(packed["layout"], "quantized8");
+    EXPECT_EQ(packed["leaf"], 3);
+    for (const char* of_reference : {"test", "descent"})
+        EXPECT_FALSE(packed.contains(of_reference));
+    for (const int i : {0, 1}) {
+        const json &frame = packed["frames"][i], &there = reference["frames"][i];
+        EXPECT_EQ(frame["pairs_hash"], there["pairs_hash"]);
+        EXPECT_NE(frame["n_v"], there["n_v"]);
+        for (const char* not_counted : {"n_u", "depth", "stages"})
+            EXPECT_FALSE(frame.contains(not_counted)) << not_counted;
+    }
+    const ProgramRun first = run_scb(spheres + "--layout quantized8 --first");
+    EXPECT_NE(first.out.find(", layout quantized8, at most 4 triangles in a leaf\n"),
+              std::string::npos)
+        << first.out;
+    EXPECT_NE(first.out.find("\n  100        1 "), std::string::npos) << first.out;
+    EXPECT_EQ(first.err, "");
+    const std::string csv = run_scb(spheres + "--layout quantized8 --first --csv").out;
+    EXPECT_NE(csv.find("\n0,0,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",,,1\n100,1,"), std::string::npos) << csv;
+    EXPECT_NE(run_scb(spheres + "--leaf 3").err.find("--leaf has no effect here"),
+              std::string::npos);
+}
+
 TEST(CollideCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
@@ -369,6 +397,15 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --threshold 2", "give a cosine from 0 to 1"},
              {"spheres-l1 --threshold nan", "give a cosine from 0 to 1"},
              {"spheres-l1 --descent up", "--descent up: give radius, area, volume or alternating"},
+             {"spheres-l1 --layout flat", "'flat' is not a layout"},
+             {"spheres-l1 --layout float8,float4", "give one layout"},
+             {"spheres-l1 --layout float8 --leaf 5", "--leaf 5: give 1 to 4"},
+             {"spheres-l1 --layout float8 --volume obb", "obb volumes have no packed layout"},
+             {"spheres-l1 --layout float8 --levels 3", "--levels is of the reference only"},
+             {"spheres-l1 --layout float8 --max-pairs 3", "--max-pairs is of the reference only"},
+             {"spheres-l1 --layout float8 --test extents", "--test is of the reference only"},
+             {"spheres-l1 --layout float8 --descent area", "--descent is of the reference only"},
+             {"spheres-l1 --layout float8 --bodies A,A", "packed queries are of two bodies"},
              {"spheres-l1 --bodies A", "give two bodies"},
              {"spheres-l1 --bodies A,C", "is not a body"},
              {"spheres-l1 --level 99", "have the levels 0 to"},

@@ -97,6 +97,36 @@ TEST(Touches, EndsAtTheFirstPair) {
     EXPECT_LT(10 * first.n_p, all.n_p);
 }
 
+// Nodes of B whose siblings are nearer wait, and are not divided again.
+TEST(Touches, TestsWhereNothingMeetsAsManyNodesAsAQueryForAllPairs) {
+    Mesh bowl = height_field(48);
+    for (Vec3& v : bowl.vertices) v[2] += (v[0] * v[0] + v[1] * v[1]) / 2;
+    const PackedHierarchy<QuickestCodec> packed = build_packed(bowl);
+    const PackedCollider side{packed, bowl};
+    std::uint64_t tests = 0;
+    for (int i = 0; i < 20; ++i) {
+        const Pose above{Mat3::Identity(), {0, 0, 0.01 * i}};
+        const PackedCollision all = collide_packed(side, side, above);
+        const PackedTouch first = touches(side, side, above);
+        EXPECT_EQ(first.pair.has_value(), !all.pairs.empty());
+        if (first) continue;
+        tests += all.n_v;
+        EXPECT_EQ(first.n_v, all.n_v);
+        EXPECT_EQ(first.n_p, all.n_p);
+    }
+    EXPECT_GT(tests, 2000u);
+}
+
+// At each pair of nodes, the children of one are tested with the other, then the other's children
+// with the nearest of these: at most 16 tests a level.
+TEST(Touches, GoesStraightToTheNearestLeaves) {
+    const CrossingSheets scene;
+    const Pose moved{Mat3::Identity(), {1e-3, 1e-3, 0}};
+    const PackedTouch found = touches(scene.side, scene.side, moved);
+    EXPECT_TRUE(found);
+    EXPECT_LE(found.n_v, 16u * 5);
+}
+
 TEST(Touches, BeginsWithThePairOfTheLastCall) {
     const CrossingSheets scene;
     PackedWorkspace workspace;
