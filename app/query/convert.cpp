@@ -22,16 +22,27 @@ struct ConvertOptions {
     std::string output;
 };
 
+/// Writes the joined recordings, and returns the number of bytes.
 template <class Writer>
-std::string joined(std::vector<scenes::RecordingReader>& readers, Progress& progress,
-                   Writer writer = {}) {
+std::size_t write_joined(std::vector<scenes::RecordingReader>& readers, WholeFile& file,
+                         Progress& progress) {
+    Writer writer;
+    std::size_t written = 0, records = 0;
+    const auto append = [&](const std::string& bytes) {
+        file.append(bytes);
+        written += bytes.size();
+    };
     scenes::join_recordings(readers, [&](const scenes::Record& record) {
         writer.add(record);
+        constexpr std::size_t many = 4096;
+        if (++records % many != 0) return;
+        append(writer.take());
         std::size_t read = 0;
         for (const scenes::RecordingReader& reader : readers) read += reader.bytes_read();
         progress.at("kilobytes", read / kilobyte);
     });
-    return writer.finish();
+    append(writer.finish());
+    return written;
 }
 
 int run(const ConvertOptions& options, const Console& console) {
@@ -40,22 +51,24 @@ int run(const ConvertOptions& options, const Console& console) {
         throw InputError("-o " + options.output +
                          ": the ending says what to write; name a file .scbrec or .jsonl.");
     check_output(options.output, "-o");
-    std::vector<std::string> files;
+    std::vector<scenes::RecordingBytes> files;
     for (const std::string& input : options.inputs) files.push_back(scenes::recording_bytes(input));
     check_output(options.output, "-o");
     std::vector<scenes::RecordingReader> readers;
     for (std::size_t i = 0; i < files.size(); ++i)
         readers.emplace_back(files[i], options.inputs[i]);
     std::size_t size = 0;
-    for (const std::string& file : files) size += file.size();
+    for (const scenes::RecordingBytes& file : files) size += file.size();
     Progress progress(console, size / kilobyte);
-    const std::string bytes = json ? joined<scenes::RecordingJsonWriter>(readers, progress)
-                                   : joined<scenes::RecordingWriter>(readers, progress);
-    write_file_whole(options.output, bytes);
+    WholeFile output(options.output);
+    const std::size_t bytes =
+        json ? write_joined<scenes::RecordingJsonWriter>(readers, output, progress)
+             : write_joined<scenes::RecordingWriter>(readers, output, progress);
+    output.finish();
     for (const scenes::RecordingReader& reader : readers)
         if (!reader.damage().empty()) console.alarm("scb: " + reader.damage());
     console.note(
-        "scb: " + options.output + ": " + std::to_string(bytes.size()) + " bytes" +
+        "scb: " + options.output + ": " + std::to_string(bytes) + " bytes" +
         (files.size() == 1 ? "." : ", of " + std::to_string(files.size()) + " recordings."));
     return exit_done;
 }

@@ -4,12 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace scb {
 namespace {
@@ -81,49 +82,6 @@ int take_name_beside(const std::filesystem::path& path, std::string& name, Take 
 // the umask, which cannot be read without setting it.
 constexpr mode_t mode = 0666;
 
-/// Writes into a file without a name, and names it only once it is whole. False if the file system
-/// has no such files; else `error` is 0 or the errno of the error.
-bool write_unnamed(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
-                   std::optional<mode_t> kept, std::string& name, int& error) {
-#ifdef O_TMPFILE
-    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-    const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-    if (file < 0) return false;
-    error = write_all(file, bytes);
-    if (error == 0 && kept && ::fchmod(file, *kept) != 0) error = errno;
-    if (error == 0) error = synchronized(file);
-    const std::string self = "/proc/self/fd/" + std::to_string(file);
-    bool named = true;
-    if (error == 0)
-        named = take_name_beside(path, name, [&](const char* beside) {
-                    return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, beside, AT_SYMLINK_FOLLOW);
-                }) == 0;
-    if (::close(file) != 0 && error == 0) error = errno;
-    return named;
-#else
-    static_cast<void>(path), static_cast<void>(bytes), static_cast<void>(kept),
-        static_cast<void>(name), static_cast<void>(error);
-    return false;
-#endif
-}
-
-/// The same into a file that has a name from the start.
-int write_named(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
-                std::optional<mode_t> kept, std::string& name) {
-    const int file = take_name_beside(path, name, [](const char* beside) {
-        return ::open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    });
-    if (file < 0) {
-        name.clear();
-        return errno;
-    }
-    int error = write_all(file, bytes);
-    if (error == 0 && kept && ::fchmod(file, *kept) != 0) error = errno;
-    if (error == 0) error = synchronized(file);
-    if (::close(file) != 0 && error == 0) error = errno;
-    return error;
-}
-
 /// Standard output or standard error if the file is one of them, else -1.
 int standard_stream(const struct stat& file) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
@@ -134,49 +92,126 @@ int standard_stream(const struct stat& file) {
     return -1;
 }
 
-int write_in_place(const std::filesystem::path& path, const struct stat& existing,
-                   std::span<const std::uint8_t> bytes) {
-    // /dev/stdout, opened again, would write at the start of the file that it is redirected to.
-    if (const int stream = standard_stream(existing); stream >= 0) return write_all(stream, bytes);
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) return errno;
-    int error = write_all(file, bytes);
-    if (::close(file) != 0 && error == 0) error = errno;
-    return error;
-}
-
 }  // namespace
 
-void write_file_whole(const std::filesystem::path& given, std::span<const std::uint8_t> bytes) {
+WholeFile::WholeFile(const std::filesystem::path& path) : given_(path) {
     // A link stays, and its target is replaced.
     std::error_code ignored;
-    std::filesystem::path path = std::filesystem::canonical(given, ignored);
-    if (path.empty()) path = given;
+    path_ = std::filesystem::canonical(given_, ignored);
+    if (path_.empty()) path_ = given_;
     struct stat existing;
-    const bool exists = ::stat(path.c_str(), &existing) == 0;
-    int error = 0;
-    // Neither a device nor a file that this program already writes to is replaced.
-    if (exists && ((!S_ISREG(existing.st_mode) && !S_ISDIR(existing.st_mode)) ||
-                   standard_stream(existing) >= 0)) {
-        error = write_in_place(path, existing, bytes);
-    } else {
+    const bool exists = ::stat(path_.c_str(), &existing) == 0;
+    if (exists) {
+        // /dev/stdout, opened again, would write at the start of the file that it is redirected to.
+        const int stream = standard_stream(existing);
+        // Neither a device nor a file that this program already writes to is replaced.
+        in_place_ = stream >= 0 || (!S_ISREG(existing.st_mode) && !S_ISDIR(existing.st_mode));
+        owns_ = stream < 0;
+        if (stream >= 0) file_ = stream;
         // Keeps the mode: users that could not read the file before cannot read it now.
-        std::optional<mode_t> kept;
-        if (exists) kept = existing.st_mode & 0777;
-        std::string name;  // empty if there is no such file
-        if (!write_unnamed(path, bytes, kept, name, error)) {
-            name.clear();
-            error = write_named(path, bytes, kept, name);
-        }
-        if (error == 0 && ::rename(name.c_str(), path.c_str()) != 0) error = errno;
-        if (error != 0 && !name.empty()) ::unlink(name.c_str());
+        kept_ = existing.st_mode & 0777;
     }
-    if (error != 0) fail(given, error);
+    if (file_ < 0) open();
+}
+
+void WholeFile::open() {
+    if (in_place_) {
+        file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        return check(file_ < 0 ? errno : 0);
+    }
+#ifdef O_TMPFILE
+    const std::string folder = path_.has_parent_path() ? path_.parent_path().string() : ".";
+    file_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+    if (file_ >= 0) return;
+#endif
+    open_named();
+}
+
+void WholeFile::open_named() {
+    file_ = take_name_beside(path_, name_, [](const char* beside) {
+        return ::open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    });
+    if (file_ >= 0) return;
+    name_.clear();
+    check(errno);
+}
+
+void WholeFile::settle() {
+    if (kept_ && ::fchmod(file_, static_cast<mode_t>(*kept_)) != 0) check(errno);
+    check(synchronized(file_));
+}
+
+void WholeFile::copy_to_named() {
+    const int from = std::exchange(file_, -1);
+    int error = 0;
+    try {
+        open_named();
+        std::array<std::uint8_t, 1 << 16> bytes;
+        for (off_t at = 0; error == 0;) {
+            const ssize_t got = ::pread(from, bytes.data(), bytes.size(), at);
+            if (got == 0) break;
+            if (got < 0 && errno == EINTR) continue;
+            error = got < 0
+                        ? errno
+                        : write_all(file_, std::span(bytes).first(static_cast<std::size_t>(got)));
+            at += got;
+        }
+    } catch (...) {
+        ::close(from);
+        throw;
+    }
+    ::close(from);
+    check(error);
+    settle();
+}
+
+WholeFile::~WholeFile() {
+    if (file_ >= 0 && owns_) ::close(file_);
+    if (!name_.empty()) ::unlink(name_.c_str());
+}
+
+void WholeFile::check(int error) const {
+    if (error != 0) fail(given_, error);
+}
+
+void WholeFile::append(std::span<const std::uint8_t> bytes) { check(write_all(file_, bytes)); }
+
+void WholeFile::append(std::string_view text) {
+    append(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void WholeFile::finish() {
+    if (!in_place_) {
+        settle();
+        if (name_.empty()) {
+            const std::string self = "/proc/self/fd/" + std::to_string(file_);
+            const int linked = take_name_beside(path_, name_, [&](const char* beside) {
+                return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, beside, AT_SYMLINK_FOLLOW);
+            });
+            if (linked != 0) {
+                name_.clear();
+                copy_to_named();
+            }
+        }
+    }
+    if (owns_) {
+        const int closed = ::close(std::exchange(file_, -1));
+        check(closed != 0 ? errno : 0);
+    }
+    if (in_place_) return;
+    if (::rename(name_.c_str(), path_.c_str()) != 0) check(errno);
+    name_.clear();
+}
+
+void write_file_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    WholeFile file(path);
+    file.append(bytes);
+    file.finish();
 }
 
 void write_file_whole(const std::filesystem::path& path, std::string_view text) {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    write_file_whole(path, std::span(bytes, text.size()));
+    write_file_whole(path,
+                     std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 bool is_there(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "scb/error.h"
 
@@ -270,7 +271,9 @@ std::vector<std::uint8_t> record_payload(const Record& record) {
 }
 
 RecordingReader::RecordingReader(std::string_view bytes, std::string_view name)
-    : name_(name), bytes_(as_bytes(bytes)), left_(recording_blocks(bytes, name)) {}
+    : name_(name), blocks_(bytes, name) {}
+RecordingReader::RecordingReader(const RecordingBytes& bytes, std::string_view name)
+    : name_(name), blocks_(bytes, name) {}
 
 void RecordingReader::contradict(const std::string& what) const {
     throw InputError(name_ + ": " + what + " in the block at byte " + std::to_string(block_at_) +
@@ -278,15 +281,13 @@ void RecordingReader::contradict(const std::string& what) const {
 }
 
 bool RecordingReader::next_block() {
-    while (!left_.empty() && !damaged_at_) {
-        block_at_ = bytes_.size() - left_.size();
-        ByteReader in{left_};
-        const std::optional<RecordingBlock> block = take_block(in);
+    while (!blocks_.is_at_end() && !damaged_at_) {
+        block_at_ = blocks_.position();
+        const std::optional<RecordingBlock> block = blocks_.next();
         if (!block) {
             damaged_at_ = block_at_;
             return false;
         }
-        left_ = in.bytes;
         if (block->kind == head_block)
             throw InputError(name_ +
                              " is compact: it has this program's own queries, without the meshes "
@@ -329,8 +330,8 @@ const Record* RecordingReader::next() {
 std::string RecordingReader::damage() const {
     if (damaged_at_)
         return name_ + " is damaged or cut off at byte " + std::to_string(*damaged_at_) + " of " +
-               std::to_string(bytes_.size()) + "; what stands before was read.";
-    if (left_.empty() && block_.bytes.empty() && !ended_)
+               std::to_string(blocks_.size()) + "; what stands before was read.";
+    if (blocks_.is_at_end() && block_.bytes.empty() && !ended_)
         return name_ +
                " ends without the record that scb_record_close writes; all whole blocks were read.";
     return {};
@@ -368,9 +369,11 @@ void RecordingWriter::end_block() {
     block_.bytes.clear();
 }
 
+std::string RecordingWriter::take() { return std::exchange(bytes_, {}); }
+
 std::string RecordingWriter::finish() {
     if (!block_.bytes.empty()) end_block();
-    return std::move(bytes_);
+    return take();
 }
 
 }  // namespace scb::scenes

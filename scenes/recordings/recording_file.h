@@ -21,18 +21,19 @@ std::vector<std::uint8_t> record_payload(const Record& record);
 /// A file that is cut off or damaged is read up to the last whole block before the damage, and
 /// `damage` reports it. Throws InputError, one sentence that starts with `name`, if the bytes are
 /// no recording, of a newer version or a compact recording, and if a whole block contradicts
-/// itself. A file of n bytes takes O(n) time and memory, except for packed blocks, which unpack to
-/// at most 16 times their size plus 1024 bytes.
+/// itself. A file of n bytes takes O(n) time and the memory of its largest block. Packed blocks
+/// unpack to at most 16 times their size plus 1024 bytes.
 class RecordingReader {
   public:
     /// `bytes` must outlive the reader.
     RecordingReader(std::string_view bytes, std::string_view name);
+    RecordingReader(const RecordingBytes& bytes, std::string_view name);
 
     /// The next record, which the next call overwrites; nullptr at the end.
     const Record* next();
 
     /// The number of bytes read.
-    std::size_t bytes_read() const { return bytes_.size() - left_.size(); }
+    std::uint64_t bytes_read() const { return blocks_.position(); }
     /// What a user must know about a damaged file, as a sentence; empty if the file is whole.
     std::string damage() const;
     const std::string& name() const { return name_; }
@@ -42,11 +43,11 @@ class RecordingReader {
     [[noreturn]] void contradict(const std::string& what) const;
 
     std::string name_;
-    std::span<const std::uint8_t> bytes_, left_;
+    BlockReader blocks_;
     std::vector<std::uint8_t> unpacked_;
     ByteReader block_;
-    std::size_t block_at_ = 0;
-    std::optional<std::size_t> damaged_at_;
+    std::uint64_t block_at_ = 0;
+    std::optional<std::uint64_t> damaged_at_;
     bool ended_ = false;
     Record record_;
 };
@@ -58,7 +59,9 @@ class RecordingWriter {
     RecordingWriter();
 
     void add(const Record& record);
-    /// The whole file. Nothing may be added after it.
+    /// The bytes that are complete since the last call.
+    std::string take();
+    /// The bytes behind those of take(). Nothing may be added after it.
     std::string finish();
 
   private:

@@ -1,10 +1,12 @@
 #include "scenes/recordings/recording_input.h"
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 
 #include "core/platform/file_bytes.h"
 #include "core/platform/input_files.h"
+#include "scb/error.h"
 #include "scenes/recordings/recording_file.h"
 #include "scenes/recordings/recording_json.h"
 #include "scenes/recordings/trace_file.h"
@@ -21,6 +23,16 @@ std::string start_of(const std::string& path) {
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(file.gcount()));
     return start;
+}
+
+std::string json_bytes(const std::string& path) {
+    check_is_file(path);
+    std::ifstream lines(path, std::ios::binary);
+    if (!lines) refuse_to_open(path, errno);
+    std::string bytes = recording_of_json(lines, path);
+    if (lines.bad())
+        throw InputError(path + ": cannot be read; check its permissions and the disk.");
+    return bytes;
 }
 
 }  // namespace
@@ -42,16 +54,16 @@ std::string trace_bytes(const std::string& path) {
                                                                           : start;
 }
 
-std::string recording_bytes(const std::string& path) {
+RecordingBytes recording_bytes(const std::string& path) {
     note_input(path);
     // The first bytes show whether this is a recording, so that other long files are not read.
     std::string start = file_bytes(path, compact_start);
-    if (starts_as_recording(start)) return file_bytes(path);
+    if (starts_as_recording(start)) return RecordingBytes::of_file(path);
     const std::size_t first = start.find_first_not_of(" \t\r\n");
     if (path.ends_with(".jsonl") || (first != std::string::npos && start[first] == '{'))
-        return recording_of_json(file_bytes(path), path);
+        return RecordingBytes(json_bytes(path));
     RecordingReader(start, path);  // throws, and says why
-    return start;
+    return RecordingBytes(std::move(start));
 }
 
 }  // namespace scb::scenes

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "scenes/recordings/recording_block.h"
+
 namespace scb::scenes {
 
 /// Whether a path given for a scene is a trace, which is a compact recording: by its first bytes,
@@ -13,8 +15,8 @@ bool names_trace(const std::string& path);
 bool names_recording(const std::string& path);
 
 /// The bytes of a recording. JSON Lines, which begin with a brace or are in a file `.jsonl`, are
-/// converted. Throws InputError if the file cannot be read or is neither.
-std::string recording_bytes(const std::string& path);
+/// converted, in memory. Throws InputError if the file cannot be read or is neither.
+RecordingBytes recording_bytes(const std::string& path);
 
 /// The bytes of a trace. Of a file that is no trace, only the first bytes. Throws InputError if the
 /// file cannot be read.

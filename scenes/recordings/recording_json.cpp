@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -154,9 +155,11 @@ void RecordingJsonWriter::end_tests() {
     test_count_ = 0;
 }
 
+std::string RecordingJsonWriter::take() { return std::exchange(text_, {}); }
+
 std::string RecordingJsonWriter::finish() {
     end_tests();
-    return std::move(text_);
+    return take();
 }
 
 std::string recording_as_json(std::string_view bytes, std::string_view name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -18,7 +19,9 @@ inline constexpr EnumNames<RecordedKind, recorded_kind_count> recorded_kind_name
 class RecordingJsonWriter {
   public:
     void add(const Record& record);
-    /// The whole text. Nothing may be added after it.
+    /// The lines that are complete since the last call.
+    std::string take();
+    /// The lines behind those of take(). Nothing may be added after it.
     std::string finish();
 
   private:
@@ -34,5 +37,6 @@ std::string recording_as_json(std::string_view bytes, std::string_view name);
 /// The inverse of recording_as_json. Missing fields are 0 or empty. Throws InputError, one sentence
 /// that names the line, if a line is not JSON, or no record.
 std::string recording_of_json(std::string_view text, const std::string& name);
+std::string recording_of_json(std::istream& text, const std::string& name);
 
 }  // namespace scb::scenes

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/base/text_format.h"
 #include "core/platform/json_reader.h"
@@ -314,11 +315,14 @@ void add_line(RecordingWriter& writer, const JsonPlace& line,
 }  // namespace
 
 std::string recording_of_json(std::string_view text, const std::string& name) {
+    std::istringstream lines{std::string(text)};
+    return recording_of_json(lines, name);
+}
+
+std::string recording_of_json(std::istream& text, const std::string& name) {
     RecordingWriter out;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        const std::size_t length = text.find('\n');
-        const std::string_view line = text.substr(0, length);
-        text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
+    std::string line;
+    for (std::size_t number = 1; std::getline(text, line); ++number) {
         if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
         const std::string place = name + ": line " + std::to_string(number);
         nlohmann::json document = parse_json(line, place);

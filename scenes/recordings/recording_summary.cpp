@@ -60,7 +60,7 @@ std::string shown(std::string text) {
     return printable(std::move(text)) + (cut ? "..." : "");
 }
 
-RecordingSummary summary_of(std::string_view bytes, std::string_view name,
+RecordingSummary summary_of(const RecordingBytes& bytes, std::string_view name,
                             const QuerySelection& selection) {
     RecordingSummary summary;
     std::set<std::string> names, tags;  // of all queries
@@ -114,7 +114,7 @@ std::string RecordingFile::title() const {
     return selection.empty() ? path : path + " with " + selection.words();
 }
 
-RecordingFile::RecordingFile(std::string of_file, std::string name, QuerySelection selected)
+RecordingFile::RecordingFile(RecordingBytes of_file, std::string name, QuerySelection selected)
     : path(std::move(name)),
       bytes(std::move(of_file)),
       selection(std::move(selected)),

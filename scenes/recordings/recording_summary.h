@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenes/recordings/record.h"
+#include "scenes/recordings/recording_block.h"
 
 namespace scb::scenes {
 
@@ -40,19 +41,21 @@ struct RecordingSummary {
 
 /// Reads the whole recording once. Throws InputError as RecordingReader does, and if a selection
 /// has no query.
-RecordingSummary summary_of(std::string_view bytes, std::string_view name,
+RecordingSummary summary_of(const RecordingBytes& bytes, std::string_view name,
                             const QuerySelection& selection = {});
 
 /// The bytes of a recording with its summary, shared by all that read the recording.
 struct RecordingFile {
-    std::string path;   ///< begins each error
-    std::string bytes;  ///< of a `.scbrec`
+    std::string path;  ///< begins each error
+    RecordingBytes bytes;
     QuerySelection selection;
     RecordingSummary summary;
 
     /// Reads the file. Throws InputError as recording_bytes and summary_of do.
     explicit RecordingFile(const std::string& name, QuerySelection selected = {});
-    RecordingFile(std::string of_file, std::string name, QuerySelection selected = {});
+    RecordingFile(std::string of_file, std::string name, QuerySelection selected = {})
+        : RecordingFile(RecordingBytes(std::move(of_file)), std::move(name), std::move(selected)) {}
+    RecordingFile(RecordingBytes of_file, std::string name, QuerySelection selected = {});
     /// The path, and the selection if there is one, for messages.
     std::string title() const;
 };

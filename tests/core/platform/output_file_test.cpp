@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/platform/file_bytes.h"
+
 namespace scb {
 namespace {
 
@@ -110,6 +112,23 @@ TEST_F(OutputFile, AnUnfinishedFileHasNoName) {
     };
     EXPECT_EXIT(interrupted(), testing::KilledBySignal(SIGXFSZ), "");
     EXPECT_EQ(file_count(), 0);
+}
+
+TEST_F(OutputFile, IsWrittenInPartsAndNamedAtTheEnd) {
+    write_file_whole(folder / "file", "old");
+    {
+        WholeFile unfinished(folder / "file");
+        unfinished.append("part");
+    }
+    EXPECT_EQ(fs::file_size(folder / "file"), 3u);
+    EXPECT_EQ(file_count(), 1);
+    WholeFile file(folder / "file");
+    file.append("two ");
+    file.append("parts");
+    EXPECT_EQ(fs::file_size(folder / "file"), 3u);
+    file.finish();
+    EXPECT_EQ(file_bytes(folder / "file"), "two parts");
+    EXPECT_EQ(file_count(), 1);
 }
 
 TEST_F(OutputFile, NoOtherFileIsTouched) {

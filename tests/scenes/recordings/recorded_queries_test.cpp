@@ -21,7 +21,7 @@ TEST(RecordedQueries, SumsUpAllThatThereIs) {
                                 {191, 0, 0}}));
     append(records, {RecordedFrame{5}});
     append(records, query_with({{127, 0, 0}}));
-    const RecordingSummary summary = summary_of(recording_of(records), "x.scbrec");
+    const RecordingSummary summary = summary_of(RecordingBytes(recording_of(records)), "x.scbrec");
     EXPECT_EQ(summary.frames, (std::vector{2, 5}));
     EXPECT_EQ(summary.stages, (std::set<std::uint8_t>{1, 127}));
     EXPECT_EQ(summary.queries, 2u);
@@ -29,7 +29,7 @@ TEST(RecordedQueries, SumsUpAllThatThereIs) {
     EXPECT_EQ(summary.item_tests, 2u);
     EXPECT_EQ(summary.pairs, 1u);
     EXPECT_FALSE(summary.has_pairs);
-    EXPECT_EQ(summary_of(recording_of({}), "x.scbrec").frames, std::vector{0});
+    EXPECT_EQ(summary_of(RecordingBytes(recording_of({})), "x.scbrec").frames, std::vector{0});
 }
 
 TEST(RecordedQueries, KeepsTheParentsOfTestsThatAreValid) {

@@ -321,7 +321,7 @@ TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
     RecordingWriter writer;
     for (unsigned stage = 255; stage > 0; --stage)
         writer.add(RecordedStage{static_cast<std::uint8_t>(stage), stage % 2 ? "x" : "axis-a0"});
-    const std::string bytes = recording_bytes(both.path);
+    const RecordingBytes bytes = recording_bytes(both.path);
     RecordingReader reader(bytes, "test");
     while (const Record* record = reader.next())
         if (!std::holds_alternative<RecordedStage>(*record)) writer.add(*record);
@@ -343,7 +343,7 @@ TEST(RecordedTrace, KeepsStagesOfOneNameApartAndNoneBeyondTheLast) {
 TEST(RecordedTrace, RefusesPosesThatMakeABodyFlat) {
     const RecordedAndOwn both(VolumeKind::obb);
     RecordingWriter writer;
-    const std::string bytes = recording_bytes(both.path);
+    const RecordingBytes bytes = recording_bytes(both.path);
     RecordingReader reader(bytes, "test");
     while (const Record* record = reader.next()) {
         Record copy = *record;

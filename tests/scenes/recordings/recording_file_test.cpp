@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/platform/file_bytes.h"
 #include "scb/error.h"
 #include "tests/scenes/recordings/record_everything.h"
@@ -87,6 +89,64 @@ TEST(RecordingFile, SaysAtWhichByteItIsDamaged) {
     EXPECT_EQ(records_of(bytes, &damage).size(), 1u);
     EXPECT_EQ(damage, "x.scbrec is damaged or cut off at byte " + second + " of " + all +
                           "; what stands before was read.");
+}
+
+/// A mesh whose record, and so its block, is longer than the window of a file.
+RecordedMesh long_mesh() {
+    RecordedMesh mesh{7, "long", 8, std::vector<double>(900'000), {}};
+    for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
+        mesh.coordinates[i] = std::sin(static_cast<double>(i));
+    return mesh;
+}
+
+TEST(RecordingFile, OnDiskIsReadAsInMemory) {
+    std::vector<Record> records = sample_records();
+    records.insert(records.end() - 1, long_mesh());
+    const std::string whole = recording_of(records);
+    ASSERT_GT(whole.size(), 3u << 20);
+    std::string damaged = whole;
+    damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 1);
+    const TemporaryFolder folder;
+    const std::string path = folder / "x.scbrec";
+    for (const std::string& bytes :
+         {whole, whole.substr(0, whole.size() - 1), whole.substr(0, whole.size() / 2), damaged,
+          whole.substr(0, 12), whole.substr(0, 15)}) {
+        folder.write("x.scbrec", bytes);
+        std::string damage, damage_on_disk;
+        const std::vector<Record> there =
+            records_of(RecordingBytes::of_file(path), &damage_on_disk);
+        EXPECT_EQ(recording_of(there), recording_of(records_of(bytes, &damage)));
+        EXPECT_EQ(damage_on_disk, damage);
+    }
+}
+
+TEST(RecordingFile, IsRefusedIfItChangesBetweenTwoReaders) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("x.scbrec", recording_of(sample_records()));
+    const RecordingBytes bytes = RecordingBytes::of_file(path);
+    EXPECT_EQ(records_of(bytes).size(), sample_records().size());
+    folder.write("x.scbrec", recording_of({RecordedFrame{3}}));
+    try {
+        RecordingReader(bytes, path);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(),
+                  path + " changed while it was read; wait until its recorder is done.");
+    }
+}
+
+TEST(RecordingFile, IsWrittenInPartsAsAtOnce) {
+    std::string parts;
+    RecordingWriter writer;
+    std::size_t before_the_end = 0;
+    for (int i = 0; i < 3; ++i) {
+        writer.add(long_mesh());
+        parts += writer.take();
+        before_the_end = parts.size();
+    }
+    parts += writer.finish();
+    EXPECT_EQ(parts, recording_of({long_mesh(), long_mesh(), long_mesh()}));
+    EXPECT_GT(before_the_end, parts.size() / 2);
 }
 
 TEST(RecordingFile, RefusesWhatIsNone) {

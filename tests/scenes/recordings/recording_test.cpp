@@ -107,7 +107,7 @@ TEST(Recording, OfAMeshThatChangesIsOneOfEachFrame) {
             EXPECT_EQ(scene.meshes[body.mesh].mesh.vertices[0][2], frame);
     }
     const TemporaryFolder folder;
-    const std::string file = folder.write("x.scbrec", recording.file->bytes);
+    const std::string file = folder.write("x.scbrec", recording_of(records));
     EXPECT_EQ(scene_of_recording(file, "1").default_frame, 1);
     EXPECT_EQ(scene_of_recording(file, "").default_frame, 0);
     EXPECT_THROW(scene_of_recording(file, "0,1"), InputError);

@@ -66,7 +66,9 @@ inline std::string recording_of(const std::vector<Record>& records) {
     return writer.finish();
 }
 
-inline std::vector<Record> records_of(const std::string& bytes, std::string* damage = nullptr) {
+/// `bytes`: a text, or RecordingBytes.
+template <class Bytes>
+std::vector<Record> records_of(const Bytes& bytes, std::string* damage = nullptr) {
     RecordingReader reader(bytes, "x.scbrec");
     std::vector<Record> records;
     while (const Record* record = reader.next()) records.push_back(*record);
