@@ -94,6 +94,8 @@ int run(InspectOptions& options, const Console& console) {
     std::optional<PictureRun> pictures;
     InspectReport& report = inspected.report;
     const InterruptWatch watch;
+    if (options.time && options.no_advice)
+        console.note("scb: --time has no effect with --no-advice: it is of other settings.");
     if (recorded) {
         if (options.time)
             console.note("scb: --time has no effect on the recording of another engine.");
@@ -109,7 +111,7 @@ int run(InspectOptions& options, const Console& console) {
     const ExplainedPairs explained = report_waste(inspected);
     std::string no_settings =
         recorded && !report.recording->judged.wrong() ? inspected.no_waste : "";
-    if (watch.signal() == 0 && can_compare(inspected)) {
+    if (watch.signal() == 0 && !options.no_advice && can_compare(inspected)) {
         try {
             report.settings =
                 inspect_settings(options, inspected.sources.front(), report.frames, console, watch);
@@ -163,6 +165,10 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     command
         .add_flag("--time", options->time,
                   "Also time the best settings; times differ from run to run")
+        .shareable();
+    command
+        .add_flag("--no-advice", options->no_advice,
+                  "Do not try other settings; that takes most of the time")
         .shareable();
     command.add_flag("--no-view", options->no_view, "Do not write the page of `scb view`")
         .shareable();

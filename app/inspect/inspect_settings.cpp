@@ -53,6 +53,7 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
     asked.layouts = options.time && !query.is_self();
+    asked.gives_up = !options.time;
     Work all;
     for (const InspectedFrame& frame : frames) all += frame.found.counts.all;
     std::vector<int> counted;
@@ -110,6 +111,7 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
     asked.layouts = false;
+    asked.gives_up = true;
     std::optional<SceneTuning> tuning = tune_scene(
         recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene(),
         source.body_index(0), source.body_index(1), counted, asked, tune_progress(console, watch));
@@ -134,6 +136,15 @@ std::string counts_text(const Work& counts, const Work& of) {
                                           static_cast<double>(of.triangle_tests))));
 }
 
+/// Says how many settings have no row.
+std::string given_up_text(const SceneTuning& tuning) {
+    if (tuning.given_up == 0) return "";
+    return format(
+        "%zu of %zu settings were given up after one frame: there they cost over %d times the "
+        "least.\n",
+        tuning.given_up, tuning.given_up + tuning.rows.size(), static_cast<int>(hopeless_cost));
+}
+
 std::string recorded_text(const InspectSettings& settings) {
     const SceneTuning& tuning = settings.tuning;
     std::string text =
@@ -154,8 +165,8 @@ std::string recorded_text(const InspectSettings& settings) {
         text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
                 counts_text(tuning.rows[row].counts, *settings.recorded) +
                 format("  %6.2f\n", cost_of(row) / cost_of(rows.front()));
-    return text + "cost, relative to the lowest cost: " + cost_words + "\n  " + settings.command +
-           "\n";
+    return text + "cost, relative to the lowest cost: " + cost_words + "\n" +
+           given_up_text(tuning) + "  " + settings.command + "\n";
 }
 
 }  // namespace
@@ -194,7 +205,7 @@ std::string settings_text(const InspectSettings& settings, std::size_t frames) {
     return "\nwhat would have helped, by cost, the least first: " +
            settings_words(tuning, frames, "means per frame over") + "\ncost: " + cost_words +
            ", relative to the cost of the base, which is the present setting\n" +
-           tune_rows_text(tuning, most_settings, "the present setting") +
+           tune_rows_text(tuning, most_settings, "the present setting") + given_up_text(tuning) +
            (tuning.timed() ? "" : "Packed layouts change time and memory: --time tries them.\n") +
            "\nTo use it: " + settings.command + "\n" +
            (settings.layout_command.empty() ? ""
@@ -208,6 +219,7 @@ nlohmann::ordered_json settings_json(const InspectSettings& settings) {
         for (const char* key :
              {"frames", "timed_frames", "settings", "best_first", "best", "layouts"})
             if (tuning.contains(key)) json[key] = tuning[key];
+        json["given_up"] = settings.tuning.given_up;
         json["command"] = settings.command;
         if (!settings.layout_command.empty()) json["layout_command"] = settings.layout_command;
         return json;
@@ -225,6 +237,7 @@ nlohmann::ordered_json settings_json(const InspectSettings& settings) {
         {"recorded",
          {{"n_v", settings.recorded->volume_tests}, {"n_p", settings.recorded->triangle_tests}}},
         {"settings", std::move(rows)},
+        {"given_up", settings.tuning.given_up},
         {"command", settings.command}};
 }
 

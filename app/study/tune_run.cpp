@@ -37,12 +37,17 @@ std::vector<PackedLayout> tried_layouts() {
 
 class Run {
   public:
-    Run(TuneSubject& subject, int threads, const TuneProgress& progress)
-        : subject_(subject), threads_(threads), progress_(progress), most_(subject.frames()) {}
+    Run(TuneSubject& subject, const TuneOptions& options, const TuneProgress& progress)
+        : subject_(subject),
+          threads_(options.build.threads),
+          gives_up_(options.gives_up && subject.frames() > 1),
+          progress_(progress),
+          most_(subject.frames()) {}
 
     std::vector<TuneRow> rows;
     std::vector<TuneLayout> layouts;
 
+    std::size_t given_up() const { return given_up_.size(); }
     std::vector<TuneSetting> settings() const {
         std::vector<TuneSetting> result;
         for (const TuneRow& row : rows) result.push_back(row.setting);
@@ -59,22 +64,24 @@ class Run {
         const std::size_t old = rows.size();
         for (const TuneSetting& setting : settings)
             if (std::none_of(rows.begin(), rows.end(),
-                             [&](const TuneRow& row) { return row.setting == setting; }))
+                             [&](const TuneRow& row) { return row.setting == setting; }) &&
+                std::find(given_up_.begin(), given_up_.end(), setting) == given_up_.end())
                 rows.emplace_back().setting = setting;
         pairs_.resize(rows.size(), std::vector<std::uint64_t>(subject_.frames()));
         progress_.begin("settings counted", rows.size() - old);
-        std::vector<bool> done(rows.size());
+        std::vector<bool> done(rows.size()), kept(rows.size(), true);
         // Each hierarchy is built once, and only one set of them exists at a time.
         for (std::size_t first = old; first < rows.size(); ++first) {
             if (done[first]) continue;
             const BuiltSetting built = subject_.build(rows[first].setting);
             for (std::size_t r = first; r < rows.size(); ++r) {
                 if (done[r] || !same_hierarchies(rows[r].setting, built.setting)) continue;
-                count_row(r, built);
+                kept[r] = count_row(r, built);
                 done[r] = true;
                 if (!progress_.step()) return false;
             }
         }
+        remove_rows(kept);
         for (std::size_t r = 0; r < rows.size(); ++r) rows[r].misses_pairs = pairs_[r] != most_;
         return true;
     }
@@ -150,15 +157,25 @@ class Run {
     }
 
   private:
-    void count_row(std::size_t r, const BuiltSetting& built) {
+    /// False if the setting is given up.
+    bool count_row(std::size_t r, const BuiltSetting& built) {
         TuneRow& row = rows[r];
         std::vector<Work> counts(subject_.frames());
-        parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
-            if (progress_.ends()) return;
+        const auto count = [&](std::size_t i) {
             const Collision found = subject_.query(built, row.setting, i);
             counts[i] = {found.n_v, found.n_p,
                          operation_count(row.setting.volume, row.setting.overlap, found.stages)};
             pairs_[r][i] = found.pairs.size();
+        };
+        const std::size_t middle = subject_.frames() / 2;
+        if (gives_up_) {
+            count(middle);
+            const std::uint64_t cost = estimated_cost(counts[middle]);
+            if (r != 0 && cost > hopeless_cost * least_cost_) return false;
+            least_cost_ = r == 0 ? cost : std::min(least_cost_, cost);
+        }
+        parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
+            if (!progress_.ends() && !(gives_up_ && i == middle)) count(i);
         });
         for (std::size_t i = 0; i < counts.size(); ++i) {
             row.counts += counts[i];
@@ -167,11 +184,32 @@ class Run {
         }
         row.bytes_per_triangle = subject_.bytes_per_triangle(built);
         row.build_ms = built.ms;
+        return true;
+    }
+
+    void remove_rows(const std::vector<bool>& kept) {
+        std::size_t left = 0;
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            if (!kept[r]) {
+                given_up_.push_back(rows[r].setting);
+                continue;
+            }
+            if (left != r) {
+                rows[left] = std::move(rows[r]);
+                pairs_[left] = std::move(pairs_[r]);
+            }
+            ++left;
+        }
+        rows.resize(left);
+        pairs_.resize(left);
     }
 
     TuneSubject& subject_;
     int threads_;
+    bool gives_up_;
+    std::vector<TuneSetting> given_up_;
     const TuneProgress& progress_;
+    std::uint64_t least_cost_ = 0;                   // in the middle frame
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame
     std::vector<std::uint64_t> most_;                // pairs per frame
 };
@@ -280,7 +318,7 @@ std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, dou
 }  // namespace
 
 std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all) {
-    constexpr double most_tests = 3e7, usual_settings = 50;
+    constexpr double most_tests = 1.5e7, usual_settings = 50;
     return affordable_frames(
         frames, usual_settings * static_cast<double>(all.volume_tests + all.triangle_tests),
         most_tests);
@@ -313,7 +351,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
                                       const std::vector<int>& frames, const TuneOptions& options,
                                       const TuneProgress& progress) {
     TuneSubject subject(scene, a, b, frames, options.build);
-    Run run(subject, options.build.threads, progress);
+    Run run(subject, options, progress);
     if (!run.count(first_trials(options.base))) return std::nullopt;
     const std::vector<TuneSetting> first = run.settings();
     std::vector<TuneSetting> refined;
@@ -340,6 +378,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
     result.build.fit.growth = FitOptions{}.growth;  // each setting has its own
     result.build.split = BuildOptions{}.split;
     result.rows = run.rows;
+    result.given_up = run.given_up();
     result.best = best_rows(run.rows, run.counts());
     const auto fewest_of = [&](std::uint64_t Work::*count) {
         return *std::min_element(

@@ -44,6 +44,7 @@ struct SceneTuning {
     std::vector<int> frames, timed_frames;
     BuildOptions build;  ///< without split and growth, which are tuned
     std::vector<TuneRow> rows;
+    std::size_t given_up = 0;       ///< settings without a row, see TuneOptions::gives_up
     std::vector<std::size_t> best;  ///< rows that find all pairs, the least estimated_cost first;
                                     ///< of rows with equal counts only the first
     std::size_t fewest_tests = 0, fewest_operations = 0;  ///< rows in `best`
@@ -77,7 +78,11 @@ struct TuneOptions {
     bool every = false;   ///< tries all settings, not just those of the most promising volumes
     int repeats = 0;      ///< of each timed query; 0: nothing is timed
     bool layouts = true;  ///< whether packed layouts are tried
+    /// Whether a setting is given up after one frame, the middle one, if its cost there is more
+    /// than `hopeless_cost` times the least cost so far.
+    bool gives_up = false;
 };
+inline constexpr std::uint64_t hopeless_cost = 4;
 
 /// Indices of evenly spread frames in which tune_scene needs only seconds to count: all, or fewer.
 /// `all`: the work of one setting's queries in all `frames` frames.

@@ -85,7 +85,8 @@ std::string alike_text(const SceneTuning& tuning) {
 std::string best_text(const SceneTuning& tuning, const std::string& base) {
     const std::size_t best = tuning.recommended();
     const TuneRow& row = tuning.rows[best];
-    std::string text = "Best of " + std::to_string(tuning.rows.size()) + " settings: ";
+    std::string text =
+        "Best of " + std::to_string(tuning.rows.size() + tuning.given_up) + " settings: ";
     if (best == 0) text += base + ", ";
     text += setting_text(row.setting);
     if (!tuning.timed())

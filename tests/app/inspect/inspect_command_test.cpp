@@ -63,6 +63,41 @@ TEST(InspectCommand, NamesTheSettingThatWouldHaveHelpedMost) {
     EXPECT_NE(text.find(" are slender"), std::string::npos) << text;
 }
 
+TEST(InspectCommand, GivesUpSettingsThatCostFarMoreAndNamesTheSameBest) {
+    const std::string queries = " knots-l1 --frames 0:499:100";
+    const json found = inspect(queries.substr(1))["settings"],
+               all = json::parse(run_scb("tune" + queries + " --no-time --json").out);
+    const json& counted = all.is_array() ? all[0] : all;
+    const auto best = [](const json& tuning) {
+        return tuning["settings"][tuning["best"]["cost"].get<std::size_t>()];
+    };
+    EXPECT_EQ(best(found), best(counted));
+    const auto given_up = found["given_up"].get<std::size_t>();
+    EXPECT_GT(given_up, 10u);
+    EXPECT_LT(found["settings"].size(), counted["settings"].size());
+    const double least = best(counted)["cost"];
+    for (const json& setting : found["settings"]) {
+        EXPECT_LT(setting["cost"].get<double>(), 6 * least) << setting;
+    }
+    EXPECT_NE(run_scb("inspect" + queries)
+                  .out.find("\n" + std::to_string(given_up) + " of " +
+                            std::to_string(given_up + found["settings"].size()) +
+                            " settings were given up after one frame: there they cost over 4 "
+                            "times the least.\n"),
+              std::string::npos);
+}
+
+TEST(InspectCommand, TriesNoSettingsIfNoAdviceIsAskedFor) {
+    const json without = inspect("knots-l1 --frames 0 --no-advice");
+    EXPECT_FALSE(without.contains("settings"));
+    EXPECT_TRUE(inspect("knots-l1 --frames 0").contains("settings"));
+    const std::string text = run_scb("inspect knots-l1 --frames 0 --no-advice").out;
+    EXPECT_EQ(text.find("Best of "), std::string::npos) << text;
+    EXPECT_NE(run_scb("inspect knots-l1 --frames 0 --no-advice --time")
+                  .err.find("--time has no effect with --no-advice"),
+              std::string::npos);
+}
+
 TEST(InspectCommand, HasNoSettingsOfPartsOfQueries) {
     for (const char* options : {"--max-pairs 5", "--levels 6"})
         EXPECT_FALSE(
