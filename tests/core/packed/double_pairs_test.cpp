@@ -50,6 +50,25 @@ TEST(DoublePairs, AreDecidedOnlyWhereTheExactTestDecidesSo) {
     expect_exact(a, b, Pose{}, expected, a.triangles.size() / 2);
 }
 
+// Products of three differences underflow to 0 for the smallest of these triangles. An exact 0
+// would mean that they touch.
+TEST(DoublePairs, OfTinyTrianglesAreLeftToTheExactTest) {
+    Random random(15);
+    Mesh a, b;
+    std::vector<IndexPair> expected;
+    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(20'000 / effort); ++t) {
+        const TrueCorners truth = touching(random);
+        const double size = std::ldexp(1.0, -190 - static_cast<int>(random.below(200)));
+        for (std::size_t i = 0; i < 3; ++i) {
+            a.vertices.push_back(size * corner_p(truth, i));
+            b.vertices.push_back(size * corner_q(truth, i));
+        }
+        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
+    }
+    expect_exact(a, b, Pose{}, expected, a.triangles.size());
+}
+
 /// A triangle of a CAD part: in a plane along two axes, or in one along one axis, with coordinates
 /// of a grid that are no whole numbers.
 std::array<Vec3, 3> part_of_a_box(Random& random) {

@@ -307,6 +307,25 @@ TEST(TriangleKernel, RoundingIsWithinItsBounds) {
     }
 }
 
+// The same of triangles so small that products lose digits to the least exponent, or all.
+TEST(TriangleKernel, UnderflowsAreWithinItsBounds) {
+    Random random(9);
+    std::vector<KernelPair> pairs;
+    std::vector<PairParts<double>> truths;
+    for (int i = 0; i < 20'000 / effort; ++i) {
+        const double size = std::ldexp(1.0, -40 - static_cast<int>(random.below(40)));
+        KernelPair& pair = pairs.emplace_back(KernelPair{});
+        PairParts<double>& truth = truths.emplace_back();
+        for (std::size_t k = 0; k < 15; ++k) {
+            pair.seen[k] = static_cast<float>(size * (2 * random.uniform() - 1));
+            truth[k] = static_cast<double>(pair.seen[k]);
+        }
+    }
+    const std::vector<KernelAnswer> answers = answers_of(pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        for (const double share : shares_of_bounds(answers[i], truths[i])) EXPECT_LE(share, 1) << i;
+}
+
 double normal_length(const PairParts<double>& parts, std::size_t first) {
     const auto edge = [&](std::size_t i) { return Vec3(parts[i], parts[i + 1], parts[i + 2]); };
     return std::sqrt(squared_norm(cross(edge(first), edge(first + 3))));
