@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include "core/platform/file_bytes.h"
 #include "scb/error.h"
@@ -125,14 +127,21 @@ TEST(RecordingFile, IsRefusedIfItChangesBetweenTwoReaders) {
     const std::string path = folder.write("x.scbrec", recording_of(sample_records()));
     const RecordingBytes bytes = RecordingBytes::of_file(path);
     EXPECT_EQ(records_of(bytes).size(), sample_records().size());
+    const auto written = std::filesystem::last_write_time(path);
+    const auto expect_refused = [&] {
+        try {
+            RecordingReader(bytes, path);
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.what(),
+                      path + " changed while it was read; wait until its recorder is done.");
+        }
+    };
+    std::filesystem::last_write_time(path, written + std::chrono::seconds(1));
+    expect_refused();
     folder.write("x.scbrec", recording_of({RecordedFrame{3}}));
-    try {
-        RecordingReader(bytes, path);
-        ADD_FAILURE();
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.what(),
-                  path + " changed while it was read; wait until its recorder is done.");
-    }
+    std::filesystem::last_write_time(path, written);
+    expect_refused();
 }
 
 TEST(RecordingFile, IsWrittenInPartsAsAtOnce) {
