@@ -41,7 +41,7 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     const SceneQuery& query = at.source.query();
     const scenes::Scene& scene = query.scene;
     note_doubts(options.hierarchy, {query.kind}, console.notes());
-    note_doubts(options.scene, options.query, {query.kind}, console.notes());
+    note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
     const ExplainedPair pair =
         explained_nodes(query, at.frame, options.nodes(), "--pair " + options.pair);
     const int status = pair.found.answer == Answer::false_negative ? exit_different : exit_done;

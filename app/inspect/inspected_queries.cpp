@@ -54,7 +54,8 @@ InspectedQueries open_scene(const InspectOptions& options, const Console& consol
                                 false);
     const QuerySource& source = result.sources.front();
     note_doubts(options.hierarchy, {source.query().kind}, console.notes());
-    note_doubts(options.scene, options.query, {source.query().kind}, console.notes());
+    note_doubts(options.scene, source.query().scene, options.query, {source.query().kind},
+                console.notes());
     result.report.header = source.header();
     result.frames = source.frames();
     return result;

@@ -43,6 +43,7 @@ std::optional<PackedLayout> packed_layout(const CollideCommandOptions& options) 
     const QueryOptions defaults;
     for (const auto& [name, is_given] :
          {std::pair("--test", options.query.test != defaults.test),
+          std::pair("--threshold", options.query.threshold != defaults.threshold),
           std::pair("--descent", options.query.descent != defaults.descent),
           std::pair("--levels", !options.limits.levels.empty()),
           std::pair("--max-pairs", options.limits.max_pairs != QueryLimits{}.max_pairs),
@@ -102,7 +103,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     if (!layout && options.leaf_triangles != most_leaf_triangles)
         console.note(
             "scb: --leaf has no effect here: it is of packed layouts; name one with --layout.");
-    note_doubts(options.scene, options.query, {query.kind}, console.notes());
+    note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
 
     CollideReport report(options, query, recorded ? &*recorded : nullptr);
     const InterruptWatch watch;

@@ -52,6 +52,11 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .type_name("R00,R01,R02,T0,...")
         .shareable();
     command
+        .add_flag("--exact-pose", options.exact_pose,
+                  "Refuse a pose that is no rotation to 1e-9. Default: within 1e-3, the nearest "
+                  "rotation is taken")
+        .shareable();
+    command
         .add_option("--models", options.models_dir,
                     "Folder to search for meshes that are missing at their given path")
         .envname("SCB_MODELS")

@@ -59,7 +59,7 @@ int record(const TraceOptions& options, const Console& console) {
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits);
     check_output(options.output, "-o");
     note_doubts(options.hierarchy, {query.kind}, console.notes());
-    note_doubts(options.scene, options.query, {query.kind}, console.notes());
+    note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
 
     const InterruptWatch watch;
     const TraceHeader header = trace_header(options.scene, query);

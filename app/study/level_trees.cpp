@@ -61,7 +61,7 @@ LevelSubject level_subject(const SceneOptions& of_scene, const HierarchyOptions&
     subject.deepest = scenes::deepest(topologies);
     subject.levels = parse_levels(levels, subject.deepest, scenes::telling_levels(topologies));
     const std::vector<VolumeKind> kinds = hierarchy.kinds();
-    note_same_pose(of_scene, note);
+    note_poses(of_scene, scene, note);
     note_doubts(hierarchy, kinds, note);
     subject.hierarchies.reserve(kinds.size());  // trees refer to them
     for (const VolumeKind kind : kinds) {

@@ -188,12 +188,13 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
         sources.emplace_back(scene, hierarchy, query, limits, asks_for_recorded(compare.given));
         if (!sources[0].is_recording()) {
             note_doubts(hierarchy, {sources[0].query().kind}, note);
-            note_doubts(scene, query, {sources[0].query().kind}, note);
+            note_doubts(scene, sources[0].query().scene, query, {sources[0].query().kind}, note);
         }
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
             sources.emplace_back(scene, side.hierarchy, side.query, limits, false);
-            note_doubts(scene, side.query, {sources.back().query().kind}, note);
+            note_doubts(scene, sources.back().query().scene, side.query,
+                        {sources.back().query().kind}, note);
         }
         note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, note);
     }

@@ -60,20 +60,28 @@ CollideOptions SceneQuery::mutated_options() const {
 void SceneQuery::pack(const PackedLayout& layout) {
     packed.clear();
     for (std::size_t m = 0; m < hierarchies.size(); ++m)
-        packed.push_back(
-            pack_any(layout, hierarchies[m], scene.meshes[m].mesh, scene.meshes[m].name));
+        packed.push_back(pack_any(layout, hierarchies[m], scene.meshes[m].mesh,
+                                  scene.meshes[m].name, build.threads));
+}
+
+Collision SceneQuery::packed_query(int frame) const {
+    PackedOptions limits;
+    limits.give_up_after = options.max_pairs;
+    const auto of = [&](const auto& query) {
+        return collision_of(query(packed[scene.bodies[a].mesh], mesh(a),
+                                  packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame), limits));
+    };
+    if (options.max_pairs == 1) return of([](const auto&... sides) { return touches(sides...); });
+    Collision found = of([](const auto&... sides) { return collide_packed(sides...); });
+    if (!found.complete)
+        throw InputError("--layout: frame " + std::to_string(frame) + " has more than " +
+                         std::to_string(options.max_pairs) +
+                         " pairs, and a packed query lists all or none; leave --layout out.");
+    return found;
 }
 
 Collision SceneQuery::collide(int frame) const {
-    if (is_packed()) {
-        const auto of = [&](const auto& query) {
-            return collision_of(query(packed[scene.bodies[a].mesh], mesh(a),
-                                      packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame)));
-        };
-        return options.max_pairs == 1
-                   ? of([](const auto&... sides) { return touches(sides...); })
-                   : of([](const auto&... sides) { return collide_packed(sides...); });
-    }
+    if (is_packed()) return packed_query(frame);
     Collision found = is_self() ? collide_self(hierarchy(a), mesh(a), joined, mutated_options())
                                 : scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b),
                                                b_to_a(frame), mutated_options());
@@ -176,16 +184,22 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     return header;
 }
 
-void note_same_pose(const SceneOptions& scene, const Note& note) {
-    if (scene.names.size() == 2 && scene.pose.empty())
+void note_poses(const SceneOptions& options, const scenes::Scene& scene, const Note& note) {
+    if (options.names.size() == 2 && options.pose.empty())
         note("scb: both bodies are at the same pose; --pose moves the second.");
+    for (const scenes::Body& body : scene.bodies)
+        if (body.motion.correction > 0)
+            note(
+                "scb: the pose of " + body.name +
+                " is not quite a rotation; the nearest one is used, which changes its numbers by " +
+                format("%.2g at most.", body.motion.correction));
 }
 
-void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+void note_doubts(const SceneOptions& options, const scenes::Scene& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Note& note) {
-    note_same_pose(scene, note);
-    if (scene.is_recording())
-        note("scb: of " + scene.names[0] +
+    note_poses(options, scene, note);
+    if (options.is_recording())
+        note("scb: of " + options.names[0] +
              " the meshes and poses are taken; the hierarchies are this project's own.");
     note_doubts(query, kinds, note);
 }

@@ -30,7 +30,8 @@ struct SceneQuery {
     bool is_packed() const { return !packed.empty(); }
     /// From now on, `collide` runs on hierarchies that are packed in this layout. Its result has
     /// N_v, N_p and pairs only; at `options.max_pairs` of 1 it has the first pair that is found.
-    /// Throws InputError if the volumes cannot be packed.
+    /// Throws InputError if the volumes cannot be packed; `collide` throws it at more pairs than
+    /// `options.max_pairs`.
     void pack(const PackedLayout& layout);
     /// Sets the bodies of the next query.
     void choose(const BodyPair& pair);
@@ -44,6 +45,7 @@ struct SceneQuery {
     Collision collide(int frame, StepRecorder& recorder) const;
 
   private:
+    Collision packed_query(int frame) const;
     /// The options with the error of `mutation`; pictures and tables show `options`.
     CollideOptions mutated_options() const;
 };
@@ -68,11 +70,12 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
 /// The parameters of such queries, as in a trace.
 TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query);
 
-/// Notes if two meshes are left at the same pose.
-void note_same_pose(const SceneOptions& scene, const Note& note);
+/// Notes if two meshes are left at the same pose, and the poses that were replaced by the nearest
+/// rotation.
+void note_poses(const SceneOptions& options, const scenes::Scene& scene, const Note& note);
 
-/// note_same_pose, and note_doubts for the query.
-void note_doubts(const SceneOptions& scene, const QueryOptions& query,
+/// note_poses, and note_doubts for the query.
+void note_doubts(const SceneOptions& options, const scenes::Scene& scene, const QueryOptions& query,
                  const std::vector<VolumeKind>& kinds, const Note& note);
 
 }  // namespace scb::app

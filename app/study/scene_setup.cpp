@@ -36,6 +36,7 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
                          "it out.");
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
+    load_options.exact_poses = exact_pose;
     if (!pose.empty()) {
         scenes::PoseRows rows{};
         std::copy_n(pose.begin(), rows.size(), rows.begin());

@@ -20,6 +20,7 @@ using Note = std::function<void(const std::string& line)>;
 struct SceneOptions {
     std::vector<std::string> names;
     std::vector<double> pose;
+    bool exact_pose = false;  ///< poses must be rigid to 1e-9, see LoadOptions
     std::string models_dir;
     std::string frames;  ///< for commands that take frames here; empty: the scene's own
     scenes::QuerySelection selection{};  ///< of a recording's queries

@@ -286,7 +286,8 @@ int run(const BenchCommandOptions& options, const Console& console) {
     // If a scene is refused, nothing is measured.
     const std::vector<Entry> all = entries(options, console);
     // Two names can be two scenes; if they are meshes, they are the bodies of one scene.
-    if (all.size() == 1) note_same_pose(options.scene, console.notes());
+    for (const Entry& entry : all)
+        note_poses(all.size() == 1 ? options.scene : SceneOptions{}, entry.scene, console.notes());
     note_surprises(options, bench_options.subjects, console);
     if (any_packed(bench_options.subjects)) check_meshes(all);
 

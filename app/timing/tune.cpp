@@ -178,7 +178,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
     // are tried.
     QueryOptions doubtful = options.query;
     if (asked.base.volume == VolumeKind::scb) doubtful.threshold = QueryOptions{}.threshold;
-    note_doubts(options.scene, doubtful, {asked.base.volume}, console.notes());
+    note_doubts(options.scene, scene, doubtful, {asked.base.volume}, console.notes());
 
     const bool writes = !options.picture.output.empty();
     std::filesystem::path folder;

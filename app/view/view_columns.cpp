@@ -86,6 +86,7 @@ class Columns {
     /// Returns whether there are two bodies to query.
     bool add_queries(const SceneOptions& scene) {
         QueryOptions query = asked_.query;
+        const std::vector<VolumeKind> kinds = asked_.hierarchy.kinds();
         {
             const scenes::Scene loaded = scene.load();
             if (loaded.bodies.size() < 2 || (loaded.bodies.size() > 2 && query.bodies.empty())) {
@@ -100,10 +101,9 @@ class Columns {
             }
             query.frames =
                 asked_.queries == "auto" ? std::to_string(scene.frame_of(loaded)) : asked_.queries;
+            note_doubts(asked_.hierarchy, kinds, note_);
+            note_doubts(scene, loaded, query, kinds, note_);
         }
-        const std::vector<VolumeKind> kinds = asked_.hierarchy.kinds();
-        note_doubts(asked_.hierarchy, kinds, note_);
-        note_doubts(scene, query, kinds, note_);
         auto sources = std::make_unique<QuerySources>();
         for (const VolumeKind kind : kinds) {
             HierarchyOptions of_kind = asked_.hierarchy;

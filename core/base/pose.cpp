@@ -32,16 +32,46 @@ double rigidity_defect(const Pose& pose) {
     return defect;
 }
 
-void check_rigid(const Pose& pose, std::string_view name) {
-    const double defect = rigidity_defect(pose);
-    if (defect <= 1e-9) return;
+namespace {
+
+/// Defects that are no larger are rounding; beyond the second, a pose is no rotation.
+constexpr double rounding = 1e-9, nearly_rigid = 1e-3;
+
+[[noreturn]] void refuse(double defect, const char* allowed, std::string_view name) {
     const std::string reason =
         std::isinf(defect)
             ? "it mirrors, is singular, or has an entry that is not finite"
-            : sentence("R^T R differs from the identity by ", defect, ", 1e-9 is allowed");
-    throw InputError(sentence(
-        name, ": the pose is not rigid (", reason, "); give a rotation matrix with determinant 1, ",
-        defect < 1e-3 ? "its numbers with 10 digits or more." : "and scale the mesh instead."));
+            : sentence("R^T R differs from the identity by ", defect, ", ", allowed, " is allowed");
+    throw InputError(sentence(name, ": the pose is not rigid (", reason,
+                              "); give a rotation matrix with determinant 1, ",
+                              defect <= nearly_rigid ? "its numbers with 10 digits or more."
+                                                     : "and scale the mesh instead."));
+}
+
+}  // namespace
+
+void check_rigid(const Pose& pose, std::string_view name) {
+    const double defect = rigidity_defect(pose);
+    if (!(defect <= rounding)) refuse(defect, "1e-9", name);
+}
+
+NearestPose nearest_rigid(const Pose& pose, std::string_view name) {
+    const double defect = rigidity_defect(pose);
+    if (defect <= rounding) return {pose, 0};
+    if (!(defect <= nearly_rigid)) refuse(defect, "1e-3", name);
+    NearestPose nearest{pose, 0};
+    Mat3& r = nearest.pose.rotation;
+    // The error is squared at each step: 1e-3, 1e-6, 1e-12, 1e-24.
+    for (int step = 0; step < 4; ++step) {
+        const Vec3 x = r.col(0), y = r.col(1), z = r.col(2);
+        const double determinant = dot(cross(x, y), z);
+        const Vec3 columns[3] = {cross(y, z), cross(z, x),
+                                 cross(x, y)};  // of the inverse transposed
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < 3; ++i) r(i, k) = (r(i, k) + columns[k][i] / determinant) / 2;
+    }
+    nearest.correction = (r - pose.rotation).cwiseAbs().maxCoeff();
+    return nearest;
 }
 
 }  // namespace scb

@@ -109,10 +109,12 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
         scene.bodies[1].name += "-B";
     }
     if (options.pose) {
-        check_rigid(*options.pose, "--pose");
+        if (options.exact_poses) check_rigid(*options.pose, "--pose");
+        const NearestPose nearest = nearest_rigid(*options.pose, "--pose");
         Motion& motion = scene.bodies[1].motion;
-        motion.base = options.pose->rotation;
-        motion.path.from = motion.path.to = options.pose->translation;
+        motion.base = nearest.pose.rotation;
+        motion.correction = nearest.correction;
+        motion.path.from = motion.path.to = nearest.pose.translation;
     }
     return scene;
 }
@@ -132,7 +134,7 @@ Scene load_scene(const std::vector<std::string>& names, const LoadOptions& optio
                          " is named; name two mesh files or leave it out.");
     if (const BuiltinScene* builtin = find_builtin(name))
         return load_builtin(*builtin, options.models_dir);
-    if (is_scene_file(name)) return load_scene_file(name, options.models_dir);
+    if (is_scene_file(name)) return load_scene_file(name, options.models_dir, options.exact_poses);
     return one_mesh(name, find_mesh(name, options.models_dir));
 }
 

@@ -14,6 +14,8 @@ struct LoadOptions {
     /// path. Meshes of built-in scenes are only searched here. May be empty.
     std::filesystem::path models_dir;
     std::optional<Pose> pose;  ///< of the second of two mesh files; identity if left open
+    /// Whether poses must be rigid to 1e-9. Else the nearest rotation is taken, see nearest_rigid.
+    bool exact_poses = false;
 };
 
 /// Loads SCENE of a command line: one built-in name, one scene file (`.json`), one mesh file, or

@@ -36,6 +36,8 @@ struct Motion {
     LinearPath path;
     Mat3 base = Mat3::Identity();
     std::vector<Turn> turns;
+    /// How much `base` differs from the matrix that was given: see nearest_rigid.
+    double correction = 0;
     /// Replaces all other members: given poses, ascending by frame; the first is also valid for
     /// earlier frames.
     std::vector<PoseKey> told;

@@ -49,7 +49,7 @@ std::vector<Turn> read_rotation(const JsonPlace& place) {
     return turns;
 }
 
-Motion read_pose(const JsonPlace& place) {
+Motion read_pose(const JsonPlace& place, bool exact) {
     if (!place.value->is_array() || place.value->size() != 12)
         refuse_value(place, "twelve numbers, [R|t] row by row");
     Motion motion;
@@ -62,7 +62,12 @@ Motion read_pose(const JsonPlace& place) {
         else
             motion.path.from[row] = motion.path.to[row] = number;
     }
-    check_rigid({motion.base, motion.path.from}, place.file + ": " + place.path);
+    const std::string name = place.file + ": " + place.path;
+    const Pose given{motion.base, motion.path.from};
+    if (exact) check_rigid(given, name);
+    const NearestPose nearest = nearest_rigid(given, name);
+    motion.base = nearest.pose.rotation;
+    motion.correction = nearest.correction;
     return motion;
 }
 
@@ -73,7 +78,7 @@ std::size_t find_model(const JsonPlace& place, const Names& models) {
                       name_list(models, &Names::value_type::first) + ".");
 }
 
-Body read_body(const JsonPlace& place, const Names& models) {
+Body read_body(const JsonPlace& place, const Names& models, bool exact_poses) {
     check_fields(place, {"name", "model", "position", "rotation", "pose"});
     Body body;
     body.name = read_plain_text(field(place, "name"));
@@ -81,7 +86,7 @@ Body read_body(const JsonPlace& place, const Names& models) {
     if (has(place, "pose")) {
         if (has(place, "position") || has(place, "rotation"))
             refuse(place, "pose stands for both position and rotation; leave it or those two out.");
-        body.motion = read_pose(field(place, "pose"));
+        body.motion = read_pose(field(place, "pose"), exact_poses);
     }
     if (has(place, "position")) body.motion.path = read_position(field(place, "position"));
     if (has(place, "rotation")) body.motion.turns = read_rotation(field(place, "rotation"));
@@ -114,12 +119,12 @@ Names read_models(const JsonPlace& place, const SceneContext& context, Scene& sc
     return names;
 }
 
-void read_bodies(const JsonPlace& place, const Names& models, Scene& scene) {
+void read_bodies(const JsonPlace& place, const Names& models, bool exact_poses, Scene& scene) {
     const std::size_t count = array_size(place, "a list of bodies");
     if (count == 0) refuse_value(place, "at least one body");
     Names names;
     for (std::size_t i = 0; i < count; ++i) {
-        Body body = read_body(element(place, i), models);
+        Body body = read_body(element(place, i), models, exact_poses);
         add_name(element(place, i), names, body.name);
         scene.bodies.push_back(std::move(body));
     }
@@ -147,15 +152,17 @@ Scene parse_scene(std::string_view json_text, const SceneContext& context) {
             static_cast<int>(read_integer(field(root, "default_frame"), 0, scene.frames - 1));
     if (has(root, "camera")) scene.camera = read_camera(field(root, "camera"));
     const Names models = read_models(field(root, "models"), context, scene);
-    read_bodies(field(root, "bodies"), models, scene);
+    read_bodies(field(root, "bodies"), models, context.exact_poses, scene);
     return scene;
 }
 
-Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir) {
+Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir,
+                      bool exact_poses) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
     note_input(path);
-    Scene scene = parse_scene(read_text_file(path.string()), {path.string(), folder, models_dir});
+    Scene scene = parse_scene(read_text_file(path.string()),
+                              {path.string(), folder, models_dir, exact_poses});
     scene.file = path;
     return scene;
 }

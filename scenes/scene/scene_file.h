@@ -13,6 +13,7 @@ struct SceneContext {
     std::string file;                  ///< its path or name, for messages
     std::filesystem::path folder;      ///< relative mesh paths start here; empty: nowhere
     std::filesystem::path models_dir;  ///< or else here; empty: nowhere
+    bool exact_poses = false;          ///< see LoadOptions
 };
 
 /// Reads a scene from JSON text. The schema (`scenes/README.md` has examples); [] marks what may be
@@ -61,7 +62,8 @@ struct SceneContext {
 /// procedural triangles altogether.
 Scene parse_scene(std::string_view json_text, const SceneContext& context);
 
-/// Reads a scene file; `models_dir` as in SceneContext. Throws InputError.
-Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir);
+/// Reads a scene file; `models_dir` and `exact_poses` as in SceneContext. Throws InputError.
+Scene load_scene_file(const std::filesystem::path& path, const std::filesystem::path& models_dir,
+                      bool exact_poses = false);
 
 }  // namespace scb::scenes

@@ -3,6 +3,7 @@
 import copy
 import pickle
 import unittest
+import warnings
 
 import numpy as np
 import scb
@@ -62,14 +63,14 @@ class Inputs(unittest.TestCase):
     def test_poses(self):
         h = scb.build(plate())
         mirrored, sheared, far = np.diag([1.0, 1, -1, 1]), np.eye(4), moved(x=1e71)
-        sheared[0, 1] = 1e-6
+        sheared[0, 1] = 2e-3
         last = np.eye(4)
         last[3] = 0, 0, 1, 1
         for pose, words in (
-            (np.eye(3), "pose: it is 3 x 3; give"), (np.zeros((3, 4)), "3 x 4; give 4 x 4"),
+            (np.eye(3), "pose: it is 3 x 3; give"), (np.zeros((3, 4)), "not rigid"), (np.zeros((2, 4)), "2 x 4; give 4 x 4 or 3 x 4"),
             (np.eye(4) * np.nan, "pose: "), (moved(x=np.nan), "pose: .* not finite"),
             (moved(x=np.inf), "not finite"), (far, "beyond 1e70"), (mirrored, "it mirrors"),
-            (sheared, "differs from the identity by 1e-06"), (np.diag([2.0, 2, 2, 1]), "not rigid"),
+            (sheared, "differs from the identity by 0.002, 1e-3 is allowed"), (np.diag([2.0, 2, 2, 1]), "not rigid"),
             (np.zeros((4, 4)), "the last row"), (last, "the last row of the matrix is not 0 0 0 1"),
             (np.eye(4, dtype=complex), "complex"), ("pose", "its elements"), ([], "it is 0; give"),
         ):
@@ -77,9 +78,27 @@ class Inputs(unittest.TestCase):
             self.refuses("poses|pose", scb.collide_poses, h, h, [np.eye(4), pose] if np.shape(pose) == (4, 4) else pose)
         self.refuses(r"poses\[1\]: .*mirrors", scb.collide_poses, h, h, [np.eye(4), mirrored])
         self.refuses("poses: it is 4 x 4; give an array of n x 4 x 4", scb.collide_poses, h, h, np.eye(4))
-        self.refuses("n x 4 x 4", scb.collide_poses, h, h, np.zeros((2, 3, 4)))
+        self.refuses("n x 4 x 4", scb.collide_poses, h, h, np.zeros((2, 2, 4)))
         self.refuses("^b: .*mirrors", scb.relative_pose, np.eye(4), mirrored)
         self.assertEqual(len(scb.collide_poses(h, h, np.zeros((0, 4, 4)))), 0)
+
+    def test_poses_of_few_digits(self):
+        h = scb.build(plate())
+        angle = np.radians(33)
+        exact = moved(x=0.1)
+        exact[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+        with warnings.catch_warnings(record=True) as none:
+            warnings.simplefilter("always")
+            expected = scb.collide(h, h, exact)
+            rows = scb.collide(h, h, exact[:3])
+        self.assertEqual(none, [])
+        np.testing.assert_array_equal(rows.pairs, expected.pairs)
+        with warnings.catch_warnings(record=True) as one:
+            warnings.simplefilter("always")
+            found = scb.collide_poses(h, h, np.array([exact[:3]] * 3, dtype=np.float32))
+        self.assertEqual(len(one), 1)
+        self.assertRegex(str(one[0].message), "^poses: not quite a rotation; the nearest one is used.")
+        self.assertEqual([len(each.pairs) for each in found], [len(expected.pairs)] * 3)
 
     def test_options_of_hierarchies(self):
         for options, words in (

@@ -1,7 +1,9 @@
 #include "app/python/binding/arrays.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/base/text_format.h"
 #include "scb/mesh.h"
 
 namespace scb::python {
@@ -28,18 +30,29 @@ py::array numbers_of(const py::handle& object, const std::string& name, py::ssiz
     return array;
 }
 
-Pose checked_pose(const double* m, const std::string& name) {
-    if (!(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1))
+/// `rows`: 3 or 4, of four numbers.
+NearestPose checked_pose(const double* m, py::ssize_t rows, const std::string& name) {
+    if (rows == 4 && !(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1))
         refuse(name, "the last row of the matrix is not 0 0 0 1; give [R t; 0 0 0 1], row by row.");
     Pose pose;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) pose.rotation(i, j) = m[4 * i + j];
         pose.translation[i] = m[4 * i + 3];
     }
-    check_rigid(pose, name);
+    const NearestPose nearest = nearest_rigid(pose, name);
     if (!(pose.translation.cwiseAbs().maxCoeff() <= max_coordinate))
         refuse(name, "its translation is beyond 1e70; move the bodies nearer to the origin.");
-    return pose;
+    return nearest;
+}
+
+/// Warns if matrices were replaced by the nearest rotations.
+void warn_of_correction(double correction, const std::string& name) {
+    if (correction == 0) return;
+    const std::string words = name +
+                              ": not quite a rotation; the nearest one is used. Its numbers "
+                              "change by " +
+                              format("%.2g at most.", correction);
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 }  // namespace
@@ -75,18 +88,29 @@ IndexArray indices_of(const py::handle& object, const std::string& name, py::ssi
 
 Pose pose_of(const py::handle& object, const std::string& name) {
     if (object.is_none()) return {};
-    const DoubleArray matrix = doubles_of(object, name, 2, 4, "4 x 4");
-    if (matrix.shape(0) != 4) refuse(name, "it has " + shape_text(matrix) + "; give 4 x 4.");
-    return checked_pose(matrix.data(), name);
+    const DoubleArray matrix = doubles_of(object, name, 2, 4, "4 x 4 or 3 x 4");
+    if (matrix.shape(0) != 4 && matrix.shape(0) != 3)
+        refuse(name, "it has " + shape_text(matrix) + "; give 4 x 4 or 3 x 4.");
+    const NearestPose nearest = checked_pose(matrix.data(), matrix.shape(0), name);
+    warn_of_correction(nearest.correction, name);
+    return nearest.pose;
 }
 
 std::vector<Pose> poses_of(const py::handle& object, const std::string& name) {
-    const DoubleArray matrices = doubles_of(object, name, 3, 4, "n x 4 x 4");
-    if (matrices.shape(1) != 4) refuse(name, "it is " + shape_text(matrices) + "; give n x 4 x 4.");
+    const DoubleArray matrices = doubles_of(object, name, 3, 4, "n x 4 x 4 or n x 3 x 4");
+    const py::ssize_t rows = matrices.shape(1);
+    if (rows != 4 && rows != 3)
+        refuse(name, "it is " + shape_text(matrices) + "; give n x 4 x 4 or n x 3 x 4.");
     std::vector<Pose> poses;
     poses.reserve(static_cast<std::size_t>(matrices.shape(0)));
-    for (py::ssize_t i = 0; i < matrices.shape(0); ++i)
-        poses.push_back(checked_pose(matrices.data(i), name + "[" + std::to_string(i) + "]"));
+    double correction = 0;
+    for (py::ssize_t i = 0; i < matrices.shape(0); ++i) {
+        const NearestPose nearest =
+            checked_pose(matrices.data(i), rows, name + "[" + std::to_string(i) + "]");
+        correction = std::max(correction, nearest.correction);
+        poses.push_back(nearest.pose);
+    }
+    warn_of_correction(correction, name);
     return poses;
 }
 

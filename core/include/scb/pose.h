@@ -63,4 +63,16 @@ double rigidity_defect(const Pose& pose);
 /// break radii and normals. `name` says whose pose it is.
 void check_rigid(const Pose& pose, std::string_view name);
 
+/// A pose whose rotation was replaced by the nearest one.
+struct NearestPose {
+    Pose pose;              ///< rigid
+    double correction = 0;  ///< the largest change of an entry; 0: nothing was replaced
+};
+
+/// The pose with the nearest rotation, for numbers of single precision or few digits: the
+/// orthogonal polar factor, by Newton's iteration (Higham, "Computing the Polar Decomposition—with
+/// Applications", 1986, equation 3.1). A pose that is rigid to 1e-9 stays as it is. Throws
+/// InputError, as check_rigid does, if |R^T R - I| has an entry above 1e-3.
+NearestPose nearest_rigid(const Pose& pose, std::string_view name);
+
 }  // namespace scb

@@ -383,6 +383,36 @@ TEST(CollideCommand, QueriesPackedHierarchies) {
               std::string::npos);
 }
 
+TEST(CollideCommand, TakesTheNearestRotationOfAPoseWithFewDigits) {
+    const std::string samples = std::string(SCB_SOURCE_DIR) + "/scenes/samples/",
+                      meshes = "collide " + samples + "bracket.ply " + samples + "pin.obj ",
+                      six = "--pose 0.866025,-0.5,0,1,0.5,0.866025,0,2,0,0,1,45 ",
+                      exact =
+                          "--pose 0.8660254037844386,-0.5,0,1,0.5,0.8660254037844386,0,2,0,0,1,45 ";
+    const ProgramRun rough = run_scb(meshes + six + "--json"),
+                     smooth = run_scb(meshes + exact + "--json");
+    ASSERT_EQ(rough.status, 0) << rough.err;
+    EXPECT_EQ(rough.err,
+              "scb: the pose of pin is not quite a rotation; the nearest one is used, which "
+              "changes its numbers by 3e-07 at most.\n");
+    EXPECT_EQ(smooth.err, "");
+    EXPECT_EQ(json::parse(rough.out)["frames"][0]["pairs_hash"],
+              json::parse(smooth.out)["frames"][0]["pairs_hash"]);
+    const ProgramRun refused = run_scb(meshes + six + "--exact-pose");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("1e-9 is allowed"), std::string::npos) << refused.err;
+    EXPECT_EQ(run_scb(meshes + exact + "--exact-pose").status, 0);
+    // A scene file has the same rule.
+    const TemporaryFolder folder;
+    const std::string scene = folder.write(
+        "s.json", R"({"scb_scene": 1, "name": "s", "models": [{"name": "m", "box": {}}],
+            "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m",
+            "pose": [0.866025, -0.5, 0, 0.5, 0.5, 0.866025, 0, 0, 0, 0, 1, 0]}]})");
+    EXPECT_NE(run_scb("collide " + scene).err.find("the pose of B is not quite a rotation"),
+              std::string::npos);
+    EXPECT_EQ(run_scb("collide --exact-pose " + scene).status, 2);
+}
+
 TEST(CollideCommand, RefusesWhatMakesNoSense) {
     const TemporaryFolder folder;
     for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
@@ -404,6 +434,7 @@ TEST(CollideCommand, RefusesWhatMakesNoSense) {
              {"spheres-l1 --layout float8 --levels 3", "--levels is of the reference only"},
              {"spheres-l1 --layout float8 --max-pairs 3", "--max-pairs is of the reference only"},
              {"spheres-l1 --layout float8 --test extents", "--test is of the reference only"},
+             {"spheres-l1 --layout float8 --threshold 0.5", "--threshold is of the reference only"},
              {"spheres-l1 --layout float8 --descent area", "--descent is of the reference only"},
              {"spheres-l1 --layout float8 --bodies A,A", "packed queries are of two bodies"},
              {"spheres-l1 --bodies A", "give two bodies"},
