@@ -94,7 +94,7 @@ int run(InspectOptions& options, const Console& console) {
     std::optional<PictureRun> pictures;
     InspectReport& report = inspected.report;
     const InterruptWatch watch;
-    if (options.time && options.no_advice)
+    if (options.time && options.no_advice && !recorded)
         console.note("scb: --time has no effect with --no-advice: it is of other settings.");
     if (recorded) {
         if (options.time)

@@ -25,7 +25,8 @@ struct InspectOptions {
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;
-    bool no_view = false, no_advice = false;
+    bool no_view = false;
+    bool no_advice = false;  ///< no other settings are tried
 
     bool draws() const { return !picture.output.empty(); }
     /// Throws InputError.

@@ -140,8 +140,7 @@ std::string counts_text(const Work& counts, const Work& of) {
 std::string given_up_text(const SceneTuning& tuning) {
     if (tuning.given_up == 0) return "";
     return format(
-        "%zu of %zu settings were given up after one frame: there they cost over %d times the "
-        "least.\n",
+        "%zu of %zu settings were given up: they cost over %d times the least before them.\n",
         tuning.given_up, tuning.given_up + tuning.rows.size(), static_cast<int>(hopeless_cost));
 }
 

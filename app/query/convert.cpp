@@ -27,16 +27,15 @@ template <class Writer>
 std::size_t write_joined(std::vector<scenes::RecordingReader>& readers, WholeFile& file,
                          Progress& progress) {
     Writer writer;
-    std::size_t written = 0, records = 0;
+    std::size_t written = 0;
     const auto append = [&](const std::string& bytes) {
         file.append(bytes);
         written += bytes.size();
     };
     scenes::join_recordings(readers, [&](const scenes::Record& record) {
         writer.add(record);
-        constexpr std::size_t many = 4096;
-        if (++records % many != 0) return;
-        append(writer.take());
+        constexpr std::size_t many = 1 << 20;
+        if (writer.size() >= many) append(writer.take());
         std::size_t read = 0;
         for (const scenes::RecordingReader& reader : readers) read += reader.bytes_read();
         progress.at("kilobytes", read / kilobyte);

@@ -1,6 +1,7 @@
 #include "app/study/tune_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -40,7 +41,7 @@ class Run {
     Run(TuneSubject& subject, const TuneOptions& options, const TuneProgress& progress)
         : subject_(subject),
           threads_(options.build.threads),
-          gives_up_(options.gives_up && subject.frames() > 1),
+          gives_up_(options.gives_up),
           progress_(progress),
           most_(subject.frames()) {}
 
@@ -157,26 +158,27 @@ class Run {
     }
 
   private:
-    /// False if the setting is given up.
+    /// False if the setting is given up. Which ones are does not depend on the order in which
+    /// frames are counted: the cost of some frames is at most the cost of all.
     bool count_row(std::size_t r, const BuiltSetting& built) {
         TuneRow& row = rows[r];
         std::vector<Work> counts(subject_.frames());
-        const auto count = [&](std::size_t i) {
+        std::atomic<std::uint64_t> cost{0};
+        const auto is_hopeless = [&] {
+            return r != 0 && least_cost_ && cost > hopeless_cost * *least_cost_;
+        };
+        parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
+            if (progress_.ends() || is_hopeless()) return;
             const Collision found = subject_.query(built, row.setting, i);
             counts[i] = {found.n_v, found.n_p,
                          operation_count(row.setting.volume, row.setting.overlap, found.stages)};
             pairs_[r][i] = found.pairs.size();
-        };
-        const std::size_t middle = subject_.frames() / 2;
-        if (gives_up_) {
-            count(middle);
-            const std::uint64_t cost = estimated_cost(counts[middle]);
-            if (r != 0 && cost > hopeless_cost * least_cost_) return false;
-            least_cost_ = r == 0 ? cost : std::min(least_cost_, cost);
-        }
-        parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
-            if (!progress_.ends() && !(gives_up_ && i == middle)) count(i);
+            cost += estimated_cost(counts[i]);
         });
+        if (is_hopeless()) return false;
+        // A test that misses pairs may end early, and cost little.
+        if (gives_up_ && is_sound(row.setting.overlap.test))
+            least_cost_ = std::min(least_cost_.value_or(cost), cost.load());
         for (std::size_t i = 0; i < counts.size(); ++i) {
             row.counts += counts[i];
             row.pairs += pairs_[r][i];
@@ -209,7 +211,7 @@ class Run {
     bool gives_up_;
     std::vector<TuneSetting> given_up_;
     const TuneProgress& progress_;
-    std::uint64_t least_cost_ = 0;                   // in the middle frame
+    std::optional<std::uint64_t> least_cost_;        // of a row, if settings are given up
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame
     std::vector<std::uint64_t> most_;                // pairs per frame
 };
@@ -318,7 +320,7 @@ std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, dou
 }  // namespace
 
 std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all) {
-    constexpr double most_tests = 1.5e7, usual_settings = 50;
+    constexpr double most_tests = 3e7, usual_settings = 50;
     return affordable_frames(
         frames, usual_settings * static_cast<double>(all.volume_tests + all.triangle_tests),
         most_tests);

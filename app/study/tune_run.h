@@ -78,11 +78,11 @@ struct TuneOptions {
     bool every = false;   ///< tries all settings, not just those of the most promising volumes
     int repeats = 0;      ///< of each timed query; 0: nothing is timed
     bool layouts = true;  ///< whether packed layouts are tried
-    /// Whether a setting is given up after one frame, the middle one, if its cost there is more
-    /// than `hopeless_cost` times the least cost so far.
+    /// Whether a setting is given up if it costs more than `hopeless_cost` times the least that a
+    /// setting before it costs, as soon as some of its frames show that.
     bool gives_up = false;
 };
-inline constexpr std::uint64_t hopeless_cost = 4;
+inline constexpr std::uint64_t hopeless_cost = 3;
 
 /// Indices of evenly spread frames in which tune_scene needs only seconds to count: all, or fewer.
 /// `all`: the work of one setting's queries in all `frames` frames.

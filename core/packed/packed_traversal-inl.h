@@ -7,6 +7,7 @@
 #endif
 
 #include <bit>
+#include <cassert>
 
 #include "core/base/lane_parts-inl.h"
 #include "core/packed/packed_query.h"
@@ -63,6 +64,7 @@ class PackedTraversal {
 
     /// Divides every pair of the lists once.
     void run_once() {
+        assert(lists_.deferred.empty() && "only queries for a first pair defer");
         // Pairs that are added meanwhile are appended to the lists.
         const PackedLists before = lists_;
         lists_.inner_inner.clear();

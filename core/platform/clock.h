@@ -12,8 +12,8 @@ enum class Clock {
 /// The time of a clock, in milliseconds.
 double milliseconds(Clock clock);
 
-/// The milliseconds that reading the clock twice takes by itself, the median of many: some 0.2 us
-/// of processor time, a fifth of the quickest queries.
+/// The milliseconds between two readings of a clock with nothing between them, the median of many:
+/// some 0.2 us of processor time, a fifth of the quickest queries.
 double reading_milliseconds(Clock clock);
 
 }  // namespace scb

@@ -27,14 +27,16 @@ void write_file_whole(const std::filesystem::path& path, std::span<const std::ui
 void write_file_whole(const std::filesystem::path& path, std::string_view text);
 
 /// A file that is written part by part, with the guarantees of write_file_whole: it has its name
-/// once it is whole.
+/// once it is whole. A device or a pipe receives the parts at once.
 class WholeFile {
   public:
     /// Throws OutputError if it cannot be made.
     explicit WholeFile(const std::filesystem::path& path);
-    /// Without finish(), nothing is left of it.
+    /// Without finish(), nothing is left of it. A signal may leave a part, where the file system
+    /// has no files without a name.
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
 
     void append(std::span<const std::uint8_t> bytes);
     void append(std::string_view text);

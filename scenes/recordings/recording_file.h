@@ -59,6 +59,8 @@ class RecordingWriter {
     RecordingWriter();
 
     void add(const Record& record);
+    /// The number of bytes that take() has.
+    std::size_t size() const { return bytes_.size(); }
     /// The bytes that are complete since the last call.
     std::string take();
     /// The bytes behind those of take(). Nothing may be added after it.

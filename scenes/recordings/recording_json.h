@@ -19,6 +19,8 @@ inline constexpr EnumNames<RecordedKind, recorded_kind_count> recorded_kind_name
 class RecordingJsonWriter {
   public:
     void add(const Record& record);
+    /// The number of bytes that take() has.
+    std::size_t size() const { return text_.size(); }
     /// The lines that are complete since the last call.
     std::string take();
     /// The lines behind those of take(). Nothing may be added after it.
