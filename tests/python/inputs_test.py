@@ -98,7 +98,7 @@ class Inputs(unittest.TestCase):
             found = scb.collide_poses(h, h, np.array([exact[:3]] * 3, dtype=np.float32))
         self.assertEqual(len(one), 1)
         self.assertRegex(str(one[0].message), "^poses: not quite a rotation; the nearest one is used.")
-        self.assertEqual([len(found[i].pairs) for i in range(3)], [len(expected.pairs)] * 3)
+        self.assertEqual([len(found.pairs_of(i)) for i in range(3)], [len(expected.pairs)] * 3)
 
     def test_options_of_hierarchies(self):
         for options, words in (
