@@ -111,6 +111,22 @@ TEST(DoublePairs, OfPartsThatLieOnEachOtherAreMostlyCertain) {
     }
 }
 
+// An edge of b lies in a's plane, beside a, on a line that passes through a.
+TEST(DoublePairs, WithAnEdgeInThePlaneOfTheOtherAreCertain) {
+    Random random(4);
+    Mesh a, b;
+    const auto count = static_cast<std::uint32_t>(1000 / effort);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        const double y = 0.1 + 0.8 * random.uniform(), x = 1.1 + random.uniform();
+        for (const Vec3& v : {Vec3(0, 0, 0.3), Vec3(1, 0, 0.3), Vec3(random.uniform(), 1, 0.3)})
+            a.vertices.push_back(v);
+        for (const Vec3& v : {Vec3(x, y, 0.3), Vec3(x + 1, y, 0.3), Vec3(x, y, 1.3)})
+            b.vertices.push_back(v);
+        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    expect_exact(a, b, Pose{}, {}, 0);
+}
+
 // Products of coordinates near the least doubles are 0, and their determinants are not.
 TEST(DoublePairs, AreNotCertainWhereProductsUnderflow) {
     Mesh a, b;
