@@ -95,7 +95,7 @@ class RefPairs {
 /// The waiting pairs, by whether A's and B's are inner nodes or leaves.
 struct PackedLists {
     RefPairs inner_inner, inner_leaf, leaf_inner, leaf_leaf;
-    RefPairs deferred;  ///< overlapping pairs of which only A's node is to be divided
+    RefPairs deferred;  ///< overlapping pairs; only A's node is to be divided
 
     void reserve(std::size_t more) {
         inner_inner.reserve(more);

@@ -63,7 +63,7 @@ class RecordingWriter {
     std::size_t size() const { return bytes_.size(); }
     /// The bytes that are complete since the last call.
     std::string take();
-    /// The bytes behind those of take(). Nothing may be added after it.
+    /// The bytes that take() has not returned. Nothing may be added after it.
     std::string finish();
 
   private:

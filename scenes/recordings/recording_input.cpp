@@ -29,10 +29,13 @@ std::string json_bytes(const std::string& path) {
     check_is_file(path);
     std::ifstream lines(path, std::ios::binary);
     if (!lines) refuse_to_open(path, errno);
-    std::string bytes = recording_of_json(lines, path);
-    if (lines.bad())
+    // Else a stream keeps the error to itself, also that memory ran out.
+    lines.exceptions(std::ios::badbit);
+    try {
+        return recording_of_json(lines, path);
+    } catch (const std::ios_base::failure&) {
         throw InputError(path + ": cannot be read; check its permissions and the disk.");
-    return bytes;
+    }
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class RecordingJsonWriter {
     std::size_t size() const { return text_.size(); }
     /// The lines that are complete since the last call.
     std::string take();
-    /// The lines behind those of take(). Nothing may be added after it.
+    /// The lines that take() has not returned. Nothing may be added after it.
     std::string finish();
 
   private:

@@ -89,7 +89,7 @@ TEST(InspectCommand, GivesUpSettingsThatCostFarMoreAndNamesTheSameBest) {
     }
 }
 
-// The test `printed` rejects the roots of a ball inside a ball: its cost is that of a test.
+// The test `printed` rejects the roots of a ball inside a ball, and costs next to nothing.
 TEST(InspectCommand, MeasuresSettingsAgainstTestsThatMissNoPairs) {
     const TemporaryFolder folder;
     const std::string file =
