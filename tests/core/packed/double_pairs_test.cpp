@@ -111,7 +111,8 @@ TEST(DoublePairs, OfPartsThatLieOnEachOtherAreMostlyCertain) {
     }
 }
 
-// An edge of b lies in a's plane, beside a, on a line that passes through a.
+// An edge of b lies in a's plane, beside a, on a line that passes through a. The third corner is
+// above a, so that projections do not separate the triangles.
 TEST(DoublePairs, WithAnEdgeInThePlaneOfTheOtherAreCertain) {
     Random random(4);
     Mesh a, b;
@@ -120,7 +121,7 @@ TEST(DoublePairs, WithAnEdgeInThePlaneOfTheOtherAreCertain) {
         const double y = 0.1 + 0.8 * random.uniform(), x = 1.1 + random.uniform();
         for (const Vec3& v : {Vec3(0, 0, 0.3), Vec3(1, 0, 0.3), Vec3(random.uniform(), 1, 0.3)})
             a.vertices.push_back(v);
-        for (const Vec3& v : {Vec3(x, y, 0.3), Vec3(x + 1, y, 0.3), Vec3(x, y, 1.3)})
+        for (const Vec3& v : {Vec3(x, y, 0.3), Vec3(x + 1, y, 0.3), Vec3(0.5, 0.5, 1.3)})
             b.vertices.push_back(v);
         for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
