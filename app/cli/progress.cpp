@@ -24,6 +24,8 @@ Progress::Progress(const Console& console, std::size_t total) : console_(console
 
 void Progress::at(std::string_view what, std::size_t done) {
     done_ = std::min(done, total_);
+    if (whole_) return;  // it is shown, and its line has ended
+    whole_ = done_ == total_;
     const Clock::time_point now = Clock::now();
     if (done_ < total_ && now - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = now;

@@ -24,6 +24,7 @@ class Progress {
     const Console& console_;
     std::size_t done_ = 0, total_;
     Clock::time_point start_ = Clock::now(), shown_{};
+    bool whole_ = false;  ///< the end was shown
 };
 
 }  // namespace scb::app

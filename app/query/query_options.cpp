@@ -52,9 +52,10 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .type_name("R00,R01,R02,T0,...")
         .shareable();
     command
-        .add_flag("--exact-pose", options.exact_pose,
-                  "Refuse a pose that is no rotation to 1e-9. Default: within 1e-3, the nearest "
-                  "rotation is taken")
+        .add_flag(
+            "--exact-pose", options.exact_pose,
+            "Refuse a pose whose R^T R differs from the identity by more than 1e-9. Default: up "
+            "to 1e-3, the nearest rotation is taken")
         .shareable();
     command
         .add_option("--models", options.models_dir,

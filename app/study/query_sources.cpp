@@ -193,8 +193,11 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
     } else {
         for (const Side& side : sides_of(compare, hierarchy, query)) {
             sources.emplace_back(scene, side.hierarchy, side.query, limits, false);
-            note_doubts(scene, sources.back().query().scene, side.query,
-                        {sources.back().query().kind}, note);
+            const SceneQuery& own = sources.back().query();
+            if (sources.size() == 1)
+                note_doubts(scene, own.scene, side.query, {own.kind}, note);
+            else
+                note_doubts(side.query, {own.kind}, note);
         }
         note_doubts(hierarchy, {sources[0].query().kind, sources[1].query().kind}, note);
     }

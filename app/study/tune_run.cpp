@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -382,6 +383,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
     result.rows = run.rows;
     result.given_up = run.given_up();
     result.best = best_rows(run.rows, run.counts());
+    assert(!result.best.empty() && "the first setting that misses no pairs is never given up");
     const auto fewest_of = [&](std::uint64_t Work::*count) {
         return *std::min_element(
             result.best.begin(), result.best.end(), [&](std::size_t x, std::size_t y) {

@@ -79,7 +79,8 @@ struct TuneOptions {
     int repeats = 0;      ///< of each timed query; 0: nothing is timed
     bool layouts = true;  ///< whether packed layouts are tried
     /// Whether a setting is given up if it costs more than `hopeless_cost` times the least that a
-    /// setting before it costs, as soon as some of its frames show that.
+    /// setting before it costs, as soon as some of its frames show that. Settings whose test may
+    /// miss pairs are no measure.
     bool gives_up = false;
 };
 inline constexpr std::uint64_t hopeless_cost = 3;

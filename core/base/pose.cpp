@@ -61,7 +61,7 @@ NearestPose nearest_rigid(const Pose& pose, std::string_view name) {
     if (!(defect <= nearly_rigid)) refuse(defect, "1e-3", name);
     NearestPose nearest{pose, 0};
     Mat3& r = nearest.pose.rotation;
-    // The error is squared at each step: 1e-3, 1e-6, 1e-12, 1e-24.
+    // Each step squares the error, 1e-3 at first. The last one removes the rounding of the others.
     for (int step = 0; step < 4; ++step) {
         const Vec3 x = r.col(0), y = r.col(1), z = r.col(2);
         const double determinant = dot(cross(x, y), z);

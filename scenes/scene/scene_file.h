@@ -53,7 +53,8 @@ struct SceneContext {
 ///       model          the name of a model
 ///       [position]     [x, y, z], or {from, to, frames}, see LinearPath; default the origin
 ///       [rotation]     a list of {axis, [degrees], [per_frame]}, applied in order, see Turn
-///       [pose]         instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row
+///       [pose]         instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row; see
+///                      nearest_rigid
 ///
 /// Throws InputError, one sentence that names the file and the place: broken JSON (line and
 /// column); nesting more than max_json_depth deep; a field that is missing, unknown, repeated, of

@@ -1,7 +1,10 @@
 """Every wrong input leads to an exception with a message, and never to a crash."""
 
 import copy
+import json
+import os
 import pickle
+import tempfile
 import unittest
 import warnings
 
@@ -99,6 +102,20 @@ class Inputs(unittest.TestCase):
         self.assertEqual(len(one), 1)
         self.assertRegex(str(one[0].message), "^poses: not quite a rotation; the nearest one is used.")
         self.assertEqual([len(found.pairs_of(i)) for i in range(3)], [len(expected.pairs)] * 3)
+
+    def test_a_pose_of_few_digits_in_a_scene_file(self):
+        body = {"name": "A", "model": "m"}
+        rough = dict(body, name="B", pose=[0.866025, -0.5, 0, 1, 0.5, 0.866025, 0, 0, 0, 0, 1, 0])
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "s.json")
+            with open(path, "w") as file:
+                json.dump({"scb_scene": 1, "name": "s", "models": [{"name": "m", "box": {}}], "bodies": [body, rough]}, file)
+            with self.assertWarnsRegex(UserWarning, "^the pose of B: not quite a rotation"):
+                scb.load_scene(path)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                with self.assertRaises(UserWarning):
+                    scb.load_scene(path)
 
     def test_options_of_hierarchies(self):
         for options, words in (

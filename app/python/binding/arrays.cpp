@@ -45,7 +45,8 @@ NearestPose checked_pose(const double* m, py::ssize_t rows, const std::string& n
     return nearest;
 }
 
-/// Warns if matrices were replaced by the nearest rotations.
+}  // namespace
+
 void warn_of_correction(double correction, const std::string& name) {
     if (correction == 0) return;
     const std::string words = name +
@@ -54,8 +55,6 @@ void warn_of_correction(double correction, const std::string& name) {
                               format("%.2g at most.", correction);
     if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
 }
-
-}  // namespace
 
 py::array view_of(const py::dtype& type, const void* data, Sizes shape, Sizes strides,
                   std::shared_ptr<const void> owner) {

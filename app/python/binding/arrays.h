@@ -57,6 +57,10 @@ DoubleArray doubles_of(const py::handle& object, const std::string& name, py::ss
 IndexArray indices_of(const py::handle& object, const std::string& name, py::ssize_t dimensions,
                       py::ssize_t last, const std::string& shape);
 
+/// Warns if a matrix was replaced by the nearest rotation, see nearest_rigid. Needs the
+/// interpreter's lock.
+void warn_of_correction(double correction, const std::string& name);
+
 /// One rigid pose, a 4 x 4 matrix with the last row 0 0 0 1; None is the identity. Throws
 /// InputError.
 Pose pose_of(const py::handle& object, const std::string& name);

@@ -76,13 +76,13 @@ mesh.triangles; with stop_level the nodes that overlap. Read-only, without a cop
         py::arg("max_pairs") = py::none(), py::arg("stop_level") = py::none(),
         R"(Find the pairs of triangles of a and b that intersect.
 
-pose: 4 x 4, from b's frame to a's; None is the identity. Triangles that touch intersect, and the test
+pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. Triangles that touch intersect, and the test
 of two triangles is exact. test, threshold: the overlap test for slab cut balls. descent: which of two
 nodes is divided, by "radius", "area", "volume" or "alternating". max_pairs: the query ends once it has
 so many; None means 100,000,000. stop_level: nodes at this depth count as leaves, and no triangles are tested.
 
-Runs in one thread, without the interpreter's lock. Raises InputError where the pose is not rigid to
-1e-9, or the volumes of a and b are not of one kind.)");
+Runs in one thread, without the interpreter's lock. Raises InputError where the pose is not rigid, or
+the volumes of a and b are not of one kind.)");
 }
 
 }  // namespace scb::python

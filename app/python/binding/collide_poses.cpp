@@ -142,7 +142,7 @@ void add_collide_poses(py::module_& module) {
         py::arg("max_pairs") = py::none(), py::arg("stop_level") = py::none(),
         R"(collide at n poses, in threads, without the interpreter's lock.
 
-poses: n x 4 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor;
+poses: n x 4 x 4 or n x 3 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor;
 the result is the same for any number. max_pairs is of each pose. Ctrl-C ends it between two poses.
 
 Raises InputError as collide does, before the first query; the sentence names the first bad pose.)");

@@ -52,7 +52,7 @@ void add_contacts(py::module_& module) {
 The triangles of a pair cross if their interiors have a common point and they are in different planes.
 Other pairs that intersect only touch: with a corner, with an edge, or in one plane. Exact.
 
-pairs: n x 2 whole numbers, triangles of a and b, such as collide(a, b, pose).pairs. pose: 4 x 4, from
+pairs: n x 2 whole numbers, triangles of a and b, such as collide(a, b, pose).pairs. pose: 4 x 4 or 3 x 4, from
 b's frame to a's; None is the identity. Raises InputError.)");
 }
 

@@ -100,7 +100,7 @@ void add_explain(py::module_& module) {
                py::arg("test") = "symmetric", py::arg("threshold") = 0.7,
                R"(Explain the overlap test of a node of a and a node of b, step by step.
 
-pose: 4 x 4, from b's frame to a's. str() of the result is for readers.
+pose: 4 x 4 or 3 x 4, from b's frame to a's. str() of the result is for readers.
 
 Raises InputError where there is no such node, and as collide does.)");
 }

@@ -237,29 +237,29 @@ Raises InputError, also if coordinates are above 1e8 or the mesh is smaller than
         py::kw_only(), py::arg("threads") = 1,
         R"(Find the same pairs of packed hierarchies of one layout, in a fraction of the time.
 
-pose: 4 x 4, from b's frame to a's; None is the identity. threads: how many share the query, 0 for one
+pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. threads: how many share the query, 0 for one
 per processor; the result is the same for any number. There are no counts by stage.
 
-Raises InputError where the pose is not rigid to 1e-9, or the layouts of a and b differ.)");
+Raises InputError where the pose is not rigid, or the layouts of a and b differ.)");
     module.def("touches", touches_once, py::arg("a"), py::arg("b"), py::arg("pose") = py::none(),
                R"(Whether some triangles of a and b intersect; ends at the first pair.
 
-a, b: packed hierarchies of one layout. pose: 4 x 4, from b's frame to a's; None is the identity. The
+a, b: packed hierarchies of one layout. pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. The
 answer is exact. Runs in one thread, without the interpreter's lock.
 
-Raises InputError where the pose is not rigid to 1e-9, or the layouts differ.)");
+Raises InputError where the pose is not rigid, or the layouts differ.)");
     module.def(
         "collide_poses", collide_packed_poses, py::arg("a"), py::arg("b"), py::arg("poses"),
         py::kw_only(), py::arg("threads") = 0,
         R"(collide of packed hierarchies at n poses, in threads, without the interpreter's lock.
 
-poses: n x 4 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor; the
+poses: n x 4 x 4 or n x 3 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor; the
 result is the same for any number. Ctrl-C ends it between two poses. Raises InputError as collide does.)");
     module.def("touches_poses", touches_poses, py::arg("a"), py::arg("b"), py::arg("poses"),
                py::kw_only(), py::arg("threads") = 0,
                R"(touches at n poses, in threads, without the interpreter's lock: n bool.
 
-poses: n x 4 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor.
+poses: n x 4 x 4 or n x 3 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per processor.
 Ctrl-C ends it between two poses. Raises InputError as touches does.)");
 }
 

@@ -25,8 +25,12 @@ SharedScene load_scene(const py::args& names, const py::object& pose,
         const scenes::PoseRows rows = scenes::rows_of(pose_of(pose, "pose"));
         options.pose.assign(rows.begin(), rows.end());
     }
-    const py::gil_scoped_release unlocked;
-    result.scene = std::make_shared<scenes::Scene>(options.load());
+    {
+        const py::gil_scoped_release unlocked;
+        result.scene = std::make_shared<scenes::Scene>(options.load());
+    }
+    for (const scenes::Body& body : result.scene->bodies)
+        warn_of_correction(body.motion.correction, "the pose of " + body.name);
     return result;
 }
 
@@ -148,9 +152,9 @@ void add_scene(py::module_& module) {
              R"(Make a scene of meshes, which are copied.
 
 bodies: meshes by the names of bodies. poses: by the names of bodies, body frame to world, one
-4 x 4 matrix or n x 4 x 4 for n frames; bodies that are left out stay at the identity.
+4 x 4 or 3 x 4 matrix, or n of these for n frames; bodies that are left out stay at the identity.
 
-Raises InputError where a pose is not rigid to 1e-9, or bodies have different numbers of frames.)")
+Raises InputError where a pose is not rigid, or bodies have different numbers of frames.)")
         .def_property_readonly(
             "name", [](const SharedScene& s) { return s.scene->name; }, "Its name.")
         .def_property_readonly("bodies", body_names, "The names of its bodies, in order.")
@@ -197,7 +201,7 @@ Raises InputError.)");
         py::arg("a"), py::arg("b"),
         R"(inverse(a) b, 4 x 4: where b is as seen from a, of two poses from body to world.
 
-Raises InputError where one is not rigid to 1e-9.)");
+Raises InputError where one is not rigid.)");
 }
 
 }  // namespace scb::python

@@ -396,6 +396,7 @@ TEST(CollideCommand, TakesTheNearestRotationOfAPoseWithFewDigits) {
               "scb: the pose of pin is not quite a rotation; the nearest one is used, which "
               "changes its numbers by 3e-07 at most.\n");
     EXPECT_EQ(smooth.err, "");
+    EXPECT_GT(json::parse(smooth.out)["frames"][0]["n_v"], 1);
     EXPECT_EQ(json::parse(rough.out)["frames"][0]["pairs_hash"],
               json::parse(smooth.out)["frames"][0]["pairs_hash"]);
     const ProgramRun refused = run_scb(meshes + six + "--exact-pose");
