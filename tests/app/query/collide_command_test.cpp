@@ -363,7 +363,7 @@ TEST(CollideCommand, QueriesPackedHierarchies) {
     EXPECT_EQ(packed["leaf"], 3);
     for (const char* of_reference : {"test", "descent"})
         EXPECT_FALSE(packed.contains(of_reference));
-    for (const int i : {0, 1}) {
+    for (const std::size_t i : {0u, 1u}) {
         const json &frame = packed["frames"][i], &there = reference["frames"][i];
         EXPECT_EQ(frame["pairs_hash"], there["pairs_hash"]);
         EXPECT_NE(frame["n_v"], there["n_v"]);
