@@ -168,7 +168,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         .shareable();
     command
         .add_flag("--no-advice", options->no_advice,
-                  "Do not try other settings; that takes most of the time")
+                  "Do not try other settings, which can take most of the time")
         .shareable();
     command.add_flag("--no-view", options->no_view, "Do not write the page of `scb view`")
         .shareable();

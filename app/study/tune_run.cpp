@@ -254,7 +254,7 @@ std::vector<std::size_t> timed_rows(const SceneTuning& tuning) {
     for (const std::size_t r : tuning.listed(most_timed)) add(r);
     for (std::size_t r = 0; r < tuning.rows.size(); ++r)
         if (tuned(tuning.rows[r].setting, tuning.base().setting) == Tuned::split) add(r);
-    add(tuning.fewest_tests);
+    if (tuning.fewest_tests) add(*tuning.fewest_tests);
     for (const VolumeKind kind : all_volume_kinds()) {
         const auto of_kind =
             std::find_if(tuning.best.begin(), tuning.best.end(),
@@ -390,8 +390,10 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
                 return result.rows[x].counts.*count < result.rows[y].counts.*count;
             });
     };
-    result.fewest_tests = fewest_of(&Work::volume_tests);
-    result.fewest_operations = fewest_of(&Work::operations);
+    if (result.given_up == 0) {
+        result.fewest_tests = fewest_of(&Work::volume_tests);
+        result.fewest_operations = fewest_of(&Work::operations);
+    }
     if (options.layouts) {
         try {
             if (!run.count_layouts(packed_rows(result))) return std::nullopt;

@@ -47,8 +47,9 @@ struct SceneTuning {
     std::size_t given_up = 0;       ///< settings without a row, see TuneOptions::gives_up
     std::vector<std::size_t> best;  ///< rows that find all pairs, the least estimated_cost first;
                                     ///< of rows with equal counts only the first
-    std::size_t fewest_tests = 0, fewest_operations = 0;  ///< rows in `best`
-    int runs = 0;                                         ///< of each timed query
+    /// Rows in `best`; none if settings were given up, which may have fewer.
+    std::optional<std::size_t> fewest_tests, fewest_operations;
+    int runs = 0;                     ///< of each timed query
     std::size_t least_time = 0;       ///< see least_time_of; 0 if nothing is timed
     std::vector<TuneLayout> layouts;  ///< of the row with the fewest tests of each packable volume
     std::string no_layouts;           ///< a sentence: why there are no layouts

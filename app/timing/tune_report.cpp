@@ -160,7 +160,7 @@ std::string interval_text(const SceneTuning& tuning, const TimeInterval& ms) {
 std::vector<std::string> best_sentences(const SceneTuning& tuning, const std::string& base) {
     std::vector<std::string> sentences = {best_text(tuning, base)};
     const std::size_t recommended = tuning.recommended(), cheapest = tuning.best[0],
-                      fewest = tuning.fewest_tests;
+                      fewest = tuning.fewest_tests.value_or(0);
     const auto time = [&](std::size_t r) {
         const TuneRow& row = tuning.rows[r];
         return row.ms ? format(", and %.2f of its time",
@@ -173,8 +173,7 @@ std::vector<std::string> best_sentences(const SceneTuning& tuning, const std::st
                                  ? base + "."
                                  : setting_text(tuning.rows[cheapest].setting) + ", with " +
                                        cost_text(tuning, cheapest, base) + time(cheapest) + "."));
-    // A setting that was given up may have fewer.
-    if (tuning.given_up == 0 && fewest != recommended && fewest != cheapest && fewest != 0)
+    if (fewest != recommended && fewest != cheapest && fewest != 0)
         sentences.push_back(
             "Fewest volume tests: " + setting_text(tuning.rows[fewest].setting) +
             format(", %.3f of those of ", multiple_of(tuning.rows[fewest].counts.volume_tests,
@@ -194,7 +193,7 @@ std::string tune_rows_text(const SceneTuning& tuning, std::size_t most, const st
     // Also list the rows that were timed or that the sentences below name.
     for (const std::size_t r : tuning.best)
         if (r != 0 && (std::find(listed.begin(), listed.end(), r) != listed.end() ||
-                       tuning.rows[r].ms || (tuning.given_up == 0 && r == tuning.fewest_tests)))
+                       tuning.rows[r].ms || r == tuning.fewest_tests))
             text += table_row(tuning, r);
     text += "\n";
     for (const std::string& sentence : best_sentences(tuning, base)) text += sentence + "\n";
@@ -238,12 +237,11 @@ Json tune_json(const SceneTuning& tuning) {
                 Json{{"ms", row.ms->median}, {"ms_least", row.ms->low}, {"ms_most", row.ms->high}});
         settings.push_back(std::move(entry));
     }
-    Json best = {{"tests", tuning.fewest_tests},
-                 {"operations", tuning.fewest_operations},
-                 {"cost", tuning.best[0]},
-                 {"recommended", tuning.recommended()}};
-    if (tuning.given_up > 0)
-        for (const char* of_all : {"tests", "operations"}) best.erase(of_all);
+    Json best = Json::object();
+    if (tuning.fewest_tests) best["tests"] = *tuning.fewest_tests;
+    if (tuning.fewest_operations) best["operations"] = *tuning.fewest_operations;
+    best["cost"] = tuning.best[0];
+    best["recommended"] = tuning.recommended();
     if (tuning.timed()) best["time"] = tuning.least_time;
     if (tuning.quicker_layout) best["layout"] = *tuning.quicker_layout;
     Json json = {{"scene", tuning.scene},

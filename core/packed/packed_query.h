@@ -102,7 +102,6 @@ struct PackedLists {
         inner_leaf.reserve(more);
         leaf_inner.reserve(more);
         leaf_leaf.reserve(more);
-        deferred.reserve(more);
     }
     bool empty() const { return size() == 0; }
     std::size_t size() const { return inner_size() + leaf_leaf.size(); }

@@ -237,6 +237,7 @@ class PackedTraversal {
         if (nearest_first_) {
             const std::uint32_t nearest = least(apart, left);
             RefPairs& others = lists_.deferred;
+            others.reserve(W + 16);
             put(others.b_end(), others.a_end(), b.child, left & ~nearest, i.bits, others);
             left = nearest;
         }

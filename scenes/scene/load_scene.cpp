@@ -108,14 +108,8 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
         scene.bodies[0].name += "-A";
         scene.bodies[1].name += "-B";
     }
-    if (options.pose) {
-        if (options.exact_poses) check_rigid(*options.pose, "--pose");
-        const NearestPose nearest = nearest_rigid(*options.pose, "--pose");
-        Motion& motion = scene.bodies[1].motion;
-        motion.base = nearest.pose.rotation;
-        motion.correction = nearest.correction;
-        motion.path.from = motion.path.to = nearest.pose.translation;
-    }
+    if (options.pose)
+        scene.bodies[1].motion = resting_at(*options.pose, options.exact_poses, "--pose");
     return scene;
 }
 

@@ -39,6 +39,16 @@ Mat3 rotation_about(const Vec3& axis, double degrees) {
     return m;
 }
 
+Motion resting_at(const Pose& pose, bool exact, const std::string& name) {
+    if (exact) check_rigid(pose, name);
+    const NearestPose nearest = nearest_rigid(pose, name);
+    Motion motion;
+    motion.base = nearest.pose.rotation;
+    motion.correction = nearest.correction;
+    motion.path.from = motion.path.to = nearest.pose.translation;
+    return motion;
+}
+
 Pose pose_at(const Motion& motion, int frame) {
     if (!motion.told.empty()) {
         const auto next = std::upper_bound(motion.told.begin(), motion.told.end(), frame,

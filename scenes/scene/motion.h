@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scb/pose.h"
@@ -47,6 +48,10 @@ struct Motion {
 /// whose rounding depends on the machine. Throws InputError if the axis is zero or a number is not
 /// finite.
 Mat3 rotation_about(const Vec3& axis, double degrees);
+
+/// A body that rests at this pose or, unless `exact`, at the pose with the nearest rotation. Throws
+/// InputError, naming `name`, as check_rigid and nearest_rigid do.
+Motion resting_at(const Pose& pose, bool exact, const std::string& name);
 
 /// The pose (body frame to world) at a frame. Throws InputError if the pose is not rigid and
 /// finite, see check_rigid.

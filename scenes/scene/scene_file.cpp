@@ -52,23 +52,17 @@ std::vector<Turn> read_rotation(const JsonPlace& place) {
 Motion read_pose(const JsonPlace& place, bool exact) {
     if (!place.value->is_array() || place.value->size() != 12)
         refuse_value(place, "twelve numbers, [R|t] row by row");
-    Motion motion;
+    Pose pose;
     for (std::size_t k = 0; k < 12; ++k) {
         const auto row = static_cast<Eigen::Index>(k / 4),
                    column = static_cast<Eigen::Index>(k % 4);
         const double number = read_number(element(place, k));
         if (column < 3)
-            motion.base(row, column) = number;
+            pose.rotation(row, column) = number;
         else
-            motion.path.from[row] = motion.path.to[row] = number;
+            pose.translation[row] = number;
     }
-    const std::string name = place.file + ": " + place.path;
-    const Pose given{motion.base, motion.path.from};
-    if (exact) check_rigid(given, name);
-    const NearestPose nearest = nearest_rigid(given, name);
-    motion.base = nearest.pose.rotation;
-    motion.correction = nearest.correction;
-    return motion;
+    return resting_at(pose, exact, place.file + ": " + place.path);
 }
 
 std::size_t find_model(const JsonPlace& place, const Names& models) {

@@ -29,24 +29,50 @@ void expect_exact(const Mesh& a, const Mesh& b, const Pose& b_to_a,
     }
 }
 
+/// Adds the triangles of a pair {t, t}.
+void add_pair(Mesh& a, const std::array<Vec3, 3>& p, Mesh& b, const std::array<Vec3, 3>& q) {
+    const auto add = [](Mesh& mesh, const std::array<Vec3, 3>& corners) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    };
+    add(a, p);
+    add(b, q);
+}
+
+/// Pairs of triangles that touch, or nearly so; and which of them intersect. `place` moves a corner
+/// of the pair that is to come.
+template <class Next>
+std::vector<IndexPair> add_touching(Random& random, std::uint32_t count, Mesh& a, Mesh& b,
+                                    Next next_place) {
+    std::vector<IndexPair> expected;
+    for (std::uint32_t t = 0; t < count; ++t) {
+        const TrueCorners truth = touching(random);
+        const auto place = next_place();
+        std::array<Vec3, 3> p, q;
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = place(corner_p(truth, i));
+            q[i] = place(corner_q(truth, i));
+        }
+        add_pair(a, p, b, q);
+        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
+    }
+    return expected;
+}
+
 // Triangles that touch, or nearly so. What is decided on is gone from the undecided.
 TEST(DoublePairs, AreDecidedOnlyWhereTheExactTestDecidesSo) {
     Random random(5);
     Mesh a, b;
-    std::vector<IndexPair> expected;
-    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(200'000 / effort); ++t) {
-        const TrueCorners truth = touching(random);
+    const auto next_place = [&random] {
         const Vec3 at =
             std::ldexp(1.0, static_cast<int>(random.below(40)) - 20) * grid_point(random);
         // Not by whole numbers any more: all sums round.
         const double size = 0.1 + random.uniform();
-        for (std::size_t i = 0; i < 3; ++i) {
-            a.vertices.push_back(size * corner_p(truth, i) + at);
-            b.vertices.push_back(size * corner_q(truth, i) + at);
-        }
-        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
-    }
+        return [at, size](const Vec3& corner) { return Vec3(size * corner + at); };
+    };
+    const auto expected =
+        add_touching(random, static_cast<std::uint32_t>(200'000 / effort), a, b, next_place);
     expect_exact(a, b, Pose{}, expected, a.triangles.size() / 2);
 }
 
@@ -55,17 +81,12 @@ TEST(DoublePairs, AreDecidedOnlyWhereTheExactTestDecidesSo) {
 TEST(DoublePairs, OfTinyTrianglesAreLeftToTheExactTest) {
     Random random(15);
     Mesh a, b;
-    std::vector<IndexPair> expected;
-    for (std::uint32_t t = 0; t < static_cast<std::uint32_t>(20'000 / effort); ++t) {
-        const TrueCorners truth = touching(random);
+    const auto next_place = [&random] {
         const double size = std::ldexp(1.0, -190 - static_cast<int>(random.below(200)));
-        for (std::size_t i = 0; i < 3; ++i) {
-            a.vertices.push_back(size * corner_p(truth, i));
-            b.vertices.push_back(size * corner_q(truth, i));
-        }
-        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-        if (triangles_overlap(corners(a, t), corners(b, t))) expected.push_back({t, t});
-    }
+        return [size](const Vec3& corner) { return Vec3(size * corner); };
+    };
+    const auto expected =
+        add_touching(random, static_cast<std::uint32_t>(20'000 / effort), a, b, next_place);
     expect_exact(a, b, Pose{}, expected, a.triangles.size());
 }
 
@@ -119,11 +140,8 @@ TEST(DoublePairs, WithAnEdgeInThePlaneOfTheOtherAreCertain) {
     const auto count = static_cast<std::uint32_t>(1000 / effort);
     for (std::uint32_t t = 0; t < count; ++t) {
         const double y = 0.1 + 0.8 * random.uniform(), x = 1.1 + random.uniform();
-        for (const Vec3& v : {Vec3(0, 0, 0.3), Vec3(1, 0, 0.3), Vec3(random.uniform(), 1, 0.3)})
-            a.vertices.push_back(v);
-        for (const Vec3& v : {Vec3(x, y, 0.3), Vec3(x + 1, y, 0.3), Vec3(0.5, 0.5, 1.3)})
-            b.vertices.push_back(v);
-        for (Mesh* mesh : {&a, &b}) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        add_pair(a, {Vec3(0, 0, 0.3), Vec3(1, 0, 0.3), Vec3(random.uniform(), 1, 0.3)}, b,
+                 {Vec3(x, y, 0.3), Vec3(x + 1, y, 0.3), Vec3(0.5, 0.5, 1.3)});
     }
     expect_exact(a, b, Pose{}, {}, 0);
 }
