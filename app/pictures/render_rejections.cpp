@@ -88,10 +88,11 @@ struct Shot {
         view.tell_pick(pictures, name, {&frame});
     }
 
-    void draw_whole(const QueryFrames& frames) const {
+    /// `outcomes`: of each query.
+    void draw_whole(const QueryFrames& frames, const std::vector<Outcomes>& outcomes) const {
         if (view.compares()) return draw_compared(frames);
         const QueryTrace& frame = *frames.front();
-        draw(frame, outcomes_of(sources.front().header(), frame), std::nullopt, frame);
+        draw(frame, outcomes.front(), std::nullopt, frame);
     }
 
     /// Draws the animation of a query. Returns false if interrupted.
@@ -219,12 +220,16 @@ int run(RejectionsOptions& options, const Console& console) {
                      std::move(sheet));
     std::vector<render::StagesFigure> stages(sources.size());
     // How the paths of a frame ended, for the pictures of all frames.
-    const auto ending_counts_of = [&](const QueryFrames& frames) {
-        Json kept = {{"frame", frames[0]->frame}, {"counts", Json::array()}};
-        for (std::size_t i = 0; i < sources.size(); ++i)
-            kept["counts"].push_back(
-                ending_counts(*frames[i], outcomes_of(sources[i].header(), *frames[i])));
+    const auto ending_counts_of = [](int frame, const std::vector<Outcomes>& outcomes) {
+        Json kept = {{"frame", frame}, {"counts", Json::array()}};
+        for (const Outcomes& of_query : outcomes) kept["counts"].push_back(ending_counts(of_query));
         return kept;
+    };
+    const auto outcomes_at = [&](const QueryFrames& frames) {
+        std::vector<Outcomes> outcomes;
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            outcomes.push_back(outcomes_of(sources[i].header(), *frames[i]));
+        return outcomes;
     };
     const auto take = [&](const Json& kept) {
         for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -251,8 +256,9 @@ int run(RejectionsOptions& options, const Console& console) {
         return draw_frames(
             sources, pictures, console,
             [&](const QueryFrames& frames) {
-                shot.draw_whole(frames);
-                return ending_counts_of(frames);
+                const std::vector<Outcomes> outcomes = outcomes_at(frames);
+                shot.draw_whole(frames, outcomes);
+                return ending_counts_of(frames[0]->frame, outcomes);
             },
             take, head);
     // Each step is a part of the run.
@@ -262,7 +268,7 @@ int run(RejectionsOptions& options, const Console& console) {
         sources, pictures, console,
         [&](int frame, const InterruptWatch& watch) {
             const QueryFrames frames = queries_at(sources, frame);
-            take(ending_counts_of(frames));
+            take(ending_counts_of(frame, outcomes_at(frames)));
             return shot.draw_steps(*frames.front(), watch);
         },
         head);

@@ -4,23 +4,30 @@
 #include <array>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace scb {
 namespace {
 
-EndedPaths summary(std::span<const Stage> endings) {
+/// `counts` has zeros, before and after.
+EndedPaths summary(std::span<const Stage> endings, EndingCounts& counts) {
     EndedPaths result;
     result.tests = static_cast<std::uint32_t>(endings.size());
     result.first = endings.front();
     result.last = endings.back();
-    std::array<std::uint32_t, StageTable::most_rows> counts{};
     for (const Stage ending : endings) {
         ++counts[static_cast<std::size_t>(ending)];
         result.rejected += is_rejection(ending);
     }
-    const auto most = std::max_element(counts.begin(), counts.end());
-    result.dominant = static_cast<Stage>(most - counts.begin());
-    result.of_dominant = *most;
+    for (const Stage ending : endings) {
+        // Most nodes have few endings, of the many that there are.
+        const auto count = std::exchange(counts[static_cast<std::size_t>(ending)], 0);
+        if (count > result.of_dominant ||
+            (count == result.of_dominant && ending < result.dominant)) {
+            result.dominant = ending;
+            result.of_dominant = static_cast<std::uint32_t>(count);
+        }
+    }
     return result;
 }
 
@@ -32,10 +39,14 @@ std::uint16_t depth_of(const Step& test, std::size_t side) {
     return side == 0 ? test.depth_a : test.depth_b;
 }
 
-bool passes(const EndedPathsFilter& filter, Stage ending, int depth) {
-    return depth >= filter.least_depth && depth <= filter.most_depth &&
-           (filter.endings.empty() || std::find(filter.endings.begin(), filter.endings.end(),
-                                                ending) != filter.endings.end());
+/// Which outcomes are endings that pass the filter.
+std::array<bool, StageTable::most_rows> passing_endings(const EndedPathsFilter& filter) {
+    std::array<bool, StageTable::most_rows> passing{};
+    for (std::size_t i = 0; i < passing.size(); ++i)
+        passing[i] = is_ending(static_cast<Stage>(i)) && filter.endings.empty();
+    for (const Stage ending : filter.endings)
+        passing[static_cast<std::size_t>(ending)] = is_ending(ending);
+    return passing;
 }
 
 }  // namespace
@@ -47,13 +58,19 @@ std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& out
     for (const Step& test : tests) nodes = std::max(nodes, node_of(test, side) + 1);
     // A query has millions of tests, so the endings are not sorted: they are counted per node, and
     // then put behind each other, node by node, each node's in the order of the traversal.
+    const auto passing = passing_endings(filter);
+    const auto passes = [&](std::size_t test) {
+        const int depth = depth_of(tests[test], side);
+        return passing[static_cast<std::size_t>(outcomes[test])] && depth >= filter.least_depth &&
+               depth <= filter.most_depth;
+    };
     std::vector<std::uint32_t> tested(nodes), ends(nodes);
     std::vector<std::uint16_t> depths(nodes);
     for (std::size_t i = 0; i < tests.size(); ++i) {
         const std::uint32_t node = node_of(tests[i], side);
         if (!is_ending(outcomes[i])) {
             ++tested[node];
-        } else if (passes(filter, outcomes[i], depth_of(tests[i], side))) {
+        } else if (passes(i)) {
             ++tested[node];
             ++ends[node];
             depths[node] = depth_of(tests[i], side);
@@ -63,13 +80,13 @@ std::vector<EndedPaths> ended_paths(const QueryTrace& frame, const Outcomes& out
     std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0u);
     std::vector<Stage> endings(tests.size());
     for (std::size_t i = 0; i < tests.size(); ++i)
-        if (is_ending(outcomes[i]) && passes(filter, outcomes[i], depth_of(tests[i], side)))
-            endings[ends[node_of(tests[i], side)]++] = outcomes[i];
+        if (passes(i)) endings[ends[node_of(tests[i], side)]++] = outcomes[i];
     std::vector<EndedPaths> front;
+    EndingCounts counts{};
     for (std::uint32_t node = 0, begin = 0; node < nodes; begin = ends[node++]) {
         if (ends[node] == begin) continue;
         EndedPaths& ended = front.emplace_back(
-            summary(std::span<const Stage>(endings).subspan(begin, ends[node] - begin)));
+            summary(std::span<const Stage>(endings).subspan(begin, ends[node] - begin), counts));
         ended.node = node;
         ended.depth = depths[node];
         ended.tested = tested[node];

@@ -15,11 +15,13 @@ std::vector<EndingCounts> endings_by_depth(const QueryTrace& frame, const Outcom
     return counts;
 }
 
-EndingCounts ending_counts(const QueryTrace& frame, const Outcomes& outcomes) {
-    EndingCounts sum{};
-    for (const EndingCounts& counts : endings_by_depth(frame, outcomes))
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += counts[i];
-    return sum;
+EndingCounts ending_counts(const Outcomes& outcomes) {
+    EndingCounts counts{};
+    // A branch for each of millions of outcomes could not be predicted.
+    for (const Stage outcome : outcomes) ++counts[static_cast<std::size_t>(outcome)];
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (!is_ending(static_cast<Stage>(i))) counts[i] = 0;
+    return counts;
 }
 
 namespace {

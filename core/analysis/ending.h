@@ -18,7 +18,7 @@ using EndingCounts = std::array<std::uint64_t, StageTable::most_rows>;
 std::vector<EndingCounts> endings_by_depth(const QueryTrace& frame, const Outcomes& outcomes);
 
 /// The same for all depths together.
-EndingCounts ending_counts(const QueryTrace& frame, const Outcomes& outcomes);
+EndingCounts ending_counts(const Outcomes& outcomes);
 
 /// The endings that queries of this kind can have, in order: the stages of the test; then
 /// `triangles_apart` and `triangles_meet` if triangles are tested, else `found`; `neighbors` in a

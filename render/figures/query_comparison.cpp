@@ -161,7 +161,7 @@ std::array<ComparedView, 2> compared_rejections(const ComparedQueries& queries,
         const ComparedQuery& query = queries[side];
         views[side].pane = rejections_pane(query.bodies, *query.frame, trees[side], ended[side],
                                            query.contact, style);
-        views[side].legend = endings_legend(*query.header, *query.frame, trees[side], style);
+        views[side].legend = endings_legend(*query.header, trees[side], style);
         for (PanelItem& item : node_color_keys(style))
             views[side].legend.push_back(std::move(item));
     }

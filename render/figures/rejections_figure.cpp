@@ -111,15 +111,20 @@ std::string volumes_text(std::size_t side, const std::string& name) {
     return letter + (side == 1 ? ", hatched" : "") + (name == letter ? "" : ": " + name);
 }
 
-/// Per triangle, whether paths ended at its leaf because triangles met there.
+/// Per triangle, whether paths that pass the filter ended at its leaf because triangles met there.
 std::vector<char> meeting_triangles(const QueryBody& body, const QueryTrace& frame,
                                     const Outcomes& outcomes, std::size_t side,
-                                    EndedPathsFilter filter) {
-    filter.endings = {Stage::triangles_meet};
+                                    const EndedPathsFilter& filter) {
     std::vector<char> meet(body.mesh->triangles.size());
-    for (const EndedPaths& leaf : ended_paths(frame, outcomes, side, filter))
-        for (const std::uint32_t triangle : body.tree->items(leaf.node))
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (outcomes[i] != Stage::triangles_meet) continue;
+        const Step& test = frame.steps.volumes[i];
+        const int depth = side == 0 ? test.depth_a : test.depth_b;
+        if (depth < filter.least_depth || depth > filter.most_depth) continue;
+        for (const std::uint32_t triangle :
+             body.tree->items(side == 0 ? test.nodes.a : test.nodes.b))
             if (triangle < meet.size()) meet[triangle] = 1;
+    }
     return meet;
 }
 
@@ -236,9 +241,9 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
     return groups;
 }
 
-std::vector<PanelItem> endings_legend(const TraceHeader& header, const QueryTrace& frame,
-                                      const Outcomes& outcomes, const RejectionsStyle& style) {
-    const EndingCounts all = ending_counts(frame, outcomes), counts = shown_counts(all, style);
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const Outcomes& outcomes,
+                                      const RejectionsStyle& style) {
+    const EndingCounts all = ending_counts(outcomes), counts = shown_counts(all, style);
     const auto ended =
         static_cast<double>(std::accumulate(all.begin(), all.end(), std::uint64_t{0}));
     std::vector<PanelItem> items;
@@ -279,14 +284,14 @@ std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& e
 std::vector<PanelItem> rejections_panel(const QueryBodies& bodies, const TraceHeader& header,
                                         const QueryTrace& frame, const Outcomes& outcomes,
                                         const EndedNodes& ended, const RejectionsStyle& style) {
-    const EndingCounts counts = ending_counts(frame, outcomes);
+    const EndingCounts counts = ending_counts(outcomes);
     const std::uint64_t paths = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     std::vector<PanelItem> items;
     items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
-    for (PanelItem& item : endings_legend(header, frame, outcomes, style))
+    for (PanelItem& item : endings_legend(header, outcomes, style))
         items.push_back(std::move(item));
     if (const auto leaves = counts[static_cast<std::size_t>(Stage::triangles_apart)] +
                             counts[static_cast<std::size_t>(Stage::triangles_meet)];

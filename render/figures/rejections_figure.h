@@ -51,8 +51,8 @@ std::vector<EndingGroup> shown_groups(const TraceHeader& header, const Rejection
 
 /// The shown endings with their counts, and their shares of all. Without their colors if colors are
 /// a scale.
-std::vector<PanelItem> endings_legend(const TraceHeader& header, const QueryTrace& frame,
-                                      const Outcomes& outcomes, const RejectionsStyle& style);
+std::vector<PanelItem> endings_legend(const TraceHeader& header, const Outcomes& outcomes,
+                                      const RejectionsStyle& style);
 
 /// Both bodies' colors, and the numbers of their drawn nodes.
 std::vector<PanelItem> drawn_keys(const QueryBodies& bodies, const EndedNodes& ended,

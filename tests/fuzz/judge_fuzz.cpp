@@ -30,7 +30,7 @@ void show(const std::shared_ptr<const scenes::RecordingFile>& file) {
     for (const int number : recorded.frames()) {
         const QueryTrace& frame = recorded.frame(number);
         const Outcomes outcomes = outcomes_of(header, frame);
-        const EndingCounts counts = ending_counts(frame, outcomes);
+        const EndingCounts counts = ending_counts(outcomes);
         std::uint64_t ended = 0;
         for (const std::uint64_t count : counts) ended += count;
         fuzz::require(ended <= frame.found.n_v, "a path ends once");

@@ -75,7 +75,7 @@ TEST(Endings, AreCountedByTheDepthsOfBothNodesTogether) {
     EXPECT_EQ(at(1, Stage::ball_ball), 1u);
     EXPECT_EQ(at(2, Stage::ball_ball), 1u);
     EXPECT_EQ(at(2, Stage::slab_ball), 1u);
-    EXPECT_EQ(ending_counts(frame, outcomes)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
+    EXPECT_EQ(ending_counts(outcomes)[static_cast<std::size_t>(Stage::ball_ball)], 2u);
 }
 
 TEST(Endings, AreFoundByTheirNames) {

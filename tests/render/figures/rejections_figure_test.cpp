@@ -245,8 +245,7 @@ TEST(RejectionsFigure, LegendAndBarsHaveWhatIsShown) {
     RejectionsStyle style;
     const auto rows = [&] {
         std::vector<PanelLegendRow> result;
-        for (const PanelItem& item :
-             endings_legend(query.header, query.frame, query.outcomes, style))
+        for (const PanelItem& item : endings_legend(query.header, query.outcomes, style))
             if (const auto* row = std::get_if<PanelLegendRow>(&item)) result.push_back(*row);
         return result;
     };
