@@ -22,7 +22,6 @@
 #include "core/fit/fit_scb2-inl.h"
 #include "core/hierarchy/fit_target.h"
 #include "core/hierarchy/mesh_topology.h"
-#include "core/hierarchy/unfitted_triangle.h"
 #include "scb/topology.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,11 +78,8 @@ class BottomUpFit {
     }
 
     const FitCounts& counts() const { return counts_; }
-    /// Of nodes with one triangle, in no order; only if volumes are packed.
-    std::vector<std::pair<std::uint32_t, V>>& triangles() { return triangles_; }
 
   private:
-    static constexpr bool can_be_packed = std::is_same_v<V, Scb> || std::is_same_v<V, Scb2>;
     static constexpr bool needs_dop = !std::is_same_v<V, Obb>;
     static constexpr bool needs_moments = std::is_same_v<V, Obb> || ConvexVolume<V>;
 
@@ -122,64 +118,15 @@ class BottomUpFit {
 
     // Fits the node on top of the stack.
     void fit_if_wanted(std::uint32_t index, int depth) {
-        const TopologyNode& node = topology_.nodes[index];
-        if constexpr (can_be_packed)
-            if (target_.packable) return fit_packable(index, node, depth);
-        if (depth <= target_.deepest) fit_top(node, target_.volumes[index]);
-    }
-
-    void fit_packable(std::uint32_t index, const TopologyNode& node, int depth) {
-        const bool shares_leaves = target_.leaf_triangles > 1;
-        if (!node.is_leaf())
-            fit_and_weigh(index, target_.packable->inner[PackableVolumes<V>::place_of_inner(node)]);
-        else if (shares_leaves && depth > 0)
-            target_.packable->costs[index] = unfitted_cost(node);
-        else
-            fit_and_weigh(index, triangles_.emplace_back(index, V{}).second);
-        if (shares_leaves && !node.is_leaf()) fit_triangles_below(index);
-    }
-    void fit_and_weigh(std::uint32_t index, V& volume) {
-        fit_top(topology_.nodes[index], volume);
-        target_.packable->costs[index] = static_cast<float>(visit_cost(volume));
-    }
-
-    // Fits the children that are triangles, after their parent. If the parent may become a packed
-    // leaf, they need volumes only if leaves of their own might cost less, see collapse.
-    void fit_triangles_below(std::uint32_t parent) {
-        const TopologyNode& node = topology_.nodes[parent];
-        if (node.count <= target_.leaf_triangles &&
-            !(least_cost(node.left) + least_cost(node.left + 1) < own_cost(parent)))
-            return;
-        for (const std::uint32_t child : {node.left, node.left + 1})
-            if (topology_.nodes[child].is_leaf()) fit_by_itself(child);
-    }
-    float own_cost(std::uint32_t index) const { return target_.packable->costs[index]; }
-    // The least cost of the few triangles below a node, divided into leaves in any way.
-    float least_cost(std::uint32_t index) const {
-        const TopologyNode& node = topology_.nodes[index];
-        const float own = own_cost(index);
-        return node.is_leaf() ? own
-                              : std::min(own, least_cost(node.left) + least_cost(node.left + 1));
-    }
-    void fit_by_itself(std::uint32_t leaf) {
-        push_leaf(topology_.nodes[leaf]);
-        fit_and_weigh(leaf, triangles_.emplace_back(leaf, V{}).second);
-        shared_.resize(shared_.size() - stack_.back().shared_count);
-        stack_.pop_back();
-    }
-    float unfitted_cost(const TopologyNode& leaf) const {
-        const auto& corners = points_.corners[leaf.first];
-        const PointsView all = points_.points.view();
-        V volume;
-        set_unfitted(volume, all[corners[0]], all[corners[1]], all[corners[2]]);
-        return static_cast<float>(visit_cost(volume));
+        const std::uint32_t place = target_.place.empty() ? index : target_.place[index];
+        if (place == no_place || depth > target_.deepest) return;
+        fit_top(topology_.nodes[index], target_.volumes[place]);
     }
 
     void append(BottomUpFit& right) {
         stack_.push_back(right.stack_.back());
         shared_.insert(shared_.end(), right.shared_.begin(), right.shared_.end());
         counts_.add(right.counts_);
-        triangles_.insert(triangles_.end(), right.triangles_.begin(), right.triangles_.end());
     }
 
     void push_leaf(const TopologyNode& node) {
@@ -269,7 +216,6 @@ class BottomUpFit {
     const int threads_;
     const FitTarget<V> target_;
     FitCounts counts_;
-    std::vector<std::pair<std::uint32_t, V>> triangles_;
     std::vector<Subtree> stack_;
     std::vector<std::uint32_t> shared_, merged_;
     PointArrays gathered_;

@@ -8,13 +8,13 @@
 
 namespace scb {
 
-/// The place of fitted volumes: of all nodes down to a depth, or of the nodes that may be packed.
+/// The place of fitted volumes: of all nodes down to a depth, or of some nodes.
 template <class V>
 struct FitTarget {
-    std::span<V> volumes = {};                      ///< per node
+    std::span<V> volumes = {};
     int deepest = std::numeric_limits<int>::max();  ///< the depth
-    PackableVolumes<V>* packable = nullptr;         ///< if set, instead of `volumes`
-    std::uint32_t leaf_triangles = 1;               ///< of packed leaves
+    /// Of each node's volume in `volumes`, or no_place. Empty: the index of the node.
+    std::span<const std::uint32_t> place = {};
 };
 
 }  // namespace scb

@@ -1,8 +1,5 @@
 #include "core/hierarchy/fit_volumes.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "core/base/large_pages.h"
 #include "core/base/simd_targets.h"
 
@@ -22,7 +19,6 @@ void fit_tree(const Topology& topology, const LeafOrder& points, const FitOption
     BottomUpFit<V> fit(topology, points, options, threads, target);
     fit.run(0);
     if (options.counts != nullptr) options.counts->add(fit.counts());
-    if (target.packable != nullptr) target.packable->triangles = std::move(fit.triangles());
 }
 
 // A name for each type, needed for the table of targets.
@@ -63,24 +59,23 @@ std::vector<V> fit_volumes(const Topology& topology, const LeafOrder& points,
 }
 
 template <class V>
-PackableVolumes<V> fit_for_packing(const Topology& topology, const LeafOrder& points,
-                                   const FitOptions& options, int threads, int leaf_triangles) {
-    PackableVolumes<V> result;
-    resize_large(result.costs, topology.nodes.size());
-    resize_large(result.inner, topology.nodes.size() / 2);
-    FitTarget<V> target;
-    target.packable = &result;
-    target.leaf_triangles = static_cast<std::uint32_t>(leaf_triangles);
+std::vector<V> fit_some(const Topology& topology, const LeafOrder& points,
+                        const FitOptions& options, int threads,
+                        const std::vector<std::uint32_t>& place, std::size_t count) {
+    std::vector<V> volumes;
+    resize_large(volumes, count);
+    FitTarget<V> target{volumes};
+    target.place = place;
     fit_at_level(topology, points, options, threads, target);
-    std::sort(result.triangles.begin(), result.triangles.end(),
-              [](const auto& x, const auto& y) { return x.first < y.first; });
-    return result;
+    return volumes;
 }
 
-template PackableVolumes<Scb> fit_for_packing(const Topology&, const LeafOrder&, const FitOptions&,
-                                              int, int);
-template PackableVolumes<Scb2> fit_for_packing(const Topology&, const LeafOrder&, const FitOptions&,
-                                               int, int);
+#define SCB_INSTANTIATE(V)                                                                      \
+    template std::vector<V> fit_some(const Topology&, const LeafOrder&, const FitOptions&, int, \
+                                     const std::vector<std::uint32_t>&, std::size_t);
+SCB_INSTANTIATE(Scb)
+SCB_INSTANTIATE(Scb2)
+#undef SCB_INSTANTIATE
 
 #define SCB_INSTANTIATE(V)                                                                         \
     template std::vector<V> fit_volumes(const Topology&, const LeafOrder&, const FitOptions&, int, \

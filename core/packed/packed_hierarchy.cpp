@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/base/large_pages.h"
@@ -13,6 +14,7 @@
 #include "core/packed/collapse.h"
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
+#include "core/packed/visit_costs.h"
 #include "scb/error.h"
 #include "scb/placement.h"
 
@@ -25,15 +27,14 @@ constexpr std::size_t words_behind = PackedLeaf::fetched_words;
 
 double up(float value) { return static_cast<double>(value); }
 
-/// The volumes of the nodes, as they are packed.
+/// The volumes of the nodes of a topology, or of those that are packed.
 template <class V>
 struct NodeVolumes {
-    const Topology& topology;
-    const std::vector<V>* all = nullptr;           ///< per node
-    const PackableVolumes<V>* packable = nullptr;  ///< instead of `all`
+    const std::vector<V>& volumes;
+    std::span<const std::uint32_t> place = {};  ///< see fit_some; empty: volumes of all nodes
 
     const V& operator[](std::uint32_t node) const {
-        return all ? (*all)[node] : packable->of(topology, node);
+        return volumes[place.empty() ? node : place[node]];
     }
 };
 
@@ -43,13 +44,9 @@ class Packing {
     using Decoded = typename Codec::Decoded;
 
   public:
-    Packing(const NodeVolumes<Volume>& volumes, const Mesh& mesh, LeafCorners corners,
-            std::string_view name, int threads)
-        : topology_(volumes.topology),
-          volumes_(volumes),
-          mesh_(mesh),
-          name_(name),
-          threads_(threads) {
+    Packing(const Topology& topology, const NodeVolumes<Volume>& volumes, const Mesh& mesh,
+            LeafCorners corners, std::string_view name, int threads)
+        : topology_(topology), volumes_(volumes), mesh_(mesh), name_(name), threads_(threads) {
         packed_.corners = corners;
     }
 
@@ -175,14 +172,9 @@ PackedHierarchy<Codec> pack(const Hierarchy<typename Codec::Volume>& hierarchy, 
     assert(leaf_triangles >= 1 && leaf_triangles <= most_leaf_triangles && "see pack");
     check_packable(mesh, name);
     const Topology& topology = *hierarchy.topology;
-    std::vector<float> costs(topology.nodes.size());
-    parallel_blocks(threads, costs.size(), [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i)
-            costs[i] = static_cast<float>(visit_cost(hierarchy.volumes[i]));
-    });
-    const NodeVolumes<typename Codec::Volume> volumes{topology, &hierarchy.volumes, nullptr};
-    return Packing<Codec>(volumes, mesh, corners, name, threads)
-        .run(collapse(topology, costs, Codec::width, leaf_triangles, threads));
+    const WideTopology wide = collapse(topology, visit_costs(mesh, topology, threads), Codec::width,
+                                       leaf_triangles, threads);
+    return Packing<Codec>(topology, {hierarchy.volumes}, mesh, corners, name, threads).run(wide);
 }
 
 template <class Codec>
@@ -193,15 +185,18 @@ PackedHierarchy<Codec> build_packed(const Mesh& mesh, const BuildOptions& option
     MeshTopology shared = checked_topology(mesh, options, name);
     check_packable(mesh, name);
     const Topology& topology = *shared.topology;
-    auto packable = fit_for_packing<typename Codec::Volume>(topology, shared.points, options.fit,
-                                                            options.threads, leaf_triangles);
+    const WideTopology wide = collapse(topology, visit_costs(mesh, topology, options.threads),
+                                       Codec::width, leaf_triangles, options.threads);
+    std::vector<std::uint32_t> place(topology.nodes.size(), no_place);
+    std::uint32_t count = 0;
+    place[0] = count++;
+    for (const WideTopology::Child& child : wide.children) place[child.node] = count++;
+    const auto volumes = fit_some<typename Codec::Volume>(topology, shared.points, options.fit,
+                                                          options.threads, place, count);
     // What is not needed any more is freed before the packed nodes are made.
     shared.points = {};
-    const WideTopology wide =
-        collapse(topology, packable.costs, Codec::width, leaf_triangles, options.threads);
-    packable.costs = {};
-    const NodeVolumes<typename Codec::Volume> volumes{topology, nullptr, &packable};
-    return Packing<Codec>(volumes, mesh, corners, name, options.threads).run(wide);
+    return Packing<Codec>(topology, {volumes, place}, mesh, corners, name, options.threads)
+        .run(wide);
 }
 
 #define SCB_PACK(...)                                                                              \
