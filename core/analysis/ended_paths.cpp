@@ -20,7 +20,7 @@ EndedPaths summary(std::span<const Stage> endings, EndingCounts& counts) {
         result.rejected += is_rejection(ending);
     }
     for (const Stage ending : endings) {
-        // Most nodes have few endings, of the many that there are.
+        // Most nodes have few of the many endings.
         const auto count = std::exchange(counts[static_cast<std::size_t>(ending)], 0);
         if (count > result.of_dominant ||
             (count == result.of_dominant && ending < result.dominant)) {

@@ -36,6 +36,7 @@ void build(benchmark::State& state) {
 void query(benchmark::State& state) {
     const Mesh& mesh = sphere(static_cast<int>(state.range(0)));
     const auto packed = build_packed(mesh);
+    const PackedCollider side{packed, mesh};
     // Other poses in turn, so that no branch is learnt by heart.
     constexpr int poses = 16;
     std::vector<Pose> b_to_a(poses);
@@ -48,7 +49,7 @@ void query(benchmark::State& state) {
     std::size_t i = 0, pairs = 0;
     for (auto _ : state) {
         const PackedCollision found =
-            collide_packed(packed, mesh, packed, mesh, b_to_a[i++ % poses], {}, &workspace);
+            collide_packed(side, side, b_to_a[i++ % poses], {}, &workspace);
         pairs += found.pairs.size();
     }
     const auto n = static_cast<double>(mesh.triangles.size());

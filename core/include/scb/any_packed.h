@@ -40,6 +40,13 @@ PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, 
                     const Pose& b_to_a, const PackedOptions& options = {},
                     PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// Hierarchies of a known layout would be copied into AnyPacked: give PackedColliders instead.
+template <class Codec, class... Rest>
+PackedCollision collide_packed(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
+/// The same.
+template <class Codec, class... Rest>
+PackedTouch touches(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
+
 /// `validate` for any layout.
 std::string validate(const AnyPacked& packed, const Mesh& mesh);
 /// The memory of its nodes and leaves, in bytes.

@@ -63,6 +63,14 @@ Asked expect_packed(const BuiltMesh& a, const BuiltMesh& b, const Pose& pose) {
     return asked;
 }
 
+template <class Packed>
+concept CollidesWithMesh = requires(const Packed& packed, const Mesh& mesh, const Pose& b_to_a) {
+    collide_packed(packed, mesh, packed, mesh, b_to_a);
+    touches(packed, mesh, packed, mesh, b_to_a);
+};
+// A hierarchy of a known layout would be converted to AnyPacked in each query, with a copy.
+static_assert(CollidesWithMesh<AnyPacked> && !CollidesWithMesh<PackedHierarchy<QuickestCodec>>);
+
 TEST(CollidePacked, FindsWhatBruteForceFinds) {
     Asked all;
     for (int i = 0; i < scenes_tried / 4; ++i) {
