@@ -29,7 +29,7 @@ void TreeWatch::note(int frame, const WatchedTree& tree, const TreeProblem& prob
     WatchedProblem& watched = of_volumes_[known->second];
     if (!added) {
         watched.frames += frame != looked_;
-        watched.gaps |= frame != looked_ && watched.last != looked_;
+        watched.gaps |= watched.last != looked_;
     }
     watched.last = frame;
     watched.problem.inherited = watched.problem.inherited && problem.inherited;

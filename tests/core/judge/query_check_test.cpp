@@ -42,6 +42,15 @@ TEST(QueryCheck, NamesTheCauseOfAFalsePair) {
     EXPECT_EQ(rows.judged().wrong_item_tests.size(), 1u);
 }
 
+TEST(QueryCheck, WithoutReportsATriangleInSeveralLeavesMayMeetAnotherTwice) {
+    Rows rows;
+    for (std::uint32_t i = 0; i < 4; ++i) rows.erase(Kind::pair, i, i);
+    rows.query.has_pairs = false;
+    rows.query.events.push_back({Kind::items_meet, 0, 1, 1});
+    EXPECT_TRUE(rows.judged().pairs.empty());
+    EXPECT_EQ(rows.judged().reported, 4u);
+}
+
 TEST(QueryCheck, TrianglesOfABodyThatShareAVertexAreNoPair) {
     Rows rows;
     rows.query.sides[1] = rows.query.sides[0];
@@ -88,6 +97,14 @@ TEST(QueryCheck, WhatTouchesWithinTheToleranceIsNotJudged) {
     EXPECT_EQ(judged.grazing, 1u);
     EXPECT_TRUE(judged.wrong_item_tests.empty());
     EXPECT_EQ(judged.count(TestVerdict::wrong), 0u);
+}
+
+TEST(QueryCheck, TestsOfVolumesSmallerThanTheToleranceAreNotJudged) {
+    Rows rows;
+    rows.query.tolerance = 100;
+    const QueryJudgement judged = rows.judged();
+    EXPECT_GT(judged.tests.size(), 0u);
+    EXPECT_EQ(judged.count(TestVerdict::unjudged), judged.tests.size());
 }
 
 // A small triangle and the side of a long one, three thousandths deep in each other: more than any

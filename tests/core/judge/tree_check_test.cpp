@@ -206,6 +206,22 @@ TEST(TreeCheck, WhereExtentsAreNotKnownABoxContainsTheBoxesOfItsChildren) {
     EXPECT_EQ(words_of_objects(Ball{Vec3::Zero(), 1}, Ball{Vec3(0, 0, 1), 1}, {}), Words{});
 }
 
+TEST(TreeCheck, CountsTheLeavesWhoseExtentsAreNotKnown) {
+    const Obb box = box_between(Vec3::Zero(), Vec3::Ones());
+    EngineNodes tree =
+        tree_of({{0, no_index, {1, 2}, {}, box}, {1, 0, {}, {0}, box}, {2, 0, {}, {1, 2}, box}});
+    tree.has_objects = true;
+    for (const std::uint32_t object : {0u, 1u}) tree.set_object_volume(object, box);
+    UnjudgedVolumes unjudged;
+    check_volumes(tree, tree_shape(tree, 3), nullptr, 1e-9, &unjudged);
+    EXPECT_EQ(unjudged.of_leaves, 2u);
+    EXPECT_EQ(unjudged.leaves, 1u);
+    tree.set_object_volume(2, box);
+    unjudged = {};
+    check_volumes(tree, tree_shape(tree, 3), nullptr, 1e-9, &unjudged);
+    EXPECT_EQ(unjudged.leaves, 0u);
+}
+
 TEST(TreeCheck, ALeafWithoutItemsNeedsNoVolume) {
     auto nodes = nodes_of_row();
     nodes.push_back({7, 2, {}, {}, {}});

@@ -73,6 +73,7 @@ TEST(TreeWatch, TellsAStaleVolumeFromOneThatNeverFitted) {
     EXPECT_EQ(problems[2].words, "node 0 does not contain triangle 3, by 1")
         << "nor do the nodes below it contain their triangles";
     EXPECT_FALSE(problems[1].stale);
+    EXPECT_LT(problems[1].links_at, 0) << "its children are as they were";
     EXPECT_EQ(problems[1].frames, 4u);
     for (const std::size_t i : {0u, 2u}) {
         EXPECT_EQ(problems[i].problem.inherited, i == 2);
