@@ -103,8 +103,8 @@ void set_changes(data& row, const Work& from, const Work& to) {
     row["n_p_change"] = render::change_text(from.triangle_tests, to.triangle_tests);
     row["operations"] = render::count_text(to.operations);
     row["operations_change"] = render::change_text(from.operations, to.operations);
-    row["cost"] = render::count_text(estimated_cost(to));
-    row["cost_change"] = render::change_text(estimated_cost(from), estimated_cost(to));
+    row["cost"] = render::count_text(to.picoseconds / 1000);
+    row["cost_change"] = render::change_text(from.picoseconds, to.picoseconds);
 }
 
 data other_rows(const InspectReport& report) {
@@ -350,7 +350,9 @@ void set_settings(data& values, const InspectSettings& settings, std::size_t fra
     values["best_words"] = settings.recorded
                                ? "Changes are relative to the recorded tests."
                                : best_sentences(tuning, "the present setting").front();
-    values["use"] = settings.command;
+    const bool is_packed = !tuning.timed() && !settings.layout_command.empty();
+    values["use"] = is_packed ? settings.layout_command : settings.command;
+    if (is_packed) values["code"] = layout_code(tuning, tuning.layouts[*tuning.quicker_layout]);
     const std::string packed = layout_sentence(tuning);
     if (!packed.empty()) values["packed"] = packed;
     if (!settings.layout_command.empty()) values["use_packed"] = settings.layout_command;

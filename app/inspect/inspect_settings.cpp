@@ -52,7 +52,7 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
                   header.growth};
     asked.build = query.build;
     asked.repeats = options.time ? 5 : 0;
-    asked.layouts = options.time && !query.is_self();
+    if (!query.is_self()) asked.layouts = options.time ? tried_layouts() : widest_layouts();
     asked.gives_up = !options.time;
     Work all;
     for (const InspectedFrame& frame : frames) all += frame.found.counts.all;
@@ -69,7 +69,7 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
         "scb collide" + scene + setting_options(found.rows[found.recommended()].setting);
     if (found.quicker_layout)
         result.layout_command =
-            "scb bench" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
+            "scb collide" + scene + layout_options(found, found.layouts[*found.quicker_layout]);
     return result;
 }
 
@@ -110,7 +110,7 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     }
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
-    asked.layouts = false;
+    asked.layouts = widest_layouts();
     asked.gives_up = true;
     std::optional<SceneTuning> tuning = tune_scene(
         recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene(),
@@ -122,6 +122,12 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
         "scb collide" + options.of_meshes +
         (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames) +
         setting_options(result.tuning.rows[result.tuning.recommended()].setting);
+    if (const auto layout = result.tuning.quicker_layout)
+        result.layout_command =
+            "scb collide" + options.of_meshes +
+            (recording.changes_meshes ? " --frames " + std::to_string(counted[0])
+                                      : options.of_frames) +
+            layout_options(result.tuning, result.tuning.layouts[*layout]);
     return result;
 }
 
@@ -151,21 +157,34 @@ std::string recorded_text(const InspectSettings& settings) {
         render::frames_text(tuning.frames) + "\n";
     std::size_t width = character_count(settings.engine);
     const std::vector<std::size_t> rows = listed_settings(settings);
-    const auto cost_of = [&tuning](std::size_t row) {
-        return static_cast<double>(estimated_cost(tuning.rows[row].counts));
+    std::uint64_t least = tuning.rows[rows.front()].counts.picoseconds;
+    std::string packed;
+    if (tuning.quicker_layout) {
+        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+        packed = layout_text(tuning, layout) + ", packed";
+        least = layout.picoseconds;
+    }
+    const auto cost_text = [least](std::uint64_t cost) {
+        return format("  %6.2f\n", ratio(static_cast<double>(cost), static_cast<double>(least)));
     };
+    width = std::max(width, character_count(packed));
     for (const std::size_t row : rows)
         width = std::max(width, character_count(setting_text(tuning.rows[row].setting)));
     text += "  " + left_aligned("by cost", width) +
             "         N_v  /rec'd         N_p  /rec'd    cost\n  " +
             left_aligned(settings.engine, width) +
             counts_text(*settings.recorded, *settings.recorded) + "\n";
+    if (tuning.quicker_layout) {
+        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+        text += "  " + left_aligned(packed, width) +
+                counts_text({layout.n_v, layout.n_p}, *settings.recorded) + cost_text(least);
+    }
     for (const std::size_t row : rows)
         text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
                 counts_text(tuning.rows[row].counts, *settings.recorded) +
-                format("  %6.2f\n", cost_of(row) / cost_of(rows.front()));
+                cost_text(tuning.rows[row].counts.picoseconds);
     return text + "cost, relative to the lowest cost: " + cost_words + "\n" +
-           given_up_text(tuning) + "  " + settings.command + "\n";
+           given_up_text(tuning) + use_text(tuning, settings.command, settings.layout_command);
 }
 
 }  // namespace
@@ -205,10 +224,7 @@ std::string settings_text(const InspectSettings& settings, std::size_t frames) {
            settings_words(tuning, frames, "means per frame over") + "\ncost: " + cost_words +
            ", relative to the cost of the base, which is the present setting\n" +
            tune_rows_text(tuning, most_settings, "the present setting") + given_up_text(tuning) +
-           (tuning.timed() ? "" : "Packed layouts change time and memory: --time tries them.\n") +
-           "\nTo use it: " + settings.command + "\n" +
-           (settings.layout_command.empty() ? ""
-                                            : "Quicker, packed: " + settings.layout_command + "\n");
+           "\n" + use_text(tuning, settings.command, settings.layout_command);
 }
 
 nlohmann::ordered_json settings_json(const InspectSettings& settings) {

@@ -18,7 +18,7 @@ namespace scb::app {
 struct InspectSettings {
     SceneTuning tuning;          ///< the base is the present setting; scb2 for a recording
     std::string command;         ///< makes the queries with the recommended setting
-    std::string layout_command;  ///< the same with a packed layout, if that is measurably quicker
+    std::string layout_command;  ///< the same with a packed layout, if that is quicker
     /// Of a recording: the engine and its volumes, and its work in the frames of `tuning`.
     std::string engine;
     std::optional<Work> recorded;

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/study/layout_time.h"
 #include "app/study/query_timing.h"
 #include "app/study/tune_subject.h"
-#include "core/analysis/cost_equation.h"
+#include "core/analysis/assumed_time.h"
 #include "core/base/parallel_for.h"
 #include "core/base/statistics.h"
 #include "scb/error.h"
@@ -21,28 +22,13 @@ constexpr double most_timed_tests = 1e8;
 /// This many tests of packed layouts take as long as one other test.
 constexpr std::uint64_t packed_tests_per_test = 4;
 
-/// All layouts with large leaves; the usually quickest one also with smaller leaves.
-std::vector<PackedLayout> tried_layouts() {
-    std::vector<PackedLayout> tried;
-    for (const PackedLayout& layout : all_packed_layouts()) {
-        tried.push_back(layout);
-        if (layout.width != QuickestCodec::width || layout.corners != LeafCorners::stored ||
-            layout.numbers != PackedLayout::Numbers::quantized)
-            continue;
-        for (const int leaf_triangles : {3, 2, 1}) {
-            tried.push_back(layout);
-            tried.back().leaf_triangles = leaf_triangles;
-        }
-    }
-    return tried;
-}
-
 class Run {
   public:
     Run(TuneSubject& subject, const TuneOptions& options, const TuneProgress& progress)
         : subject_(subject),
           threads_(options.build.threads),
           gives_up_(options.gives_up),
+          packs_(!options.layouts.empty()),
           progress_(progress),
           most_(subject.frames()) {}
 
@@ -89,8 +75,8 @@ class Run {
     }
 
     /// Adds the layouts of the rows' hierarchies. Throws InputError if they cannot be packed.
-    bool count_layouts(const std::vector<std::size_t>& packed) {
-        const std::vector<PackedLayout> tried = tried_layouts();
+    bool count_layouts(const std::vector<std::size_t>& packed,
+                       const std::vector<PackedLayout>& tried) {
         progress_.begin("layouts counted", packed.size() * tried.size());
         for (const std::size_t r : packed) {
             const BuiltSetting built = subject_.build(rows[r].setting);
@@ -104,6 +90,8 @@ class Run {
                     found.n_v += at.n_v;
                     found.n_p += at.n_p;
                     found.pairs += at.pairs.size();
+                    if (layout.leaf_triangles == most_leaf_triangles)
+                        found.picoseconds += layout_time(rows[r].setting.volume, layout, at);
                     found.misses_pairs |= at.pairs.size() != pairs_[r][i];
                 }
                 found.bytes_per_triangle = subject_.bytes_per_triangle(in_layout);
@@ -159,6 +147,13 @@ class Run {
     }
 
   private:
+    /// Whether layouts need the row, however much its own queries cost.
+    bool is_packed(const TuneSetting& setting) const {
+        const TuneSetting usual;
+        return packs_ && can_pack(setting.volume) && setting.overlap.test == usual.overlap.test &&
+               setting.descent == usual.descent && setting.growth == usual.growth;
+    }
+
     /// False if the setting is given up. Which ones are does not depend on the order in which
     /// frames are counted: the cost of some frames is at most the cost of all.
     bool count_row(std::size_t r, const BuiltSetting& built) {
@@ -166,15 +161,16 @@ class Run {
         std::vector<Work> counts(subject_.frames());
         std::atomic<std::uint64_t> cost{0};
         const auto is_hopeless = [&] {
-            return r != 0 && least_cost_ && cost > hopeless_cost * *least_cost_;
+            return r != 0 && least_cost_ && cost > hopeless_cost * *least_cost_ &&
+                   !is_packed(row.setting);
         };
         parallel_for(threads_, subject_.frames(), [&](std::size_t i) {
             if (progress_.ends() || is_hopeless()) return;
             const Collision found = subject_.query(built, row.setting, i);
-            counts[i] = {found.n_v, found.n_p,
-                         operation_count(row.setting.volume, row.setting.overlap, found.stages)};
+            counts[i] =
+                work_of(row.setting.volume, row.setting.overlap, row.setting.descent, found);
             pairs_[r][i] = found.pairs.size();
-            cost += estimated_cost(counts[i]);
+            cost += counts[i].picoseconds;
         });
         if (is_hopeless()) return false;
         // A test that misses pairs may end early, and cost little.
@@ -209,7 +205,7 @@ class Run {
 
     TuneSubject& subject_;
     int threads_;
-    bool gives_up_;
+    bool gives_up_, packs_;
     std::vector<TuneSetting> given_up_;
     const TuneProgress& progress_;
     std::optional<std::uint64_t> least_cost_;        // of a row, if settings are given up
@@ -297,6 +293,27 @@ std::optional<std::size_t> quicker_layout_of(const SceneTuning& tuning) {
     return found ? std::optional(right[*found]) : std::nullopt;
 }
 
+/// The same, without times.
+std::optional<std::size_t> cheaper_layout_of(const SceneTuning& tuning) {
+    const std::uint64_t unpacked = tuning.rows[tuning.best[0]].counts.picoseconds;
+    std::vector<std::size_t> cheaper;
+    for (std::size_t i = 0; i < tuning.layouts.size(); ++i) {
+        const TuneLayout& layout = tuning.layouts[i];
+        if (!layout.misses_pairs && layout.layout.width == QuickestCodec::width &&
+            layout.layout.leaf_triangles == most_leaf_triangles && layout.picoseconds < unpacked)
+            cheaper.push_back(i);
+    }
+    std::uint64_t least = unpacked;
+    for (const std::size_t i : cheaper) least = std::min(least, tuning.layouts[i].picoseconds);
+    std::optional<std::size_t> found;
+    for (const std::size_t i : cheaper)
+        if (10 * tuning.layouts[i].picoseconds <= 11 * least &&
+            (!found ||
+             tuning.layouts[i].bytes_per_triangle < tuning.layouts[*found].bytes_per_triangle))
+            found = i;
+    return found;
+}
+
 /// The number of tests if the rows and layouts are timed in all frames. Each timed query follows an
 /// untimed one over its nodes.
 double timed_tests(const SceneTuning& tuning, const std::vector<std::size_t>& timed, int repeats) {
@@ -319,6 +336,28 @@ std::vector<std::size_t> affordable_frames(std::size_t frames, double tests, dou
 }
 
 }  // namespace
+
+std::vector<PackedLayout> tried_layouts() {
+    std::vector<PackedLayout> tried;
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        tried.push_back(layout);
+        if (layout.width != QuickestCodec::width || layout.corners != LeafCorners::stored ||
+            layout.numbers != PackedLayout::Numbers::quantized)
+            continue;
+        for (const int leaf_triangles : {3, 2, 1}) {
+            tried.push_back(layout);
+            tried.back().leaf_triangles = leaf_triangles;
+        }
+    }
+    return tried;
+}
+
+std::vector<PackedLayout> widest_layouts() {
+    std::vector<PackedLayout> widest;
+    for (const PackedLayout& layout : all_packed_layouts())
+        if (layout.width == QuickestCodec::width) widest.push_back(layout);
+    return widest;
+}
 
 std::vector<std::size_t> counted_frames(std::size_t frames, const Work& all) {
     constexpr double most_tests = 3e7, usual_settings = 50;
@@ -394,9 +433,9 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         result.fewest_tests = fewest_of(&Work::volume_tests);
         result.fewest_operations = fewest_of(&Work::operations);
     }
-    if (options.layouts) {
+    if (!options.layouts.empty()) {
         try {
-            if (!run.count_layouts(packed_rows(result))) return std::nullopt;
+            if (!run.count_layouts(packed_rows(result), options.layouts)) return std::nullopt;
         } catch (const InputError& error) {
             run.layouts.clear();
             result.no_layouts = std::string("No packed layout was tried: ") + error.what();
@@ -416,6 +455,8 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         result.layouts = std::move(run.layouts);
         result.least_time = least_time_of(result.rows, result.best);
         result.quicker_layout = quicker_layout_of(result);
+    } else {
+        result.quicker_layout = cheaper_layout_of(result);
     }
     return result;
 }

@@ -30,7 +30,8 @@ struct TuneLayout {
     std::size_t row = 0;  ///< the row whose hierarchies are packed
     PackedLayout layout;
     std::uint64_t n_v = 0, n_p = 0, pairs = 0;
-    bool misses_pairs = false;  ///< finds other pairs than the row, which is an error
+    std::uint64_t picoseconds = 0;  ///< see layout_time; 0 for smaller leaves
+    bool misses_pairs = false;      ///< finds other pairs than the row, which is an error
     double bytes_per_triangle = 0;
     double build_ms = 0;  ///< of the row's hierarchies and of packing
     std::optional<TimeInterval> ms;
@@ -45,7 +46,7 @@ struct SceneTuning {
     BuildOptions build;  ///< without split and growth, which are tuned
     std::vector<TuneRow> rows;
     std::size_t given_up = 0;       ///< settings without a row, see TuneOptions::gives_up
-    std::vector<std::size_t> best;  ///< rows that find all pairs, the least estimated_cost first;
+    std::vector<std::size_t> best;  ///< rows that find all pairs, the least cost first;
                                     ///< of rows with equal counts only the first
     /// Rows in `best`; none if settings were given up, which may have fewer.
     std::optional<std::size_t> fewest_tests, fewest_operations;
@@ -55,6 +56,8 @@ struct SceneTuning {
     std::string no_layouts;           ///< a sentence: why there are no layouts
     /// The index of a layout that is measurably quicker than `recommended`, if there is one. Of the
     /// layouts that no other is measurably quicker than, it is the one with the least memory.
+    /// Without times, one of widest_layouts that costs less than `recommended`. Of
+    /// those that cost at most a tenth more than the least, it is the one with the least memory.
     std::optional<std::size_t> quicker_layout;
 
     double mean(std::uint64_t sum) const {
@@ -73,12 +76,17 @@ struct SceneTuning {
     std::size_t recommended() const { return timed() ? least_time : best[0]; }
 };
 
+/// All layouts with large leaves; the usually quickest one also with smaller leaves.
+std::vector<PackedLayout> tried_layouts();
+/// The layouts of the widest nodes, which are mostly the quickest.
+std::vector<PackedLayout> widest_layouts();
+
 struct TuneOptions {
     TuneSetting base;  ///< overlap and growth keep their defaults if the volume does not use them
     BuildOptions build;
-    bool every = false;   ///< tries all settings, not just those of the most promising volumes
-    int repeats = 0;      ///< of each timed query; 0: nothing is timed
-    bool layouts = true;  ///< whether packed layouts are tried
+    bool every = false;  ///< tries all settings, not just those of the most promising volumes
+    int repeats = 0;     ///< of each timed query; 0: nothing is timed
+    std::vector<PackedLayout> layouts = {};  ///< that are tried, see tried_layouts
     /// Whether a setting is given up if it costs more than `hopeless_cost` times the least that a
     /// setting before it costs, as soon as some of its frames show that. Settings whose test may
     /// miss pairs are no measure.

@@ -65,6 +65,7 @@ TuneOptions tune_options(const TuneCommandOptions& options) {
     result.build = build;
     result.every = options.every;
     result.repeats = options.no_time ? 0 : options.repeats;
+    result.layouts = tried_layouts();
     return result;
 }
 
@@ -89,11 +90,10 @@ std::string command_to_use(const TuneCommandOptions& options, const SceneTuning&
            setting_options(tuning.rows[tuning.recommended()].setting);
 }
 
-/// The command for a packed layout, if one is measurably quicker. Only the library and `scb bench`
-/// make queries with layouts.
+/// The command for a packed layout, if one is quicker.
 std::string layout_command(const TuneCommandOptions& options, const SceneTuning& tuning) {
     if (!tuning.quicker_layout) return "";
-    return "scb bench" + options.of_scene +
+    return "scb collide" + options.of_scene +
            layout_options(tuning, tuning.layouts[*tuning.quicker_layout]);
 }
 
@@ -202,9 +202,8 @@ int run(const TuneCommandOptions& options, const Console& console) {
     if (!options.json) {
         if (const std::string said = conditions(options, *tuning); !said.empty())
             text += "\n" + said + "\n";
-        text += "\nTo use it: " + command_to_use(options, *tuning) + "\n";
-        if (tuning->quicker_layout)
-            text += "Quicker, packed: " + layout_command(options, *tuning) + "\n";
+        text += "\n" + use_text(*tuning, command_to_use(options, *tuning),
+                                layout_command(options, *tuning));
     }
     print_result(text);
     if (writes && options.picture.show)
@@ -246,8 +245,8 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "tries packed layouts\n"
         "of the best, and times these, the base and the best. The best is the quickest of those "
         "timed, with --no-time the one with\n"
-        "the least cost: operations of the volume tests (Table 1 of the paper) and 900 for each "
-        "triangle test. B/tri: bytes of the\n"
+        "the least cost: the time of its tests by constants that are the same on every machine. "
+        "B/tri: bytes of the\n"
         "hierarchies per triangle. The printed test misses pairs and is never best. Ctrl-C stops "
         "it, with exit status 130.\n\n"
         "Examples:\n"

@@ -32,6 +32,10 @@ std::string row_text(const SceneTuning& tuning, const TuneLayout& layout) {
                layout.layout.leaf_triangles) +
         mean(layout.n_v) + format(" %9.3f", multiple_of(layout.n_v, unpacked.volume_tests)) +
         mean(layout.n_p) + format(" %9.3f", multiple_of(layout.n_p, unpacked.triangle_tests)) +
+        (layout.picoseconds == 0
+             ? std::string("       -")
+             : format(" %7.3f",
+                      multiple_of(layout.picoseconds, tuning.base().counts.picoseconds))) +
         format(" %7.0f", layout.bytes_per_triangle);
     if (layout.ms) line += format(" %9.1f  ", layout.build_ms) + interval_text(tuning, *layout.ms);
     return line + (layout.misses_pairs ? "  misses pairs" : "") + "\n";
@@ -57,6 +61,40 @@ std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) 
     if (layout.layout.leaf_triangles != most_leaf_triangles)
         text += " --leaf " + std::to_string(layout.layout.leaf_triangles);
     return text;
+}
+
+std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
+    const TuneSetting& setting = tuning.rows[layout.row].setting;
+    const bool is_quantized = layout.layout.numbers == PackedLayout::Numbers::quantized,
+               is_indexed = layout.layout.corners == LeafCorners::in_mesh,
+               has_options =
+                   setting.split != packed_build.split || setting.growth != TuneSetting{}.growth;
+    std::string code =
+        "scb::build_packed<scb::" + std::string(is_quantized ? "QuantizedCodec" : "FloatCodec") +
+        "<" + std::to_string(layout.layout.width) +
+        (setting.volume == VolumeKind::scb2 ? ", scb::Scb2" : "") + ">>(mesh";
+    if (has_options)
+        code += std::string(", {") +
+                (setting.growth == TuneSetting{}.growth
+                     ? ""
+                     : ".fit = {.growth = scb::BallGrowth::radius}, ") +
+                ".split = scb::SplitMethod::" +
+                (setting.split == SplitMethod::cost ? "cost}" : "section_3}");
+    else if (is_indexed || layout.layout.leaf_triangles != most_leaf_triangles)
+        code += ", scb::packed_build";
+    if (is_indexed || layout.layout.leaf_triangles != most_leaf_triangles)
+        code += ", " + std::to_string(layout.layout.leaf_triangles);
+    return code + (is_indexed ? ", scb::LeafCorners::in_mesh)" : ")");
+}
+
+std::string use_text(const SceneTuning& tuning, const std::string& command,
+                     const std::string& layout_command) {
+    if (layout_command.empty()) return "To use it: " + command + "\n";
+    const std::string code = layout_code(tuning, tuning.layouts[*tuning.quicker_layout]);
+    return tuning.timed() ? "To use it: " + command + "\nQuicker, packed: " + layout_command +
+                                "\n  in C++: " + code + "\n"
+                          : "To use it: " + layout_command + "\n  in C++: " + code +
+                                "\nUnpacked: " + command + "\n";
 }
 
 std::string layout_sentence(const SceneTuning& tuning) {
@@ -91,7 +129,7 @@ std::string layout_rows_text(const SceneTuning& tuning, std::size_t most) {
         if (i + 1 < tuning.layouts.size() && tuning.layouts[i + 1].row == layout.row) continue;
         text += "\n" + packed_text(tuning.rows[layout.row].setting) +
                 ", packed: N_v and N_p over those unpacked\n"
-                "  layout      leaf         N_v /unpacked         N_p /unpacked   B/tri" +
+                "  layout      leaf         N_v /unpacked         N_p /unpacked    cost   B/tri" +
                 (!tuning.timed()    ? ""
                  : tuning.runs == 1 ? "  build ms  ms, one run"
                                     : "  build ms      ms [least, most]") +
@@ -125,6 +163,7 @@ Json layouts_json(const SceneTuning& tuning) {
                       {"pairs", tuning.mean(layout.pairs)},
                       {"misses_pairs", layout.misses_pairs},
                       {"bytes_per_triangle", layout.bytes_per_triangle}};
+        if (layout.picoseconds > 0) entry["cost"] = tuning.mean(layout.picoseconds) / 1000;
         if (layout.ms)
             entry.update(Json{{"build_ms", layout.build_ms},
                               {"ms", layout.ms->median},

@@ -13,6 +13,14 @@ std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout);
 /// The options of `scb bench` for the layout: " --volume scb2 --split cost --layout quantized8".
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 
+/// The call of the library that builds such a hierarchy of `mesh`.
+std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout);
+
+/// How to make the best queries: `command`, `layout_command` (empty if no layout is quicker), and
+/// the call of the library.
+std::string use_text(const SceneTuning& tuning, const std::string& command,
+                     const std::string& layout_command);
+
 /// A sentence on the gain of layouts; empty if none were timed.
 std::string layout_sentence(const SceneTuning& tuning);
 

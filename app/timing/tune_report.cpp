@@ -38,7 +38,7 @@ std::string mark(const SceneTuning& tuning, std::size_t r) {
 }
 
 double cost_of_base(const SceneTuning& tuning, std::size_t r) {
-    return multiple_of(estimated_cost(tuning.rows[r].counts), estimated_cost(tuning.base().counts));
+    return multiple_of(tuning.rows[r].counts.picoseconds, tuning.base().counts.picoseconds);
 }
 
 std::string table_row(const SceneTuning& tuning, std::size_t r) {
@@ -62,11 +62,13 @@ std::string table_row(const SceneTuning& tuning, std::size_t r) {
 }
 
 /// "0.047 of the cost of the base (-95.3 %)".
-std::string cost_text(const SceneTuning& tuning, std::size_t r, const std::string& base) {
-    return format("%.3f of the cost of ", cost_of_base(tuning, r)) + base + " (" +
-           render::change_text(estimated_cost(tuning.base().counts),
-                               estimated_cost(tuning.rows[r].counts)) +
-           ")";
+std::string cost_text(const SceneTuning& tuning, std::uint64_t cost, const std::string& base) {
+    const std::uint64_t of_base = tuning.base().counts.picoseconds;
+    return format("%.3f of the cost of ", multiple_of(cost, of_base)) + base + " (" +
+           render::change_text(of_base, cost) + ")";
+}
+std::string row_cost_text(const SceneTuning& tuning, std::size_t r, const std::string& base) {
+    return cost_text(tuning, tuning.rows[r].counts.picoseconds, base);
 }
 
 /// Counts the timed settings without a measurable difference from the best.
@@ -85,13 +87,24 @@ std::string alike_text(const SceneTuning& tuning) {
 std::string best_text(const SceneTuning& tuning, const std::string& base) {
     const std::size_t best = tuning.recommended();
     const TuneRow& row = tuning.rows[best];
-    std::string text =
-        "Best of " + std::to_string(tuning.rows.size() + tuning.given_up) + " settings: ";
+    const std::size_t settings = tuning.rows.size() + tuning.given_up;
+    if (!tuning.timed() && tuning.quicker_layout) {
+        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+        return format("Best of %zu settings and %zu packed layouts: ", settings,
+                      tuning.layouts.size()) +
+               layout_text(tuning, layout) + ", packed, with " +
+               cost_text(tuning, layout.picoseconds, base) + "; unpacked: " +
+               (best == 0 ? base
+                          : setting_text(row.setting) + ", with " +
+                                format("%.3f", cost_of_base(tuning, best))) +
+               ".";
+    }
+    std::string text = "Best of " + std::to_string(settings) + " settings: ";
     if (best == 0) text += base + ", ";
     text += setting_text(row.setting);
     if (!tuning.timed())
-        return text +
-               (best == 0 ? ": none costs less." : ", with " + cost_text(tuning, best, base) + ".");
+        return text + (best == 0 ? ": none costs less."
+                                 : ", with " + row_cost_text(tuning, best, base) + ".");
     const TimeInterval &ms = *row.ms, &of_base = *tuning.base().ms;
     text += best == 0 ? std::string(": of those timed none is measurably quicker, ")
                       : format(", with %.2f of the time of ", ratio(ms.median, of_base.median, 1)) +
@@ -169,16 +182,16 @@ std::vector<std::string> best_sentences(const SceneTuning& tuning, const std::st
     };
     if (cheapest != recommended)
         sentences.push_back("Least cost: " +
-                            (cheapest == 0
-                                 ? base + "."
-                                 : setting_text(tuning.rows[cheapest].setting) + ", with " +
-                                       cost_text(tuning, cheapest, base) + time(cheapest) + "."));
+                            (cheapest == 0 ? base + "."
+                                           : setting_text(tuning.rows[cheapest].setting) +
+                                                 ", with " + row_cost_text(tuning, cheapest, base) +
+                                                 time(cheapest) + "."));
     if (fewest != recommended && fewest != cheapest && fewest != 0)
         sentences.push_back(
             "Fewest volume tests: " + setting_text(tuning.rows[fewest].setting) +
             format(", %.3f of those of ", multiple_of(tuning.rows[fewest].counts.volume_tests,
                                                       tuning.base().counts.volume_tests)) +
-            base + ", but with " + cost_text(tuning, fewest, base) + time(fewest) + ".");
+            base + ", but with " + row_cost_text(tuning, fewest, base) + time(fewest) + ".");
     return sentences;
 }
 
@@ -227,7 +240,7 @@ Json tune_json(const SceneTuning& tuning) {
         entry["n_v"] = tuning.mean(row.counts.volume_tests);
         entry["n_p"] = tuning.mean(row.counts.triangle_tests);
         entry["operations"] = tuning.mean(row.counts.operations);
-        entry["cost"] = tuning.mean(estimated_cost(row.counts));
+        entry["cost"] = tuning.mean(row.counts.picoseconds) / 1000;
         entry["pairs"] = tuning.mean(row.pairs);
         entry["misses_pairs"] = row.misses_pairs;
         entry["bytes_per_triangle"] = row.bytes_per_triangle;
@@ -331,8 +344,11 @@ render::TuneFigure tune_figure(const SceneTuning& tuning) {
         render::TuneBar& bar = figure.bars.emplace_back();
         bar.name = "packed: " + bar_name(packed) + ", " + packed_layout_name(layout.layout);
         bar.n_v = multiple_of(layout.n_v, base.counts.volume_tests);
-        bar.cost.reset();
-        bar.time = times(*layout.ms);
+        if (layout.picoseconds > 0)
+            bar.cost = multiple_of(layout.picoseconds, base.counts.picoseconds);
+        else
+            bar.cost.reset();
+        if (layout.ms) bar.time = times(*layout.ms);
         bar.packed = true;
     }
     return figure;

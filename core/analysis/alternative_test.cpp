@@ -1,6 +1,6 @@
 #include "core/analysis/alternative_test.h"
 
-#include "core/analysis/cost_equation.h"
+#include "core/analysis/assumed_time.h"
 #include "core/collide/query_placement.h"
 #include "core/overlap/test_functors.h"
 
@@ -40,7 +40,7 @@ AlternativeTest try_alternative_test(const AnyHierarchy& a, const Mesh& mesh_a,
     options.overlap = other;
     const Collision found = asked_again(a, mesh_a, b, mesh_b, header, frame, options);
     result.pairs = found.pairs.size();
-    result.all = {found.n_v, found.n_p, operation_count(header.volume, other, found.stages)};
+    result.all = work_of(header.volume, other, options.descent, found);
     const auto* scbs_a = std::get_if<Hierarchy<Scb>>(&a);
     const auto* scbs_b = std::get_if<Hierarchy<Scb>>(&b);
     if (scbs_a == nullptr || scbs_b == nullptr) return result;

@@ -1,4 +1,5 @@
 #include "core/analysis/attribution.h"
+#include "core/analysis/assumed_time.h"
 
 #include <cassert>
 
@@ -154,10 +155,9 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
     const std::vector<Work> below = work_below(header, frame);
     Attribution result;
     PassCounts& counts = result.counts;
-    counts.all = {frame.found.n_v, frame.found.n_p,
-                  header.engine
-                      ? 0
-                      : operation_count(header.volume, header.options.overlap, frame.found.stages)};
+    counts.all = header.engine ? Work{frame.found.n_v, frame.found.n_p}
+                               : work_of(header.volume, header.options.overlap,
+                                         header.options.descent, frame.found);
     // Parents come before their children.
     std::vector<char> weak_so_far(tests.size());
     for (std::uint32_t i = 0; i < tests.size(); ++i) {

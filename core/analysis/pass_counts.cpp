@@ -8,6 +8,7 @@ Work& Work::operator+=(const Work& other) {
     volume_tests += other.volume_tests;
     triangle_tests += other.triangle_tests;
     operations += other.operations;
+    picoseconds += other.picoseconds;
     return *this;
 }
 
@@ -15,6 +16,7 @@ Work& Work::operator-=(const Work& other) {
     volume_tests -= other.volume_tests;
     triangle_tests -= other.triangle_tests;
     operations -= other.operations;
+    picoseconds -= other.picoseconds;
     return *this;
 }
 

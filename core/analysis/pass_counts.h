@@ -24,23 +24,17 @@ inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {"
 struct Work {
     std::uint64_t volume_tests = 0;
     std::uint64_t triangle_tests = 0;
-    std::uint64_t operations = 0;  ///< of the volume tests, see operation_cost
+    std::uint64_t operations = 0;   ///< of the volume tests, see operation_cost
+    std::uint64_t picoseconds = 0;  ///< see assumed_time; 0 if unknown: of another engine, of parts
 
     Work& operator+=(const Work& other);
     Work& operator-=(const Work& other);
-    /// By volume tests first, then by triangle tests, then by operations.
+    /// By volume tests first, then by triangle tests, then by operations, then by time.
     friend auto operator<=>(const Work&, const Work&) = default;
 };
 
-/// The cost of the tests of volumes and triangles together, in operations: an estimate of time that
-/// is the same on each machine. A test of two triangles takes as long as some 900 operations of
-/// tests of boxes (190 ns, at 0.21 ns per operation).
-inline std::uint64_t estimated_cost(const Work& work) {
-    return work.operations + 900 * work.triangle_tests;
-}
-/// The same in words.
-inline constexpr const char* cost_words =
-    "operations of the volume tests and 900 for each triangle test";
+/// The cost by which settings are compared, Work::picoseconds, in words.
+inline constexpr const char* cost_words = "assumed time of the tests, the same on every machine";
 
 /// The passed pairs of a query, or of several, and the work below the false ones.
 ///

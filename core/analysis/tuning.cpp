@@ -129,10 +129,11 @@ std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
         return refined_up_to * static_cast<double>(fewest);
     };
     const auto n_v = [](const Work& work) { return work.volume_tests; };
-    const double most_n_v = most(n_v), most_cost = most(estimated_cost);
+    const auto time = [](const Work& work) { return work.picoseconds; };
+    const double most_n_v = most(n_v), most_cost = most(time);
     std::erase_if(grid, [&](std::size_t i) {
         return static_cast<double>(n_v(counts[i])) > most_n_v &&
-               static_cast<double>(estimated_cost(counts[i])) > most_cost;
+               static_cast<double>(time(counts[i])) > most_cost;
     });
     return grid;
 }
@@ -141,8 +142,8 @@ std::vector<std::size_t> best_first(std::span<const Work> counts) {
     std::vector<std::size_t> places(counts.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
     std::stable_sort(places.begin(), places.end(), [&](std::size_t x, std::size_t y) {
-        return std::pair(estimated_cost(counts[x]), counts[x]) <
-               std::pair(estimated_cost(counts[y]), counts[y]);
+        return std::pair(counts[x].picoseconds, counts[x]) <
+               std::pair(counts[y].picoseconds, counts[y]);
     });
     return places;
 }

@@ -56,12 +56,12 @@ std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
 /// The indices of first trials whose volume and split should be refined. With the base's test,
 /// descent and growth, they take at most `refined_up_to` times the least N_v, or the least
-/// estimated cost, of such trials.
+/// cost, Work::picoseconds, of such trials.
 inline constexpr double refined_up_to = 1.3;
 std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
                                             std::span<const Work> counts);
 
-/// The indices of the settings, least estimated cost first; equal costs in the order of Work, equal
+/// The indices of the settings, least cost first; equal costs in the order of Work, equal
 /// counts in order.
 std::vector<std::size_t> best_first(std::span<const Work> counts);
 

@@ -82,7 +82,7 @@ void add_changes(std::vector<PanelItem>& items, const std::string& name, const W
                  const Work& to, bool best = false) {
     items.emplace_back(PanelRow{name,
                                 {change_text(from.volume_tests, to.volume_tests),
-                                 change_text(estimated_cost(from), estimated_cost(to))},
+                                 change_text(from.picoseconds, to.picoseconds)},
                                 {},
                                 best});
 }
@@ -123,7 +123,7 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
         // The cheapest first, since the panel may end before the last.
         std::vector<AlternativeTest> others = figure.others;
         std::stable_sort(others.begin(), others.end(), [](const auto& x, const auto& y) {
-            return estimated_cost(x.all) < estimated_cost(y.all);
+            return x.all.picoseconds < y.all.picoseconds;
         });
         for (const AlternativeTest& other : others)
             add_changes(items, short_title(other.overlap), counts.all, other.all);

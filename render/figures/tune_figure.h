@@ -13,7 +13,7 @@ namespace scb::render {
 struct TuneBar {
     std::string name;  ///< such as "scb2, split cost, descent area"
     double n_v = 1;
-    std::optional<double> cost = 1;  ///< see estimated_cost; nothing if it is packed
+    std::optional<double> cost = 1;  ///< in terms of the base; see cost_words
     struct Times {
         double least = 1, median = 1, most = 1;  ///< of several runs, or all equal
     };

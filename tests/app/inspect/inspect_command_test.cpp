@@ -62,6 +62,7 @@ TEST(InspectCommand, NamesTheSettingThatWouldHaveHelpedMost) {
     const std::string text = run_scb("inspect " + asked).out;
     EXPECT_LT(text.find("Best of "), text.find("passed because")) << text;
     EXPECT_NE(text.find(" of the cost of the present setting ("), std::string::npos) << text;
+    // A single test of two capsules costs less than any packed query.
     EXPECT_TRUE(text.ends_with("To use it: " + command + "\n")) << text;
     EXPECT_NE(text.find(" are slender"), std::string::npos) << text;
 }

@@ -96,10 +96,11 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
 
     // Its commands work as they stand.
     std::vector<std::string> commands = all_between(html, "<code>", "</code>");
-    ASSERT_EQ(commands.size(), 6u);
-    EXPECT_EQ(commands.front(), found["settings"]["command"]);
+    ASSERT_EQ(commands.size(), 7u);
+    EXPECT_EQ(commands.front(), found["settings"]["layout_command"]);
     EXPECT_EQ(run_scb(commands.front().substr(4)).status, 0);
-    commands.erase(commands.begin());
+    EXPECT_EQ(commands[1].rfind("scb::build_packed<scb::", 0), 0u) << "a line of C++";
+    commands.erase(commands.begin(), commands.begin() + 2);
     EXPECT_EQ(commands.back(),
               "scb inspect spheres-l1 --test corrected --frames 60,100 --top 2 "
               "--size 640x360 -o DIR");

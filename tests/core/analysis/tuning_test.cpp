@@ -104,7 +104,7 @@ TEST(RefinedTrials, AreAllThatCanBeChosenOfAVolumeAndASplit) {
 
 TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
     const std::vector<TuneSetting> trials = first_trials({});
-    std::vector<Work> counts(trials.size(), {1000, 100, 1000});
+    std::vector<Work> counts(trials.size(), {1000, 100, 1000, 91'000});
     const auto place = [&](const TuneSetting& setting) {
         return static_cast<std::size_t>(std::find(trials.begin(), trials.end(), setting) -
                                         trials.begin());
@@ -113,20 +113,20 @@ TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
                       two = place(with(VolumeKind::scb2)), balls = place(with(VolumeKind::ball));
     TuneSetting extents;
     extents.overlap.test = OverlapTest::extents;
-    counts[boxes] = {100, 9, 900};
-    counts[two] = {129, 9, 9000};
-    counts[balls] = {900, 0, 9900};
-    // Few operations, but the triangle tests are many.
-    counts[place(with(VolumeKind::ritter))] = {900, 100, 10};
-    counts[place(extents)] = {1, 1, 1};  // not with the test of the base
+    counts[boxes] = {100, 9, 900, 9'000};
+    counts[two] = {129, 9, 9000, 17'100};
+    counts[balls] = {900, 0, 9900, 9'900};
+    // Few operations, but much time, since the triangle tests are many.
+    counts[place(with(VolumeKind::ritter))] = {900, 100, 10, 90'010};
+    counts[place(extents)] = {1, 1, 1, 1};  // not with the test of the base
     std::vector<std::size_t> expected = {boxes, two, balls};
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(settings_to_refine(trials, counts), expected);
 }
 
 TEST(BestFirst, OrdersByCostThenVolumeTestsThenPlace) {
-    const std::vector<Work> counts = {{1, 1, 0}, {2, 0, 900}, {9, 0, 2},
-                                      {9, 0, 1}, {9, 0, 1},   {0, 9, 0}};
+    const std::vector<Work> counts = {{1, 1, 0, 900}, {2, 0, 1, 900}, {9, 0, 2, 2},
+                                      {9, 0, 1, 1},   {9, 0, 1, 1},   {0, 9, 0, 8100}};
     EXPECT_EQ(best_first(counts), (std::vector<std::size_t>{3, 4, 2, 0, 1, 5}));
 }
 

@@ -49,8 +49,8 @@ TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {
     const auto with = [&](double threshold, std::uint64_t n_v_of_setting) {
         InspectFigure figure = figure_of(1, 100, 50);
         figure.others.back().overlap.threshold = threshold;
-        figure.settings_from = {1000, 100, 10000};
-        if (n_v_of_setting > 0) figure.settings = {{"scb2", {n_v_of_setting, 10, 1000}}};
+        figure.settings_from = {1000, 100, 10000, 900};
+        if (n_v_of_setting > 0) figure.settings = {{"scb2", {n_v_of_setting, 10, 1000, 90}}};
         return drawn(drawing, figure, 1280, 720);
     };
     const Image image = with(0.5, 500);
@@ -59,8 +59,8 @@ TEST(InspectFigure, PanelTellsThresholdsApartAndSaysWhatWouldHaveHelped) {
     EXPECT_NE(with(0.5, 400), image);
     EXPECT_NE(with(0.5, 0), image);
     InspectFigure best = figure_of(1, 100, 50);
-    best.settings_from = {1000, 100, 10000};
-    best.settings = {{"scb2", {500, 10, 1000}}};
+    best.settings_from = {1000, 100, 10000, 900};
+    best.settings = {{"scb2", {500, 10, 1000, 90}}};
     const Image unmarked = drawn(drawing, best, 1280, 720);
     best.settings[0].recommended = true;
     EXPECT_NE(drawn(drawing, best, 1280, 720), unmarked);
