@@ -99,7 +99,7 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
     ASSERT_EQ(commands.size(), 7u);
     EXPECT_EQ(commands.front(), found["settings"]["layout_command"]);
     EXPECT_EQ(run_scb(commands.front().substr(4)).status, 0);
-    EXPECT_EQ(commands[1].rfind("scb::build_packed<scb::", 0), 0u) << "a line of C++";
+    EXPECT_EQ(commands[1].rfind("scb::build_packed&lt;scb::", 0), 0u) << "a line of C++";
     commands.erase(commands.begin(), commands.begin() + 2);
     EXPECT_EQ(commands.back(),
               "scb inspect spheres-l1 --test corrected --frames 60,100 --top 2 "

@@ -57,8 +57,7 @@ TEST(TuneCommand, LayoutsHaveTheCountsAndMemoryOfBench) {
     EXPECT_EQ(volumes, (std::map<std::string, std::size_t>{{"scb", 12}, {"scb2", 12}}));
     // Without times, the layout is one that costs less than any setting unpacked.
     const json& chosen = found["layouts"][found["best"]["layout"].get<std::size_t>()];
-    EXPECT_LT(chosen["cost"],
-              found["settings"][found["best"]["cost"].get<std::size_t>()]["cost"]);
+    EXPECT_LT(chosen["cost"], found["settings"][found["best"]["cost"].get<std::size_t>()]["cost"]);
     for (const json& layout : found["layouts"])
         EXPECT_TRUE(!layout["layout"].get<std::string>().ends_with("8") || layout["leaf"] != 4 ||
                     chosen["cost"].get<double>() <= 1.1 * layout["cost"].get<double>())
