@@ -9,6 +9,7 @@
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
 #include "app/study/recorded_pair.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -63,6 +64,16 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
         figure.settings_from = tuning.base().counts;
         figure.settings = best_of_volumes(tuning);
         figure.best = setting_text(tuning.rows[tuning.recommended()].setting);
+        if (tuning.quicker_layout && !tuning.timed()) {
+            for (render::InspectedSetting& setting : figure.settings) setting.recommended = false;
+            const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+            const VolumeKind kind = tuning.rows[layout.row].setting.volume;
+            figure.settings.insert(figure.settings.begin(),
+                                   {std::string(volume_kind_name(kind)) + ", packed",
+                                    {layout.n_v, layout.n_p, 0, layout.picoseconds},
+                                    true});
+            figure.best = layout_text(tuning, layout);
+        }
     }
     figure.theme = options.theme();
     const render::Picture picture =
