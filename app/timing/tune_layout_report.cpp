@@ -66,18 +66,17 @@ std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) 
 std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
     const TuneSetting& setting = tuning.rows[layout.row].setting;
     const bool is_quantized = layout.layout.numbers == PackedLayout::Numbers::quantized,
-               is_indexed = layout.layout.corners == LeafCorners::in_mesh,
-               has_options =
-                   setting.split != packed_build.split || setting.growth != TuneSetting{}.growth;
+               is_indexed = layout.layout.corners == LeafCorners::in_mesh;
+    const double margin = tuning.build.fit.margin;
+    std::string fit;
+    if (setting.growth != TuneSetting{}.growth) fit = ".growth = scb::BallGrowth::radius";
+    if (margin != 0) fit += (fit.empty() ? ".margin = " : ", .margin = ") + Json(margin).dump();
     std::string code =
         "scb::build_packed<scb::" + std::string(is_quantized ? "QuantizedCodec" : "FloatCodec") +
         "<" + std::to_string(layout.layout.width) +
         (setting.volume == VolumeKind::scb2 ? ", scb::Scb2" : "") + ">>(mesh";
-    if (has_options)
-        code += std::string(", {") +
-                (setting.growth == TuneSetting{}.growth
-                     ? ""
-                     : ".fit = {.growth = scb::BallGrowth::radius}, ") +
+    if (setting.split != packed_build.split || !fit.empty())
+        code += ", {" + (fit.empty() ? "" : ".fit = {" + fit + "}, ") +
                 ".split = scb::SplitMethod::" +
                 (setting.split == SplitMethod::cost ? "cost}" : "section_3}");
     else if (is_indexed || layout.layout.leaf_triangles != most_leaf_triangles)

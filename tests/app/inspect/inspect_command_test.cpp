@@ -67,6 +67,20 @@ TEST(InspectCommand, NamesTheSettingThatWouldHaveHelpedMost) {
     EXPECT_NE(text.find(" are slender"), std::string::npos) << text;
 }
 
+TEST(InspectCommand, NamesTheLineOfCodeThatBuildsTheBestLayout) {
+    const auto code = [](const std::string& asked) {
+        const std::string text = run_scb("inspect " + asked).out, words = "\n  in C++: ";
+        const std::size_t at = text.find(words);
+        EXPECT_NE(at, std::string::npos) << text;
+        return text.substr(at + words.size(), text.find('\n', at + 1) - at - words.size());
+    };
+    EXPECT_EQ(code("spheres-l1 --frames 100"),
+              "scb::build_packed<scb::QuantizedCodec<8, scb::Scb2>>(mesh)");
+    EXPECT_EQ(code("spheres-l1 --frames 100 --margin 0.25")
+                  .find("(mesh, {.fit = {.margin = 0.25}, .split = scb::SplitMethod::cost})"),
+              std::string("scb::build_packed<scb::QuantizedCodec<8>>").size());
+}
+
 TEST(InspectCommand, GivesUpSettingsThatCostFarMoreAndNamesTheSameBest) {
     // In the second, queries of many frames end at the roots, and others take many tests.
     for (const std::string queries :
