@@ -350,9 +350,9 @@ void set_settings(data& values, const InspectSettings& settings, std::size_t fra
     values["best_words"] = settings.recorded
                                ? "Changes are relative to the recorded tests."
                                : best_sentences(tuning, "the present setting").front();
-    const bool is_packed = !tuning.timed() && !settings.layout_command.empty();
-    values["use"] = is_packed ? settings.layout_command : settings.command;
-    if (is_packed) values["code"] = layout_code(tuning, tuning.layouts[*tuning.quicker_layout]);
+    const TuneLayout* const cheapest = tuning.cheapest_layout();
+    values["use"] = cheapest ? settings.layout_command : settings.command;
+    if (cheapest) values["code"] = layout_code(tuning, *cheapest);
     const std::string packed = layout_sentence(tuning);
     if (!packed.empty()) values["packed"] = packed;
     if (!settings.layout_command.empty()) values["use_packed"] = settings.layout_command;

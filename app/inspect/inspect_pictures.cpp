@@ -64,15 +64,14 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
         figure.settings_from = tuning.base().counts;
         figure.settings = best_of_volumes(tuning);
         figure.best = setting_text(tuning.rows[tuning.recommended()].setting);
-        if (tuning.quicker_layout && !tuning.timed()) {
+        if (const TuneLayout* const layout = tuning.cheapest_layout()) {
             for (render::InspectedSetting& setting : figure.settings) setting.recommended = false;
-            const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
-            const VolumeKind kind = tuning.rows[layout.row].setting.volume;
+            const VolumeKind kind = tuning.rows[layout->row].setting.volume;
             figure.settings.insert(figure.settings.begin(),
                                    {std::string(volume_kind_name(kind)) + ", packed",
-                                    {layout.n_v, layout.n_p, 0, layout.picoseconds},
+                                    {layout->n_v, layout->n_p, 0, layout->picoseconds},
                                     true});
-            figure.best = layout_text(tuning, layout);
+            figure.best = layout_text(tuning, *layout);
         }
     }
     figure.theme = options.theme();

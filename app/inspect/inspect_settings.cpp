@@ -118,16 +118,14 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     if (!tuning) return std::nullopt;
     InspectSettings result{
         std::move(*tuning), {}, {}, render::volume_title(source.header()), recorded};
-    result.command =
+    const std::string collide =
         "scb collide" + options.of_meshes +
-        (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames) +
-        setting_options(result.tuning.rows[result.tuning.recommended()].setting);
-    if (const auto layout = result.tuning.quicker_layout)
+        (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames);
+    const SceneTuning& found = result.tuning;
+    result.command = collide + setting_options(found.rows[found.recommended()].setting);
+    if (found.quicker_layout)
         result.layout_command =
-            "scb collide" + options.of_meshes +
-            (recording.changes_meshes ? " --frames " + std::to_string(counted[0])
-                                      : options.of_frames) +
-            layout_options(result.tuning, result.tuning.layouts[*layout]);
+            collide + layout_options(found, found.layouts[*found.quicker_layout]);
     return result;
 }
 
@@ -159,10 +157,10 @@ std::string recorded_text(const InspectSettings& settings) {
     const std::vector<std::size_t> rows = listed_settings(settings);
     std::uint64_t least = tuning.rows[rows.front()].counts.picoseconds;
     std::string packed;
-    if (tuning.quicker_layout) {
-        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
-        packed = layout_text(tuning, layout) + ", packed";
-        least = layout.picoseconds;
+    const TuneLayout* const layout = tuning.cheapest_layout();
+    if (layout) {
+        packed = layout_text(tuning, *layout) + ", packed";
+        least = layout->picoseconds;
     }
     const auto cost_text = [least](std::uint64_t cost) {
         return format("  %6.2f\n", ratio(static_cast<double>(cost), static_cast<double>(least)));
@@ -174,11 +172,9 @@ std::string recorded_text(const InspectSettings& settings) {
             "         N_v  /rec'd         N_p  /rec'd    cost\n  " +
             left_aligned(settings.engine, width) +
             counts_text(*settings.recorded, *settings.recorded) + "\n";
-    if (tuning.quicker_layout) {
-        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+    if (layout)
         text += "  " + left_aligned(packed, width) +
-                counts_text({layout.n_v, layout.n_p}, *settings.recorded) + cost_text(least);
-    }
+                counts_text({layout->n_v, layout->n_p}, *settings.recorded) + cost_text(least);
     for (const std::size_t row : rows)
         text += "  " + left_aligned(setting_text(tuning.rows[row].setting), width) +
                 counts_text(tuning.rows[row].counts, *settings.recorded) +

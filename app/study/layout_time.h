@@ -9,8 +9,8 @@
 namespace scb::app {
 
 /// assumed_time of a query of packed hierarchies with leaves of four triangles; `volume` is scb or
-/// scb2. Fitted to the same scenes on the same machine; queries took 0.8 to 1.3 of the assumed
-/// time, where triangles touch each other up to 1.4.
+/// scb2. Fitted to the same scenes on the same machine. Queries take 0.7 to 1.5 of the assumed
+/// time, and up to 2.2 of it where parts lie on each other.
 std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout, const Collision& found);
 
 }  // namespace scb::app

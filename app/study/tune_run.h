@@ -56,14 +56,18 @@ struct SceneTuning {
     std::string no_layouts;           ///< a sentence: why there are no layouts
     /// The index of a layout that is measurably quicker than `recommended`, if there is one. Of the
     /// layouts that no other is measurably quicker than, it is the one with the least memory.
-    /// Without times, one of widest_layouts that costs less than `recommended`. Of
-    /// those that cost at most a tenth more than the least, it is the one with the least memory.
+    /// Without times, one of widest_layouts that costs less than `recommended`. Of the layouts that
+    /// cost at most a tenth more than the least, it is the one with the least memory.
     std::optional<std::size_t> quicker_layout;
 
     double mean(std::uint64_t sum) const {
         return static_cast<double>(sum) / static_cast<double>(frames.size());
     }
     const TuneRow& base() const { return rows[0]; }
+    /// The layout that costs less than every row; null with times, or if no layout does.
+    const TuneLayout* cheapest_layout() const {
+        return !timed() && quicker_layout ? &layouts[*quicker_layout] : nullptr;
+    }
     /// At most `most` of the best rows, the best first, and the recommended one. Leaves out rows
     /// that differ from a better row only in the growth of balls. The base is not listed.
     std::vector<std::size_t> listed(std::size_t most) const;
@@ -84,8 +88,8 @@ std::vector<PackedLayout> widest_layouts();
 struct TuneOptions {
     TuneSetting base;  ///< overlap and growth keep their defaults if the volume does not use them
     BuildOptions build;
-    bool every = false;  ///< tries all settings, not just those of the most promising volumes
-    int repeats = 0;     ///< of each timed query; 0: nothing is timed
+    bool every = false;                      ///< whether the settings of all volumes are tried
+    int repeats = 0;                         ///< of each timed query; 0: nothing is timed
     std::vector<PackedLayout> layouts = {};  ///< that are tried, see tried_layouts
     /// Whether a setting is given up if it costs more than `hopeless_cost` times the least that a
     /// setting before it costs, as soon as some of its frames show that. Settings whose test may

@@ -67,6 +67,7 @@ std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
     const TuneSetting& setting = tuning.rows[layout.row].setting;
     const bool is_quantized = layout.layout.numbers == PackedLayout::Numbers::quantized,
                is_indexed = layout.layout.corners == LeafCorners::in_mesh;
+    const bool gives_leaf = is_indexed || layout.layout.leaf_triangles != most_leaf_triangles;
     const double margin = tuning.build.fit.margin;
     std::string fit;
     if (setting.growth != TuneSetting{}.growth) fit = ".growth = scb::BallGrowth::radius";
@@ -79,10 +80,9 @@ std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
         code += ", {" + (fit.empty() ? "" : ".fit = {" + fit + "}, ") +
                 ".split = scb::SplitMethod::" +
                 (setting.split == SplitMethod::cost ? "cost}" : "section_3}");
-    else if (is_indexed || layout.layout.leaf_triangles != most_leaf_triangles)
+    else if (gives_leaf)
         code += ", scb::packed_build";
-    if (is_indexed || layout.layout.leaf_triangles != most_leaf_triangles)
-        code += ", " + std::to_string(layout.layout.leaf_triangles);
+    if (gives_leaf) code += ", " + std::to_string(layout.layout.leaf_triangles);
     return code + (is_indexed ? ", scb::LeafCorners::in_mesh)" : ")");
 }
 

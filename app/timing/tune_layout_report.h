@@ -10,7 +10,7 @@ namespace scb::app {
 /// "scb2, split cost, quantized8": the hierarchies and their layout.
 std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout);
 
-/// The options of `scb bench` for the layout: " --volume scb2 --split cost --layout quantized8".
+/// The options of `scb collide` and `scb bench`: " --volume scb2 --split cost --layout quantized8".
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 
 /// The call of the library that builds such a hierarchy of `mesh`.

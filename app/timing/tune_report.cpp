@@ -88,12 +88,11 @@ std::string best_text(const SceneTuning& tuning, const std::string& base) {
     const std::size_t best = tuning.recommended();
     const TuneRow& row = tuning.rows[best];
     const std::size_t settings = tuning.rows.size() + tuning.given_up;
-    if (!tuning.timed() && tuning.quicker_layout) {
-        const TuneLayout& layout = tuning.layouts[*tuning.quicker_layout];
+    if (const TuneLayout* const layout = tuning.cheapest_layout()) {
         return format("Best of %zu settings and %zu packed layouts: ", settings,
                       tuning.layouts.size()) +
-               layout_text(tuning, layout) + ", packed, with " +
-               cost_text(tuning, layout.picoseconds, base) + "; unpacked: " +
+               layout_text(tuning, *layout) + ", packed, with " +
+               cost_text(tuning, layout->picoseconds, base) + "; unpacked: " +
                (best == 0 ? base
                           : setting_text(row.setting) + ", with " +
                                 format("%.3f", cost_of_base(tuning, best))) +

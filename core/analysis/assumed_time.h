@@ -15,9 +15,9 @@ namespace scb {
 ///
 /// The constants are least-squares fits of the relative error over 13 scenes, of smooth meshes and
 /// of CAD, on one core of an Intel Xeon at 2.3 GHz with AVX-512 (GCC 12.2, -O3). The time of the
-/// setting that they prefer was 1.00 to 1.15 of the least measured time, in each scene. Queries of
-/// k-DOPs take 0.5 to 2.2 of the assumed time; where triangles touch each other, all volumes take
-/// up to twice the assumed time, since the test of two triangles is then decided exactly.
+/// setting that they prefer was 1.00 to 1.15 of the least measured time, in each scene. Queries
+/// take 0.7 to 1.5 of the assumed time, of k-DOPs 0.9 to 2.1, of two slabs 0.5 to 1.5. Where parts
+/// lie on each other, queries take up to 2.6 of it, since triangles are then decided exactly.
 std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
                            const Collision& found);
 

@@ -33,7 +33,7 @@ struct Work {
     friend auto operator<=>(const Work&, const Work&) = default;
 };
 
-/// The cost by which settings are compared, Work::picoseconds, in words.
+/// The words of reports for the cost of a setting, which is Work::picoseconds.
 inline constexpr const char* cost_words = "assumed time of the tests, the same on every machine";
 
 /// The passed pairs of a query, or of several, and the work below the false ones.

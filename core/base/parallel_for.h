@@ -25,4 +25,17 @@ void parallel_blocks(int threads, std::size_t count,
 void parallel_invoke(int threads, const std::function<void()>& first,
                      const std::function<void()>& second);
 
+/// Calls both halves of a recursion with the number of threads that each may use: at the same time
+/// if `shared` and there is more than one thread, else in turn.
+template <class First, class Second>
+void in_halves(int threads, bool shared, const First& first, const Second& second) {
+    if (threads > 1 && shared) {
+        parallel_invoke(
+            threads, [&] { first(threads); }, [&] { second(threads); });
+    } else {
+        first(1);
+        second(1);
+    }
+}
+
 }  // namespace scb

@@ -59,14 +59,9 @@ class Collapse {
             choices_[i].fill(by_leaf);
             return left;
         }
-        if (threads > 1 && node.count >= divided_from) {
-            parallel_invoke(
-                threads, [&] { left = weigh(node.left, threads); },
-                [&] { right = weigh(node.left + 1, threads); });
-        } else {
-            left = weigh(node.left, 1);
-            right = weigh(node.left + 1, 1);
-        }
+        in_halves(
+            threads, node.count >= divided_from, [&](int each) { left = weigh(node.left, each); },
+            [&](int each) { right = weigh(node.left + 1, each); });
         return weigh(i, left, right);
     }
 

@@ -27,14 +27,9 @@ class VisitCosts {
         if (node.is_leaf()) return box_of_triangle(topology_.order[node.first]);
         constexpr std::uint32_t divided_from = 8192;
         Box left, right;
-        if (threads > 1 && node.count >= divided_from) {
-            parallel_invoke(
-                threads, [&] { left = weigh(node.left, threads); },
-                [&] { right = weigh(node.left + 1, threads); });
-        } else {
-            left = weigh(node.left, 1);
-            right = weigh(node.left + 1, 1);
-        }
+        in_halves(
+            threads, node.count >= divided_from, [&](int each) { left = weigh(node.left, each); },
+            [&](int each) { right = weigh(node.left + 1, each); });
         return {left.lower.cwiseMin(right.lower), left.upper.cwiseMax(right.upper)};
     }
     Box box_of_triangle(std::uint32_t triangle) const {
