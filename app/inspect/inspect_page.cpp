@@ -123,14 +123,15 @@ data other_rows(const InspectReport& report) {
 data setting_rows(const InspectSettings& settings) {
     const SceneTuning& tuning = settings.tuning;
     const Work& from = settings.recorded ? *settings.recorded : tuning.base().counts;
+    const TuneLayout* const cheapest = tuning.cheapest_layout();
     data rows(data::type::list);
     const auto add = [&](std::size_t r) {
         const TuneRow& found = tuning.rows[r];
         data row;
         row["setting"] =
             (r == 0 && !settings.recorded ? "present: " : "") + setting_text(found.setting);
-        row["best"] =
-            data(r == tuning.recommended() ? data::type::bool_true : data::type::bool_false);
+        row["best"] = data(!cheapest && r == tuning.recommended() ? data::type::bool_true
+                                                                  : data::type::bool_false);
         set_changes(row, from, found.counts);
         if (settings.recorded) {
             row["operations_change"] = "";
@@ -151,6 +152,18 @@ data setting_rows(const InspectSettings& settings) {
         rows << row;
     } else {
         add(0);
+    }
+    if (cheapest) {
+        data row;
+        row["setting"] = layout_text(tuning, *cheapest) + ", packed";
+        row["best"] = data(data::type::bool_true);
+        set_changes(row, from, {cheapest->n_v, cheapest->n_p, 0, cheapest->picoseconds});
+        // Operations of packed tests are not counted.
+        row["operations"] = "–";
+        row["operations_change"] = "";
+        if (settings.recorded) row["cost_change"] = "";
+        row["bytes"] = format("%.0f", cheapest->bytes_per_triangle);
+        rows << row;
     }
     for (const std::size_t r : listed_settings(settings)) add(r);
     return rows;

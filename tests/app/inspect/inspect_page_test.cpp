@@ -99,6 +99,9 @@ TEST(InspectPage, WritesAPageWithPicturesOfTheWorstPairs) {
     ASSERT_EQ(commands.size(), 7u);
     EXPECT_EQ(commands.front(), found["settings"]["layout_command"]);
     EXPECT_EQ(run_scb(commands.front().substr(4)).status, 0);
+    const std::vector<std::string> best = all_between(html, "<tr class=\"best\"><td>", ", best<");
+    ASSERT_EQ(best.size(), 1u);
+    EXPECT_TRUE(best.front().ends_with(", packed")) << best.front();
     EXPECT_EQ(commands[1].rfind("scb::build_packed&lt;scb::", 0), 0u) << "a line of C++";
     commands.erase(commands.begin(), commands.begin() + 2);
     EXPECT_EQ(commands.back(),
