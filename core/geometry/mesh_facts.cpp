@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "core/base/statistics.h"
@@ -14,15 +13,6 @@
 namespace scb {
 namespace {
 
-/// The longest side over the height on it, and the longest side.
-std::pair<double, double> slenderness(const TriangleCorners& t) {
-    const double longest =
-        std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-    const double doubled_area = std::sqrt(squared_norm(cross(t[1] - t[0], t[2] - t[0])));
-    return {ratio(longest * longest, doubled_area, std::numeric_limits<double>::infinity()),
-            longest};
-}
-
 std::size_t class_of(double slenderness) {
     std::size_t found = 0;
     for (double limit = 4; found + 1 < slenderness_classes && slenderness >= limit; limit *= 4)
@@ -31,6 +21,14 @@ std::size_t class_of(double slenderness) {
 }
 
 }  // namespace
+
+TriangleSize triangle_size(const TriangleCorners& t) {
+    const double longest =
+        std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    const double doubled_area = std::sqrt(squared_norm(cross(t[1] - t[0], t[2] - t[0])));
+    return {longest,
+            ratio(longest * longest, doubled_area, std::numeric_limits<double>::infinity())};
+}
 
 std::size_t MeshFacts::slender() const {
     return std::accumulate(slenderness.begin() + 2, slenderness.end(), std::size_t{0});
@@ -48,7 +46,7 @@ MeshFacts mesh_facts(const Mesh& mesh) {
             ++facts.degenerate;
             continue;
         }
-        const auto [slender, side] = slenderness(at);
+        const auto [side, slender] = triangle_size(at);
         all.push_back(slender);
         ++facts.slenderness[class_of(slender)];
         if (slender >= 16 && side > facts.longest_slender_side) {

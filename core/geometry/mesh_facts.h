@@ -5,6 +5,7 @@
 
 #include "scb/mesh.h"
 #include "scb/pose.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb {
 
@@ -35,6 +36,13 @@ struct MeshFacts {
     /// How many triangles have a slenderness of 16 and more.
     std::size_t slender() const;
 };
+
+/// The longest side of a triangle, and its slenderness: the longest side over the height on it,
+/// infinite for collinear corners.
+struct TriangleSize {
+    double longest_side = 0, slenderness = 0;
+};
+TriangleSize triangle_size(const TriangleCorners& corners);
 
 /// O(n log n) in the triangles. `mesh` must satisfy check_mesh.
 MeshFacts mesh_facts(const Mesh& mesh);
