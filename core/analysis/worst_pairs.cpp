@@ -53,6 +53,11 @@ void WorstPairs::add(const QueryTrace& frame, const Attribution& attribution) {
         const std::uint64_t around = parent == no_step ? 0 : listed[parent];
         listed[pair.test] = around;
         if (pair.reason != reason_) continue;
+        const Step& test = frame.steps.volumes[pair.test];
+        if (parent == no_step && test.depth_a == 0 && test.depth_b == 0) {
+            listed[pair.test] = pair.below.volume_tests + pair.below.triangle_tests;
+            continue;
+        }
         const FalsePair found{frame.frame, pair, numbered(frame, pair.test)};
         const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
         if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;

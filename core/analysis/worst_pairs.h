@@ -26,8 +26,8 @@ struct WronglyRejectedPair {
 ///
 /// Weak tests are listed if they are not below another weak test, loose fits if they are not below
 /// any false pair. If these are too few, parts of them follow, each with at most a quarter of the
-/// cost of the pair around it. Without contact, for example, all false pairs are below the pair of
-/// roots.
+/// cost of the pair around it. The pair of the two roots is not listed, since no other hierarchy
+/// avoids its test: without contact, parts of that pair are.
 class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}

@@ -18,15 +18,16 @@ struct Passed {
     bool within = false;  ///< a pair of the same reason
 };
 
-/// Adds the pairs of a chain, in which each pair led to the next.
+/// Adds the pairs of a chain, in which each pair led to the next; below a test of the roots.
 void add(WorstPairs& worst, int frame, const std::vector<Passed>& chain) {
     MadeQuery query;
     query.frame.frame = frame;
+    query.test(MadeQuery::none, {0, 0});
     Attribution found;
     for (std::uint32_t i = 0; i < chain.size(); ++i) {
-        query.test(i == 0 ? MadeQuery::none : i - 1, {chain[i].nodes, 0});
+        query.test(i, {chain[i].nodes, 0});
         PassedPair pair;
-        pair.test = i;
+        pair.test = i + 1;
         pair.reason = chain[i].reason;
         (pair.reason == weak_test_reason ? pair.within_weak_test : pair.within_false_pair) =
             chain[i].within;
@@ -57,6 +58,22 @@ TEST(WorstPairs, APairOfNodesIsListedOnceWhereItIsWorst) {
         add(worst, frame, {{7, below, loose_fit_reason}});
     EXPECT_EQ(places(worst.pairs()), (Places{{2, 7}}));
     EXPECT_EQ(worst.pairs()[0].pair.below.volume_tests, 30u);
+}
+
+TEST(WorstPairs, TheRootsAreNotListedButTheirParts) {
+    MadeQuery query;
+    Attribution found;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        query.test(i == 0 ? MadeQuery::none : 0, {i, i});
+        PassedPair& pair = found.passed.emplace_back();
+        pair.test = i;
+        pair.reason = loose_fit_reason;
+        pair.within_false_pair = i > 0;
+        pair.below.volume_tests = i == 0 ? 100 : 20;
+    }
+    WorstPairs worst(loose_fit_reason, 3);
+    worst.add(query.frame, found);
+    EXPECT_EQ(places(worst.pairs()), (Places{{0, 1}}));
 }
 
 TEST(WorstPairs, PartsFollowWhereThereAreFewThatAreNotWithinOthers) {
