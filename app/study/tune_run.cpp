@@ -1,6 +1,7 @@
 #include "app/study/tune_run.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <cmath>
@@ -62,6 +63,11 @@ class Run {
         // Each hierarchy is built once, and only one set of them exists at a time.
         for (std::size_t first = old; first < rows.size(); ++first) {
             if (done[first]) continue;
+            if (is_hopeless(rows[first].setting)) {
+                kept[first] = false;
+                if (!progress_.step()) return false;
+                continue;
+            }
             const BuiltSetting built = subject_.build(rows[first].setting);
             for (std::size_t r = first; r < rows.size(); ++r) {
                 if (done[r] || !same_hierarchies(rows[r].setting, built.setting)) continue;
@@ -155,6 +161,19 @@ class Run {
                setting.descent == usual.descent && setting.growth == usual.growth;
     }
 
+    /// Whether a k-DOP would cost too much with half of the tests of the tightest volumes so far, in
+    /// trees of the same split. Then its hierarchies are not built. Tight volumes with cheap tests
+    /// are tried before.
+    bool is_hopeless(const TuneSetting& setting) const {
+        const auto& fewest = fewest_tests_[setting.split == SplitMethod::cost ? 1 : 0];
+        const bool is_dop = setting.volume == VolumeKind::dop14 ||
+                            setting.volume == VolumeKind::dop18 ||
+                            setting.volume == VolumeKind::dop26;
+        return is_dop && fewest &&
+               assumed_test_time(setting.volume, setting.overlap.test) * (*fewest / 2) >
+                   hopeless_cost * *least_cost_;
+    }
+
     /// False if the setting is given up. Which ones are does not depend on the order in which
     /// frames are counted: the cost of some frames is at most the cost of all.
     bool count_row(std::size_t r, const BuiltSetting& built) {
@@ -175,12 +194,15 @@ class Run {
         });
         if (is_hopeless()) return false;
         // A test that misses pairs may end early, and cost little.
-        if (gives_up_ && is_sound(row.setting.overlap.test))
-            least_cost_ = std::min(least_cost_.value_or(cost), cost.load());
         for (std::size_t i = 0; i < counts.size(); ++i) {
             row.counts += counts[i];
             row.pairs += pairs_[r][i];
             most_[i] = std::max(most_[i], pairs_[r][i]);
+        }
+        if (gives_up_ && is_sound(row.setting.overlap.test)) {
+            least_cost_ = std::min(least_cost_.value_or(cost), cost.load());
+            auto& fewest = fewest_tests_[row.setting.split == SplitMethod::cost ? 1 : 0];
+            fewest = std::min(fewest.value_or(row.counts.volume_tests), row.counts.volume_tests);
         }
         row.bytes_per_triangle = subject_.bytes_per_triangle(built);
         row.build_ms = built.ms;
@@ -210,6 +232,8 @@ class Run {
     std::vector<TuneSetting> given_up_;
     const TuneProgress& progress_;
     std::optional<std::uint64_t> least_cost_;        // of a row, if settings are given up
+    // Then also of a row of each split.
+    std::array<std::optional<std::uint64_t>, 2> fewest_tests_;
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame
     std::vector<std::uint64_t> most_;                // pairs per frame
 };
@@ -294,7 +318,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
                                       const TuneProgress& progress) {
     TuneSubject subject(scene, a, b, frames, options.build);
     Run run(subject, options, progress);
-    if (!run.count(first_trials(options.base))) return std::nullopt;
+    if (!run.count(first_trials(options.base, !options.gives_up))) return std::nullopt;
     const std::vector<TuneSetting> first = run.settings();
     std::vector<TuneSetting> refined;
     const auto refine = [&](const std::vector<std::size_t>& places) {
@@ -306,7 +330,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
         std::iota(all.begin(), all.end(), std::size_t{0});
         refine(all);
     } else {
-        refine(settings_to_refine(first, run.counts()));
+        refine(settings_to_refine(first, run.counts(), !options.gives_up));
     }
     if (!run.count(refined)) return std::nullopt;
 
@@ -329,7 +353,7 @@ std::optional<SceneTuning> tune_scene(const scenes::Scene& scene, std::size_t a,
                 return result.rows[x].counts.*count < result.rows[y].counts.*count;
             });
     };
-    if (result.given_up == 0) {
+    if (!options.gives_up) {
         result.fewest_tests = fewest_of(&Work::volume_tests);
         result.fewest_operations = fewest_of(&Work::operations);
     }

@@ -48,7 +48,7 @@ struct SceneTuning {
     std::size_t given_up = 0;       ///< settings without a row, see TuneOptions::gives_up
     std::vector<std::size_t> best;  ///< rows that find all pairs, the least cost first;
                                     ///< of rows with equal counts only the first
-    /// Rows in `best`; none if settings were given up, which may have fewer.
+    /// Rows in `best`; none if settings may be given up, which may have fewer.
     std::optional<std::size_t> fewest_tests, fewest_operations;
     int runs = 0;                     ///< of each timed query
     std::size_t least_time = 0;       ///< see least_time_of; 0 if nothing is timed
@@ -91,9 +91,10 @@ struct TuneOptions {
     bool every = false;                      ///< whether the settings of all volumes are tried
     int repeats = 0;                         ///< of each timed query; 0: nothing is timed
     std::vector<PackedLayout> layouts = {};  ///< that are tried, see tried_layouts
-    /// Whether a setting is given up if it costs more than `hopeless_cost` times the least that a
-    /// setting before it costs, as soon as some of its frames show that. Settings whose test may
-    /// miss pairs are no measure.
+    /// Whether to try fewer settings: no other thresholds, and no variants of volumes that cost more
+    /// than the best. A setting is given up if it costs more than `hopeless_cost` times the least
+    /// that a setting before it costs, as soon as some of its frames show that; a k-DOP by the tests of
+    /// other volumes. Settings whose test may miss pairs are no measure.
     bool gives_up = false;
 };
 inline constexpr std::uint64_t hopeless_cost = 3;

@@ -57,6 +57,10 @@ VolumeTimes times_of(VolumeKind volume, OverlapTest test) {
 
 }  // namespace
 
+std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test) {
+    return times_of(volume, test).test;
+}
+
 std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
                            const Collision& found) {
     constexpr std::uint64_t triangle_test = 34'000, pair = 150'000;

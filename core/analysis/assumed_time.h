@@ -21,6 +21,9 @@ namespace scb {
 std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
                            const Collision& found);
 
+/// The assumed time of one test of two volumes, in picoseconds.
+std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test);
+
 /// The work of a query of a whole hierarchy, with its assumed time.
 Work work_of(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
              const Collision& found);

@@ -64,7 +64,7 @@ Tuned tuned(const TuneSetting& setting, const TuneSetting& base) {
     return found;
 }
 
-std::vector<TuneSetting> first_trials(const TuneSetting& base) {
+std::vector<TuneSetting> first_trials(const TuneSetting& base, bool thresholds) {
     std::vector<TuneSetting> trials = {base};
     for (const SplitMethod split : {SplitMethod::section_3, SplitMethod::cost})
         for (const VolumeKind volume : all_volume_kinds()) {
@@ -80,7 +80,7 @@ std::vector<TuneSetting> first_trials(const TuneSetting& base) {
             add_once(trials, setting);
         }
         setting.overlap.test = OverlapTest::corrected;
-        for (int step = 2; step < 20; ++step) {
+        for (int step = 2; thresholds && step < 20; ++step) {
             setting.overlap.threshold = step / 20.0;
             add_once(trials, setting);
         }
@@ -114,7 +114,7 @@ std::vector<TuneSetting> refined_trials(const TuneSetting& base) {
 }
 
 std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
-                                            std::span<const Work> counts) {
+                                            std::span<const Work> counts, bool by_tests) {
     assert(!trials.empty() && counts.size() == trials.size() && "every trial has counts");
     std::vector<std::size_t> grid;
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -132,7 +132,7 @@ std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
     const auto time = [](const Work& work) { return work.picoseconds; };
     const double most_n_v = most(n_v), most_cost = most(time);
     std::erase_if(grid, [&](std::size_t i) {
-        return static_cast<double>(n_v(counts[i])) > most_n_v &&
+        return (!by_tests || static_cast<double>(n_v(counts[i])) > most_n_v) &&
                static_cast<double>(time(counts[i])) > most_cost;
     });
     return grid;

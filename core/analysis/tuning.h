@@ -46,20 +46,20 @@ inline constexpr EnumNames<Tuned, 8> tuned_names = {"base",      "volume",  "spl
 Tuned tuned(const TuneSetting& setting, const TuneSetting& base);
 
 /// The base; then every volume with every split; then settings that differ from the base in one
-/// other option: the overlap test, the threshold of `corrected` from 0.1 to 0.95 in steps of 0.05,
-/// the descent rule, the growth rule. Each once.
-std::vector<TuneSetting> first_trials(const TuneSetting& base);
+/// other option: the overlap test, the descent rule, the growth rule, and if `thresholds` the
+/// threshold of `corrected` from 0.1 to 0.95 in steps of 0.05. Each once.
+std::vector<TuneSetting> first_trials(const TuneSetting& base, bool thresholds);
 
 /// Every descent rule and growth rule with the volume and the split of `setting`; and, for slab cut
 /// balls, each with the tests `symmetric`, `extents` and `corrected`. Each once.
 std::vector<TuneSetting> refined_trials(const TuneSetting& setting);
 
 /// The indices of first trials whose volume and split should be refined. With the base's test,
-/// descent and growth, they take at most `refined_up_to` times the least N_v, or the least
-/// cost, Work::picoseconds, of such trials.
+/// descent and growth, they take at most `refined_up_to` times the least cost,
+/// Work::picoseconds, of such trials, or if `by_tests` the least N_v.
 inline constexpr double refined_up_to = 1.3;
 std::vector<std::size_t> settings_to_refine(std::span<const TuneSetting> trials,
-                                            std::span<const Work> counts);
+                                            std::span<const Work> counts, bool by_tests);
 
 /// The indices of the settings, least cost first; equal costs in the order of Work, equal
 /// counts in order.

@@ -163,14 +163,20 @@ TEST(TuneCommand, AgreesWithInspectAndMarksTheRow) {
     for (const char* asked : {"cone --frames 80", "soup --frames 60", "long-triangles --frames 120",
                               "spheres-l1 --frames 100 --volume obb"}) {
         const std::string query(asked), tuned = run_scb("tune " + query + " --no-time").out,
-                                        inspected = run_scb("inspect " + query).out;
+                                        inspected = run_scb("inspect --full " + query).out;
         const auto use = [](const std::string& text) {
             return text.substr(text.rfind("To use it: "));
         };
         EXPECT_EQ(use(tuned), use(inspected)) << asked;
         const std::vector<std::string> rows = marked_lines(tuned, "  best");
         ASSERT_EQ(rows.size(), 1u) << tuned;
-        EXPECT_EQ(marked_lines(inspected, "  best"), rows) << asked;
+        // Fewer settings are tried, so fewer are equal.
+        const auto but_equal = [](const std::string& row) {
+            return row.substr(0, row.find(" and "));
+        };
+        const std::vector<std::string> marked = marked_lines(inspected, "  best");
+        ASSERT_EQ(marked.size(), 1u) << inspected;
+        EXPECT_EQ(but_equal(marked[0]), but_equal(rows[0])) << asked;
         EXPECT_EQ(tuned.find("Fewest operations"), std::string::npos);
     }
 }

@@ -57,7 +57,7 @@ TEST(FirstTrials, TakeEveryVolumeWithEverySplitAndChangeOneOtherThing) {
     odd.growth = BallGrowth::radius;
     odd.split = SplitMethod::cost;
     for (const TuneSetting& base : {TuneSetting{}, corrected, odd}) {
-        const std::vector<TuneSetting> trials = first_trials(base);
+        const std::vector<TuneSetting> trials = first_trials(base, true);
         EXPECT_TRUE(trials[0] == base);
         EXPECT_TRUE(each_once(trials));
         auto counts = counts_of(trials);
@@ -78,7 +78,7 @@ TEST(FirstTrials, ChangeOnlyWhatHasAnEffectOnTheVolume) {
                                                   {VolumeKind::obb, 3u, 0u},
                                                   {VolumeKind::ball, 1u, 1u},
                                                   {VolumeKind::ritter, 1u, 0u}}) {
-        auto counts = counts_of(first_trials(with(kind)));
+        auto counts = counts_of(first_trials(with(kind), true));
         EXPECT_EQ(counts[Tuned::test] + counts[Tuned::threshold], 0u) << volume_kind_name(kind);
         EXPECT_EQ(counts[Tuned::descent], descents) << volume_kind_name(kind);
         EXPECT_EQ(counts[Tuned::growth], growths) << volume_kind_name(kind);
@@ -103,7 +103,7 @@ TEST(RefinedTrials, AreAllThatCanBeChosenOfAVolumeAndASplit) {
 }
 
 TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
-    const std::vector<TuneSetting> trials = first_trials({});
+    const std::vector<TuneSetting> trials = first_trials({}, true);
     std::vector<Work> counts(trials.size(), {1000, 100, 1000, 91'000});
     const auto place = [&](const TuneSetting& setting) {
         return static_cast<std::size_t>(std::find(trials.begin(), trials.end(), setting) -
@@ -121,7 +121,7 @@ TEST(WorthRefining, AreVolumesAndSplitsNearTheBestByTestsOrByCost) {
     counts[place(extents)] = {1, 1, 1, 1};  // not with the test of the base
     std::vector<std::size_t> expected = {boxes, two, balls};
     std::sort(expected.begin(), expected.end());
-    EXPECT_EQ(settings_to_refine(trials, counts), expected);
+    EXPECT_EQ(settings_to_refine(trials, counts, true), expected);
 }
 
 TEST(BestFirst, OrdersByCostThenVolumeTestsThenPlace) {
