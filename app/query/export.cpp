@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -6,6 +7,9 @@
 #include "app/query/query_options.h"
 #include "app/study/level_trees.h"
 #include "core/base/exit_status.h"
+#include "core/base/text_format.h"
+#include "core/geometry/mesh_cut.h"
+#include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
 #include "core/volumes/any_volume.h"
 #include "render/view/palette.h"
@@ -26,6 +30,9 @@ struct ExportOptions {
     std::string levels;
     int segments = 32;
     std::string output;
+    double cut = 0;         ///< the longest side of pieces; 0: a level is written
+    std::string triangles;  ///< to cut; empty: all with longer sides
+    std::string body, map;
     std::vector<std::string> recording;  ///< see given_hierarchy_options
 };
 
@@ -39,7 +46,64 @@ void append(Mesh& mesh, const Mesh& part) {
                          " triangles; give a coarser level or fewer --segments.");
 }
 
+/// The index of the body to cut.
+std::size_t cut_body(const scenes::Scene& scene, const std::string& name) {
+    if (name.empty() && scene.bodies.size() == 1) return 0;
+    std::string names;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (scene.bodies[b].name == name) return b;
+        names += (names.empty() ? "" : ", ") + scene.bodies[b].name;
+    }
+    throw InputError((name.empty() ? std::string("--cut: the scene has several bodies; name one")
+                                   : "--body " + name + ": the scene has no such body; name one") +
+                     " with --body: " + names + ".");
+}
+
+/// Writes the mesh of a body with triangles cut into pieces.
+int run_cut(const ExportOptions& options, const Console& console) {
+    if (!(options.cut > 0) || !std::isfinite(options.cut))
+        throw InputError("--cut " + exact_number(options.cut) +
+                         ": give the longest side that pieces may have, above 0.");
+    const auto check_outputs = [&] {
+        check_output(options.output, "-o");
+        if (!options.map.empty()) check_output(options.map, "--map");
+        if (options.map == options.output)
+            throw InputError("--map " + options.map + ": -o names the same file; name another.");
+    };
+    check_outputs();
+    const scenes::Scene scene = options.scene.load(options.scene.frames);
+    check_outputs();
+    const std::size_t body = cut_body(scene, options.body);
+    const Mesh& mesh = scene.meshes[scene.bodies[body].mesh].mesh;
+    std::vector<std::uint32_t> seeds;
+    if (!options.triangles.empty())
+        for (const std::string& part : split_list(options.triangles))
+            for (const int triangle :
+                 parse_numbers(part, {"--triangles", "triangle", scene.bodies[body].name + " has",
+                                      static_cast<int>(mesh.triangles.size()) - 1, "12,40:50"}))
+                seeds.push_back(static_cast<std::uint32_t>(triangle));
+    const std::optional<CutMesh> cut = cut_triangles(mesh, seeds, options.cut, most_triangles);
+    if (!cut)
+        throw InputError("--cut " + exact_number(options.cut) + ": this would make more than " +
+                         count_text(most_triangles) + " pieces; give a longer side.");
+    const std::vector<std::uint8_t> bytes = scenes::encode_mesh(
+        {{scene.bodies[body].name, cut->mesh, {0.75f, 0.75f, 0.75f}}}, options.output);
+    if (!options.map.empty()) {
+        std::string map = "triangle,cut_from\n";
+        for (std::size_t i = 0; i < cut->origin.size(); ++i)
+            map += std::to_string(i) + "," + std::to_string(cut->origin[i]) + "\n";
+        write_file_whole(options.map, map);
+    }
+    write_file_whole(options.output, bytes);
+    console.note(options.output + ": " +
+                 counted(cut->mesh.triangles.size(), "triangle", "triangles") + ", of which " +
+                 count_text(cut->pieces) + " are pieces of " +
+                 counted(cut->cut, "triangle", "triangles") + ".");
+    return exit_done;
+}
+
 int run(const ExportOptions& options, const Console& console) {
+    if (options.levels.empty()) return run_cut(options, console);
     if (options.segments < 3 || options.segments > 1024)
         throw InputError("--segments " + std::to_string(options.segments) +
                          ": give 3 to 1024 corners per circle.");
@@ -92,24 +156,58 @@ int run(const ExportOptions& options, const Console& console) {
 
 void add_export(const Command& program, const Console& console, Action& action) {
     const Command command =
-        program.add_subcommand("export", "Write a level as a mesh, for other viewers");
+        program.add_subcommand("export", "Write a level, or a mesh with cut triangles");
     const auto options = std::make_shared<ExportOptions>();
     add_scene_options(command, options->scene, true);
     add_hierarchy_options(command, options->hierarchy, false);
-    command.add_option("--levels,--level", options->levels, "The level: a number, or 'leaves'")
-        .required()
+    command
+        .add_option("--levels,--level", options->levels,
+                    "The level to write: a number, or 'leaves'")
         .offer({"leaves"})
         .type_name("K");
     command.add_option("--segments", options->segments, "Corners per circle")
         .check(decimal_number)
         .show_default();
+    command
+        .add_option("--cut", options->cut,
+                    "Write the mesh of a body, in its own frame, with triangles cut into pieces "
+                    "whose sides are at most so long")
+        .type_name("LENGTH");
+    command
+        .add_option("--triangles", options->triangles,
+                    "With --cut: cut these triangles, 12,40:50, and those that share a longer side "
+                    "with a cut one. Default: all triangles with a longer side")
+        .type_name("LIST");
+    command.add_option("--body", options->body, "With --cut: the body, if the scene has several")
+        .type_name("NAME");
+    command
+        .add_option("--map", options->map,
+                    "With --cut: also write a table (CSV) of the triangle from which each triangle "
+                    "of the new mesh is cut")
+        .file({".csv"})
+        .only_typed();
     command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
         .required()
         .file({".ply", ".obj", ".glb", ".stl"})
         .only_typed();
-    command.footer("Example:\n  scb export spheres-l1 --levels 7 -o level-7.ply");
+    command.footer(
+        "Cutting halves the longest side of a triangle until no side is too long. Neighbors are "
+        "cut "
+        "at the same points, so a\nclosed mesh stays closed. Triangles that are not cut keep their "
+        "numbers. `scb inspect` finds triangles to cut.\n\n"
+        "Examples:\n"
+        "  scb export spheres-l1 --levels 7 -o level-7.ply\n"
+        "  scb export part.stl --cut 0.5 -o part-cut.ply --map part-cut.csv");
     command.callback([&action, &console, command, options] {
         options->recording = given_hierarchy_options(command);
+        const bool cuts = command.count("--cut") > 0;
+        if (cuts == (command.count("--levels") > 0))
+            throw InputError(
+                "give either --levels, the level to write, or --cut, the longest side "
+                "of the pieces of triangles.");
+        for (const char* option : {"--triangles", "--body", "--map"})
+            if (!cuts && command.count(option) > 0)
+                throw InputError(std::string(option) + " has no meaning without --cut.");
         action = [&console, options] { return run(*options, console); };
     });
 }
