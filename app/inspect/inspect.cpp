@@ -15,13 +15,14 @@
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
 #include "scb/error.h"
+#include "scenes/scene/kept_hierarchies.h"
 
 namespace scb::app {
 namespace {
 
 void print_report(const InspectOptions& options, const InspectReport& report) {
     print_result(options.picture.json ? json_text(inspect_json(report), 2) + "\n"
-                                      : inspect_text(report));
+                                      : inspect_text(report, options.full));
 }
 
 /// The first case that `scb explain` can explain; null if there is none.
@@ -84,6 +85,8 @@ int status_of(const InspectReport& report, const Console& console) {
 }
 
 int run(InspectOptions& options, const Console& console) {
+    // The queries, the settings and the layouts share hierarchies.
+    scenes::keep_hierarchies();
     const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
     if (recorded)
         refuse_with_shard(options.picture.shards, true, "SCENE",
@@ -113,8 +116,8 @@ int run(InspectOptions& options, const Console& console) {
         recorded && !report.recording->judged.wrong() ? inspected.no_waste : "";
     if (watch.signal() == 0 && !options.no_advice && can_compare(inspected)) {
         try {
-            report.settings =
-                inspect_settings(options, inspected.sources.front(), report.frames, console, watch);
+            report.settings = inspect_settings(options, inspected.sources.front(), *inspected.found,
+                                               console, watch);
         } catch (const InputError& error) {
             if (!recorded) throw;
             no_settings = error.what();
@@ -170,6 +173,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         .add_flag("--no-advice", options->no_advice,
                   "Do not try other settings, which can take most of the time")
         .shareable();
+    command.add_flag("--full", options->full, "Print all tables").shareable();
     command.add_flag("--no-view", options->no_view, "Do not write the page of `scb view`")
         .shareable();
     add_picture_options(command, options->picture);
@@ -211,6 +215,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
         options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
                                                  "--query", "--tag", "--frames", "--margin"});
+        options->of_files = given_text(command, {"SCENE", "--models"});
         options->of_meshes = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
         options->of_frames = given_text(command, {"--frames"});
         options->view.note_given(command);

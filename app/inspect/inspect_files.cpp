@@ -8,6 +8,7 @@
 #include "app/inspect/inspect_bodies.h"
 #include "app/inspect/inspect_csv.h"
 #include "app/inspect/inspect_page.h"
+#include "app/inspect/inspect_triangles.h"
 #include "app/inspect/recording_pictures.h"
 #include "app/report/scene_report.h"
 #include "scb/error.h"
@@ -87,6 +88,8 @@ bool write_waste(PictureRun& pictures, const InspectedQueries& inspected, Inspec
     if (!step()) return false;
     pictures.write(report.files + "_frames.csv", frames_csv(report));
     pictures.write(report.files + "_pairs.csv", pairs_csv(report));
+    const Table triangles = triangles_table(report);
+    pictures.write(report.files + "_triangles.csv", triangles.csv_header() + triangles.csv_rows());
     // The page of `scb view` needs whole queries.
     const bool all = inspected.file || (source.query().options.stop_level < 0 &&
                                         options.limits.max_pairs == QueryLimits{}.max_pairs);
@@ -110,11 +113,12 @@ void begin_pictures(std::optional<PictureRun>& pictures, InspectedQueries& inspe
                     const InspectOptions& options) {
     name_files(inspected, options);
     const std::string& files = inspected.report.files;
-    pictures.emplace(options.picture,
-                     inspected.file ? scenes::file_name_of(inspected.report.header.engine->name)
-                                    : inspected.sources.front().scene().name,
-                     std::vector<std::string>{files + ".html", files + "_view.html",
-                                              files + "_frames.csv", files + "_pairs.csv"});
+    pictures.emplace(
+        options.picture,
+        inspected.file ? scenes::file_name_of(inspected.report.header.engine->name)
+                       : inspected.sources.front().scene().name,
+        std::vector<std::string>{files + ".html", files + "_view.html", files + "_frames.csv",
+                                 files + "_pairs.csv", files + "_triangles.csv"});
 }
 
 bool write_report(PictureRun& pictures, InspectedQueries& inspected, const InspectOptions& options,
@@ -144,7 +148,7 @@ bool write_report(PictureRun& pictures, InspectedQueries& inspected, const Inspe
     if (options.picture.json)
         pictures.print_instead(json_text(json, 2) + "\n");
     else
-        pictures.say(inspect_text(report));
+        pictures.say(inspect_text(report, options.full));
     nlohmann::ordered_json head = {{"command", "inspect"}};
     head.update(json);
     if (!inspected.file)

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "app/inspect/inspect_triangles.h"
+#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
+#include "render/figures/bench_figure.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
 
@@ -30,51 +33,21 @@ std::string waste(const InspectReport& report) {
            share(by_tests, all) + " since the overlap test is too weak." + triangles(counts);
 }
 
-std::string worst_frame(const InspectReport& report) {
-    const InspectedFrame& frame = report.frames.front();
-    return "Frame " + std::to_string(frame.frame) + " wastes the most: " +
-           render::counted(frame.found.counts.wasted.volume_tests, "volume test.", "volume tests.");
-}
-
-/// Where the waste is: the least depth down to which half of it occurs.
-std::string where(const InspectReport& report) {
-    const std::vector<DepthInspection>& depths = report.sum.depths;
-    const std::uint64_t wasted = report.sum.counts.wasted.volume_tests;
-    std::uint64_t so_far = 0;
-    std::size_t depth = 0;
-    for (; depth < depths.size(); ++depth) {
-        so_far += depths[depth].wasted;
-        if (2 * so_far >= wasted) break;
-    }
-    const auto worst = std::max_element(
-        depths.begin(), depths.end(),
-        [](const DepthInspection& x, const DepthInspection& y) { return x.wasted < y.wasted; });
-    return format("Half of the waste is at depths up to %zu of %zu; depth %zu alone has the most.",
-                  depth, depths.size() - 1, static_cast<std::size_t>(worst - depths.begin()));
-}
-
-std::string change(std::uint64_t from, std::uint64_t to, const char* saves, const char* takes) {
-    const double ratio = static_cast<double>(to) / static_cast<double>(from);
-    return format("%s %.1f %%", ratio < 1 ? saves : takes, 100 * std::abs(ratio - 1));
-}
-
-std::string best_other(const InspectReport& report) {
+/// The other test that catches the most, if it saves operations.
+std::vector<std::string> best_other(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
+    // If queries miss contacts, other tests cannot be compared with them.
+    if (report.others.empty() || report.sum.counts.missed > 0) return {};
     const AlternativeTest& best = *std::max_element(
         report.others.begin(), report.others.end(),
         [](const AlternativeTest& x, const AlternativeTest& y) { return x.caught < y.caught; });
-    const std::string weak = render::count_text(report.sum.counts.passed(PassReason::weak_test));
-    if (best.caught == 0)
-        return "None of the other tests catches any of the " + weak +
-               " pairs whose volumes are disjoint.";
-    return "Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
-           render::count_text(best.caught) + " of the " + weak +
-           " pairs whose volumes are disjoint: it " +
-           change(all.volume_tests, best.all.volume_tests, "saves", "makes") +
-           (best.all.volume_tests < all.volume_tests ? " of the volume tests"
-                                                     : " more volume tests") +
-           " and " + change(all.operations, best.all.operations, "saves", "takes") +
-           (best.all.operations < all.operations ? " of the operations." : " more operations.");
+    if (best.all.operations >= all.operations) return {};
+    return {"Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
+            render::count_text(best.caught) + " of the " +
+            render::count_text(report.sum.counts.passed(PassReason::weak_test)) +
+            " pairs whose volumes are disjoint: N_v " +
+            render::change_text(all.volume_tests, best.all.volume_tests) + ", operations " +
+            render::change_text(all.operations, best.all.operations) + "."};
 }
 
 /// Properties of the meshes that make the volumes loose, a sentence each.
@@ -123,11 +96,26 @@ std::vector<std::string> causes(const InspectReport& report) {
     return sentences;
 }
 
-/// The setting that would have helped most. The table has the others.
-std::string best_setting(const SceneTuning& tuning) {
-    std::string text = best_sentences(tuning, "the present setting").front();
-    if (!tuning.timed()) text += std::string(" Cost: ") + cost_words + ".";
-    return text;
+std::string counts_over(std::uint64_t count, std::uint64_t of) {
+    return format("%.2f", ratio(static_cast<double>(count), static_cast<double>(of)));
+}
+
+/// The best setting of this project for the queries of a recording.
+std::string recorded_advice(const InspectSettings& settings) {
+    const SceneTuning& tuning = settings.tuning;
+    const TuneLayout* const layout = tuning.cheapest_layout();
+    const TuneRow& row = tuning.rows[tuning.recommended()];
+    const Work found = layout ? Work{layout->n_v, layout->n_p} : row.counts,
+               &recorded = *settings.recorded;
+    return "Best of this project's hierarchies in " + render::frames_text(tuning.frames) + ": " +
+           (layout ? layout_text(tuning, *layout) + ", packed" : setting_text(row.setting)) +
+           ", with " + counts_over(found.volume_tests, recorded.volume_tests) +
+           " of the recorded N_v" +
+           (recorded.triangle_tests == 0
+                ? ""
+                : " and " + counts_over(found.triangle_tests, recorded.triangle_tests) +
+                      " of N_p") +
+           ".";
 }
 
 }  // namespace
@@ -143,26 +131,40 @@ std::string wrong_rejections_sentence(const PassCounts& counts) {
            " of triangles that intersect.";
 }
 
-std::vector<std::string> inspect_findings(const InspectReport& report) {
+std::vector<std::string> alarm_findings(const InspectReport& report) {
+    if (report.sum.counts.wrongly_rejected == 0) return {};
+    std::string alarm = wrong_rejections_sentence(report.sum.counts);
+    alarm.front() = 'T';
+    return {alarm};
+}
+
+std::vector<std::string> advice_findings(const InspectReport& report) {
+    if (!report.settings) return {};
+    const SceneTuning& tuning = report.settings->tuning;
+    if (report.settings->recorded) return {recorded_advice(*report.settings)};
+    std::string best = best_sentences(tuning, "the present setting").front();
+    if (!tuning.timed()) best += " Cost: assumed time of the tests.";
+    return {best};
+}
+
+std::vector<std::string> waste_findings(const InspectReport& report) {
     std::vector<std::string> sentences;
     const PassCounts& counts = report.sum.counts;
-    if (counts.wrongly_rejected > 0) {
-        sentences.push_back(wrong_rejections_sentence(counts));
-        sentences.back().front() = 'T';
-    }
     sentences.push_back(waste(report));
-    if (counts.wasted.volume_tests > 0) {
-        if (report.frames.size() > 1) sentences.push_back(worst_frame(report));
-        sentences.push_back(where(report));
-    }
-    // If queries miss contacts, other tests cannot be compared with them.
-    if (!report.others.empty() && counts.passed(PassReason::weak_test) > 0 && counts.missed == 0)
-        sentences.push_back(best_other(report));
+    for (std::string& sentence : best_other(report)) sentences.push_back(std::move(sentence));
+    for (std::string& sentence : triangle_sentences(report))
+        sentences.push_back(std::move(sentence));
     if (counts.wasted.volume_tests > 0)
         for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
-    if (report.settings && !report.settings->recorded)
-        sentences.push_back(best_setting(report.settings->tuning));
     return sentences;
+}
+
+std::vector<std::string> inspect_findings(const InspectReport& report) {
+    std::vector<std::string> all = alarm_findings(report);
+    for (const auto& some :
+         {advice_findings(report), cut_sentences(report), waste_findings(report)})
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
 }
 
 }  // namespace scb::app

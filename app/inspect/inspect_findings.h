@@ -7,8 +7,16 @@
 
 namespace scb::app {
 
-/// The main findings, a sentence each: how much was wasted and why, where, and which other test
-/// would have helped most.
+/// A sentence if the test rejected volumes that meet.
+std::vector<std::string> alarm_findings(const InspectReport& report);
+
+/// The setting that would have helped most. The table of settings has the others.
+std::vector<std::string> advice_findings(const InspectReport& report);
+
+/// How much was wasted and why, and which triangles took the most tests.
+std::vector<std::string> waste_findings(const InspectReport& report);
+
+/// The main findings, a sentence each: alarm, advice, cuts and waste.
 std::vector<std::string> inspect_findings(const InspectReport& report);
 
 /// "the test rejected 4 pairs of volumes that meet, and so missed 12 pairs of triangles."

@@ -19,6 +19,7 @@ struct InspectOptions {
     std::vector<std::string> of_pictures;  ///< given options that only pictures use
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< the given options of the scene, see given_text
+    std::string of_files;                  ///< the given options of the meshes
     // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
     std::string of_meshes, of_frames;
     ViewOptions view;  ///< only its texts of given options
@@ -26,6 +27,7 @@ struct InspectOptions {
     bool asks_top = false;  ///< --top was given
     bool time = false;
     bool no_view = false;
+    bool full = false;       ///< all tables are printed
     bool no_advice = false;  ///< no other settings are tried
 
     bool draws() const { return !picture.output.empty(); }

@@ -6,6 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_triangles.h"
 #include "app/inspect/recording_report.h"
 #include "app/query/recording_verdict.h"
 #include "app/report/scene_report.h"
@@ -30,6 +31,16 @@ using kainjow::mustache::mustache;
 std::string percents(std::uint64_t part, std::uint64_t whole) {
     return format("%.2f",
                   whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+data text_rows(const char* key, const std::vector<std::string>& texts) {
+    data rows(data::type::list);
+    for (const std::string& text : texts) {
+        data row;
+        row[key] = text;
+        rows << row;
+    }
+    return rows;
 }
 
 data frame_data(const std::string& name, const Inspection& found) {
@@ -339,6 +350,11 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
     values["bodies"] = page.bodies;
     values["has_bodies"] =
         data(page.bodies.empty() ? data::type::bool_false : data::type::bool_true);
+    const Table triangles = triangles_table(report);
+    values["has_triangles"] =
+        data(triangles.size() > 0 ? data::type::bool_true : data::type::bool_false);
+    values["triangles"] = triangles.html();
+    values.set("cut_commands", text_rows("command", cut_commands(report)));
     values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
     values["reasons"] = reason_rows(report);
     values["frames"] = frame_rows(report);

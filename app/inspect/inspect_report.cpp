@@ -6,12 +6,15 @@
 #include "app/cli/console.h"
 #include "app/explain/explain_pictures.h"
 #include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_summary.h"
+#include "app/inspect/inspect_triangles.h"
 #include "app/inspect/judgement_json.h"
 #include "app/inspect/recording_report.h"
 #include "app/report/build_text.h"
 #include "app/report/scene_report.h"
 #include "app/report/trace_report.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
@@ -28,7 +31,7 @@ std::string cell(std::size_t width, std::uint64_t count) {
 
 std::string frame_row(const std::string& name, const Inspection& i) {
     const PassCounts& counts = i.counts;
-    return format("%5s", name.c_str()) + cell(8, i.pairs) + cell(10, counts.all.volume_tests) +
+    return format("%5s", name.c_str()) + cell(8, i.pairs) + cell(9, counts.all.volume_tests) +
            cell(9, counts.passed()) + cell(8, counts.passed(PassReason::triangles_meet)) +
            cell(8, counts.passed(PassReason::loose_fit)) +
            cell(8, counts.passed(PassReason::weak_test)) + cell(10, counts.wasted.volume_tests) +
@@ -41,22 +44,6 @@ std::string frame_row(const std::string& name, const Inspection& i) {
                          render::count_text(counts.missed).c_str())
                 : "") +
            "\n";
-}
-
-std::string frames_text(const InspectReport& report) {
-    std::string text =
-        "frame    pairs        N_v    passed     true      fit     test     wasted    share    "
-        "wasted    share\n"
-        "                                                                     N_v   of N_v       "
-        "N_p   of N_p\n";
-    const std::size_t rows = std::min(report.frames.size(), most_frame_rows);
-    for (std::size_t i = 0; i < rows; ++i)
-        text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
-    if (report.frames.size() > rows)
-        text += format("  ...  %zu more frames, which --json and the table of -o list\n",
-                       report.frames.size() - rows);
-    if (report.frames.size() > 1) text += frame_row("sum", report.sum);
-    return text + "\n";
 }
 
 std::string reasons_text(const InspectReport& report) {
@@ -144,6 +131,11 @@ std::string others_text(const InspectReport& report) {
     return text;
 }
 
+std::string triangles_text(const InspectReport& report) {
+    const Table table = triangles_table(report);
+    return table.size() == 0 ? "" : table.text() + "\n";
+}
+
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
     Json json;
     for (std::size_t r = 0; r < pass_reason_count; ++r)
@@ -209,6 +201,7 @@ void add_waste_json(Json& json, const InspectReport& report) {
              {"wasted_by",
               {{"test", at.wasted_by_tests}, {"fit", at.wasted - at.wasted_by_tests}}}});
     }
+    json["triangles"] = triangles_table(report).json();
     json["worst"] = Json::array();
     for (const auto* worst : {&report.loose_fits, &report.weak_tests})
         for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
@@ -240,6 +233,23 @@ std::string title_text(const TraceHeader& header) {
     return title + build_text(build_options(header)) + "\n\n";
 }
 
+/// Lines that are too long, wrapped with their indent and two blanks. The first line, which scripts
+/// may read, is kept.
+std::string wrapped_lines(const std::string& text) {
+    std::string lines;
+    for (const std::string& line : split_list(text.substr(0, text.size() - 1), '\n')) {
+        if (lines.empty() || character_count(line) <= summary_width) {
+            lines += line + "\n";
+            continue;
+        }
+        const std::string indent(line.find_first_not_of(' '), ' ');
+        lines += indent +
+                 wrapped(line.substr(indent.size()), summary_width - indent.size(), indent + "  ") +
+                 "\n";
+    }
+    return lines;
+}
+
 /// A recording may have several queries of the bodies in a frame, or of other bodies.
 std::string first_words(const InspectReport& report) {
     const std::uint64_t queries = report.recording->judged.total(&scenes::FrameJudgement::queries);
@@ -250,8 +260,9 @@ std::string waste_text(const InspectReport& report) {
     std::string text;
     for (const std::string& sentence : inspect_findings(report)) text += sentence + "\n";
     // The judgement of a recording has a table of frames.
-    return text + "\n" + (report.recording ? "" : frames_text(report)) + reasons_text(report) +
-           depths_text(report.sum) + worst_text(report, report.loose_fits, "fit too loose") +
+    return text + "\n" + (report.recording ? "" : inspect_frames_text(report, most_frame_rows)) +
+           reasons_text(report) + triangles_text(report) + depths_text(report.sum) +
+           worst_text(report, report.loose_fits, "fit too loose") +
            worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
            others_text(report);
 }
@@ -273,16 +284,33 @@ std::string operations_text(const InspectReport& report, std::uint64_t operation
     return report.header.engine ? "–" : render::count_text(operations);
 }
 
-std::string inspect_text(const InspectReport& report) {
+std::string inspect_frames_text(const InspectReport& report, std::size_t most) {
+    std::string text =
+        "frame    pairs       N_v    passed     true      fit     test     wasted    share    "
+        "wasted    share\n"
+        "                                                                    N_v   of N_v       "
+        "N_p   of N_p\n";
+    const std::size_t rows = std::min(report.frames.size(), most);
+    for (std::size_t i = 0; i < rows; ++i)
+        text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+    if (report.frames.size() > rows)
+        text += format("  ...  %zu more frames, which --json and the table of -o list\n",
+                       report.frames.size() - rows);
+    if (report.frames.size() > 1) text += frame_row("sum", report.sum);
+    return text + "\n";
+}
+
+std::string inspect_text(const InspectReport& report, bool full) {
     std::string text = report.recording ? recording_text(*report.recording, report.settings)
                                         : title_text(report.header);
+    if (!full) text = wrapped_lines(text);
     if (report.has_waste) {
         if (report.recording)
             text += "\nWaste in the queries of " + bodies_text(report.header) +
                     first_words(report) + "\n";
-        text += waste_text(report);
+        text += full ? waste_text(report) : inspect_summary(report);
     }
-    if (report.settings) text += settings_text(*report.settings, report.frames.size());
+    if (report.settings && full) text += settings_text(*report.settings, report.frames.size());
     if (!report.recording || report.recording->pictures.empty()) return text;
     text += "\nPictures\n";
     for (const ProblemPicture& picture : report.recording->pictures)
@@ -299,7 +327,10 @@ Json inspect_json(const InspectReport& report) {
         json["waste"]["bodies"] = {report.header.bodies[0].name, report.header.bodies[1].name};
         add_waste_json(json["waste"], report);
     }
-    if (report.settings) json["settings"] = settings_json(*report.settings);
+    if (report.settings) {
+        json["settings"] = settings_json(*report.settings);
+        if (report.settings->cuts) json["settings"]["cuts"] = cuts_json(report);
+    }
     return json;
 }
 

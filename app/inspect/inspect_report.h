@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "app/pictures/picture_name.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
+#include "core/analysis/tested_triangles.h"
 #include "core/analysis/waste_causes.h"
 #include "core/analysis/worst_pairs.h"
 #include "scenes/recordings/recording_judgement.h"
@@ -30,6 +32,12 @@ struct InspectedRecording {
     std::vector<ProblemPicture> pictures;
 };
 
+/// The triangles of a body that take part in the most tests.
+struct BodyTriangles {
+    std::vector<CostlyTriangle> costly;
+    std::uint64_t tests = 0;  ///< triangle tests of all triangles of the body
+};
+
 /// All findings of `scb inspect`: the judgement of a recording, and the waste in queries of two
 /// bodies, or of one with itself.
 struct InspectReport {
@@ -43,6 +51,7 @@ struct InspectReport {
     Inspection sum;
     std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
     std::vector<WronglyRejectedPair> wrong;         ///< the ones that miss the most
+    std::array<BodyTriangles, 2> triangles;         ///< of A and B; in a self query all of A
     std::vector<AlternativeTest> others;
     WasteCauses causes;
     /// None for partial queries, and for recordings that cannot be compared.
@@ -55,6 +64,8 @@ struct InspectReport {
 
 /// Limit of the frames in tables.
 inline constexpr std::size_t most_frame_rows = 20;
+/// Limit of the triangles of a body in tables.
+inline constexpr std::size_t most_costly = 10;
 
 /// The file name of a pair's picture; empty if it was not drawn.
 std::string file_of(const InspectReport& report, int frame, const Step& test);
@@ -65,8 +76,11 @@ std::string share(std::uint64_t part, std::uint64_t whole);
 /// Operations of volume tests in words; a dash for another engine, whose operations are unknown.
 std::string operations_text(const InspectReport& report, std::uint64_t operations);
 
-/// Tables for a reader.
-std::string inspect_text(const InspectReport& report);
+/// The frames that waste the most, at most `most`, and their sum.
+std::string inspect_frames_text(const InspectReport& report, std::size_t most);
+
+/// For a reader: of a scene, the summary or, if `full`, all tables.
+std::string inspect_text(const InspectReport& report, bool full);
 
 /// All findings, in the paper's notation. The waste has `frames`, `sum`, `depths`, `worst`,
 /// `worst_rejections` and `other_tests`: besides the header of a trace, or in `waste` besides the

@@ -42,7 +42,7 @@ std::string scene_words(const InspectOptions& options, const QuerySource& source
 /// The settings for queries of this project.
 std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
                                                  const QuerySource& source,
-                                                 const std::vector<InspectedFrame>& frames,
+                                                 const FrameFindings& findings,
                                                  const Console& console,
                                                  const InterruptWatch& watch) {
     const SceneQuery& query = source.query();
@@ -55,14 +55,21 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
     if (!query.is_self()) asked.layouts = options.time ? tried_layouts() : widest_layouts();
     asked.gives_up = !options.time;
     Work all;
-    for (const InspectedFrame& frame : frames) all += frame.found.counts.all;
+    for (const InspectedFrame& frame : findings.frames) all += frame.found.counts.all;
     std::vector<int> counted;
     for (const std::size_t i : counted_frames(source.frames().size(), all))
         counted.push_back(source.frames()[i]);
+    const TuneProgress progress = tune_progress(console, watch);
     std::optional<SceneTuning> tuning =
-        tune_scene(query.scene, query.a, query.b, counted, asked, tune_progress(console, watch));
+        tune_scene(query.scene, query.a, query.b, counted, asked, progress);
     if (!tuning) return std::nullopt;
-    InspectSettings result{std::move(*tuning), {}, {}, {}, {}};
+    InspectSettings result{std::move(*tuning), {}, {}, {}, {}, {}, {}};
+    result.cuts = try_cuts(query.scene, query.a, query.b, result.tuning, findings.tested, progress);
+    result.scene = options.of_files;
+    if (scenes::names_trace(options.scene.names[0])) {
+        result.scene.clear();
+        for (const std::string& name : header.source) result.scene += " " + file_word(name);
+    }
     const SceneTuning& found = result.tuning;
     const std::string scene = scene_words(options, source);
     result.command =
@@ -76,7 +83,7 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
 /// The settings for the meshes and poses of a recording.
 std::optional<InspectSettings> settings_of_recording(const InspectOptions& options,
                                                      const QuerySource& source,
-                                                     const std::vector<InspectedFrame>& frames,
+                                                     const FrameFindings& findings,
                                                      const Console& console,
                                                      const InterruptWatch& watch) {
     const scenes::Recording& recording = source.recorded()->recording();
@@ -89,7 +96,7 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
         throw InputError(recording.refusal);
     std::vector<std::pair<int, Work>> of_frames;
     Work all;
-    for (const InspectedFrame& frame : frames) {
+    for (const InspectedFrame& frame : findings.frames) {
         of_frames.emplace_back(frame.frame, frame.found.counts.all);
         all += of_frames.back().second;
     }
@@ -112,12 +119,16 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     asked.base.volume = VolumeKind::scb2;
     asked.layouts = widest_layouts();
     asked.gives_up = true;
-    std::optional<SceneTuning> tuning = tune_scene(
-        recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene(),
-        source.body_index(0), source.body_index(1), counted, asked, tune_progress(console, watch));
+    const TuneProgress progress = tune_progress(console, watch);
+    const scenes::Scene scene =
+        recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene();
+    const std::size_t a = source.body_index(0), b = source.body_index(1);
+    std::optional<SceneTuning> tuning = tune_scene(scene, a, b, counted, asked, progress);
     if (!tuning) return std::nullopt;
-    InspectSettings result{
-        std::move(*tuning), {}, {}, render::volume_title(source.header()), recorded};
+    InspectSettings result{std::move(*tuning), {}, {}, render::volume_title(source.header()),
+                           recorded,           {}, {}};
+    result.cuts = try_cuts(scene, a, b, result.tuning, findings.tested, progress);
+    result.scene = options.of_files;
     const std::string collide =
         "scb collide" + options.of_meshes +
         (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames);
@@ -187,11 +198,11 @@ std::string recorded_text(const InspectSettings& settings) {
 
 std::optional<InspectSettings> inspect_settings(const InspectOptions& options,
                                                 const QuerySource& source,
-                                                const std::vector<InspectedFrame>& frames,
+                                                const FrameFindings& findings,
                                                 const Console& console,
                                                 const InterruptWatch& watch) {
-    return source.is_recording() ? settings_of_recording(options, source, frames, console, watch)
-                                 : settings_of_scene(options, source, frames, console, watch);
+    return source.is_recording() ? settings_of_recording(options, source, findings, console, watch)
+                                 : settings_of_scene(options, source, findings, console, watch);
 }
 
 std::vector<std::size_t> listed_settings(const InspectSettings& settings) {

@@ -8,9 +8,10 @@
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
 #include "app/inspect/inspect_options.h"
+#include "app/study/cut_trial.h"
+#include "app/study/frame_findings.h"
 #include "app/study/query_source.h"
 #include "app/study/tune_run.h"
-#include "core/analysis/inspection.h"
 
 namespace scb::app {
 
@@ -22,6 +23,8 @@ struct InspectSettings {
     /// Of a recording: the engine and its volumes, and its work in the frames of `tuning`.
     std::string engine;
     std::optional<Work> recorded;
+    std::optional<CutTrial> cuts;  ///< of the triangles in most tests
+    std::string scene;             ///< its meshes in a command
 };
 
 /// Limit of the settings listed besides the setting of the queries.
@@ -31,10 +34,10 @@ inline constexpr std::size_t most_settings = 8;
 /// spread ones if all would take more than seconds; if the meshes of a recording change, in the
 /// frame with the most volume tests. None if interrupted. Throws InputError if a recording cannot
 /// be compared: objects without meshes, poses that are not rigid, a body against itself, or no
-/// volume tests.
+/// volume tests. `findings`: of all inspected frames.
 std::optional<InspectSettings> inspect_settings(const InspectOptions& options,
                                                 const QuerySource& source,
-                                                const std::vector<InspectedFrame>& frames,
+                                                const FrameFindings& findings,
                                                 const Console& console,
                                                 const InterruptWatch& watch);
 

@@ -138,6 +138,11 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
         report.has_waste = source.recorded()->has_results() && !report.recording->judged.wrong() &&
                            report.sum.counts.all.volume_tests > 0;
     if (!report.has_waste) return {};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Mesh& mesh = *source.body(side, found.frames.front().frame).mesh;
+        report.triangles[side] = {costly_triangles(found.tested[side], mesh, most_costly),
+                                  item_tests(found.tested[side])};
+    }
     report.others = found.others;
     report.wrong = found.wrong.pairs();
     report.weak_tests = found.weak_tests.pairs();

@@ -13,6 +13,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthInspection, tests, wasted, wasted_by_tes
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Inspection, pairs, counts, depths)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InspectedFrame, frame, found)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VainTests, tests, parallel)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestedTriangle, triangle, items, volumes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassedPair, test, reason, leaves, within_false_pair,
                                    within_weak_test, exact, gap, below)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FalsePair, frame, pair, test, margin)
@@ -80,6 +81,11 @@ void FrameFindings::add(const QuerySource& source, const QueryTrace& frame,
     if (all.volume_tests == 0) all = {frame.found.n_v, frame.found.n_p, 0};
     complete &= frame.found.complete;
     vain += vain_tests(*source.body(0, frame.frame).mesh, *source.body(1, frame.frame).mesh, frame);
+    if (!source.header().engine || !source.header().engine->objects)
+        for (std::size_t side = 0; side < 2; ++side)
+            add_tests(
+                tested[source.header().kind == QueryKind::self ? 0 : side],
+                tested_triangles(frame.steps, source.body(side, frame.frame).tree->shape(), side));
     wrong.add(frame, attribution);
     weak_tests.add(frame, attribution);
     loose_fits.add(frame, attribution);
@@ -95,6 +101,7 @@ FrameFindings& FrameFindings::operator+=(const FrameFindings& other) {
     frames.insert(frames.end(), other.frames.begin(), other.frames.end());
     complete &= other.complete;
     vain += other.vain;
+    for (std::size_t side = 0; side < 2; ++side) add_tests(tested[side], other.tested[side]);
     wrong.add(other.wrong.pairs());
     weak_tests.add(other.weak_tests.outermost(), other.weak_tests.parts());
     loose_fits.add(other.loose_fits.outermost(), other.loose_fits.parts());
@@ -109,6 +116,7 @@ nlohmann::ordered_json findings_json(const FrameFindings& findings) {
     return MacroJson{{"frames", findings.frames},
                      {"complete", findings.complete},
                      {"vain", findings.vain},
+                     {"tested", findings.tested},
                      {"weak_tests", findings.weak_tests.outermost()},
                      {"weak_test_parts", findings.weak_tests.parts()},
                      {"loose_fits", findings.loose_fits.outermost()},
@@ -126,6 +134,10 @@ FrameFindings findings_of_json(const nlohmann::ordered_json& json, const QuerySo
     check(findings.frames.size() == 1 && findings.frames[0].frame == frame);
     of_frame.at("complete").get_to(findings.complete);
     of_frame.at("vain").get_to(findings.vain);
+    of_frame.at("tested").get_to(findings.tested);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const TestedTriangle& one : findings.tested[side])
+            check(one.triangle < source.body(side, frame).mesh->triangles.size());
     const auto pairs_of = [&]<class P>(const char* name, std::vector<P> pairs) {
         of_frame.at(name).get_to(pairs);
         for (const P& pair : pairs) check(pair);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "app/study/query_source.h"
 #include "core/analysis/alternative_test.h"
 #include "core/analysis/inspection.h"
+#include "core/analysis/tested_triangles.h"
 #include "core/analysis/waste_causes.h"
 #include "core/analysis/worst_pairs.h"
 
@@ -16,6 +18,8 @@ struct FrameFindings {
     std::vector<InspectedFrame> frames;
     bool complete = true;  ///< whether no query ended at its limit of pairs
     VainTests vain;
+    /// Of A and of B; in a self query all of A. None for objects of another engine.
+    std::array<std::vector<TestedTriangle>, 2> tested;
     WorstPairs weak_tests, loose_fits;
     WorstRejections wrong;
     std::vector<AlternativeTest> others;  ///< see alternative_tests

@@ -18,11 +18,9 @@ ProgramRun inspected(int bug) {
     const TemporaryFolder folder;
     const std::string name = std::string(bug_names[bug]) + ".scbrec";
     record_small_engine(static_cast<Bug>(bug), folder / name);
-    ProgramRun run = run_scb("--quiet inspect " + folder / name);
+    ProgramRun run =
+        run_scb("--quiet inspect " + name, {.folder = folder.path.string(), .environment = {}});
     EXPECT_EQ(run.err, "");
-    const std::string path = folder / name;
-    for (std::size_t at = run.out.find(path); at != std::string::npos; at = run.out.find(path))
-        run.out.replace(at, path.size(), name);
     return run;
 }
 

@@ -11,13 +11,13 @@ namespace {
 ProgramRun inspected_split(SplitBug bug) {
     const TemporaryFolder folder;
     record_split_engine(bug, folder / "x.scbrec");
-    return run_scb("--quiet inspect " + folder / "x.scbrec");
+    return run_scb("--quiet inspect --full " + folder / "x.scbrec");
 }
 
 ProgramRun inspected_broadphase(BroadphaseBug bug, bool extents) {
     const TemporaryFolder folder;
     record_broadphase(bug, extents, folder / "x.scbrec");
-    return run_scb("--quiet inspect " + folder / "x.scbrec");
+    return run_scb("--quiet inspect --full " + folder / "x.scbrec");
 }
 
 void expect_says(const ProgramRun& run, int status, const std::vector<std::string>& texts) {

@@ -1,0 +1,96 @@
+#include "app/inspect/inspect_summary.h"
+
+#include <algorithm>
+
+#include "app/inspect/inspect_findings.h"
+#include "app/inspect/inspect_triangles.h"
+#include "app/timing/tune_layout_report.h"
+#include "core/base/text_format.h"
+#include "core/platform/utf8.h"
+
+namespace scb::app {
+namespace {
+
+constexpr std::size_t most_triangles = 3, most_frames = 3, most_pairs = 2;
+
+/// Each sentence on lines of its own.
+std::string sentences_text(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences)
+        text += wrapped(sentence, summary_width, "  ") + "\n";
+    return text;
+}
+
+/// A command on several lines that a shell joins again.
+std::string command_lines(const std::string& command) {
+    std::string text = "  ";
+    std::size_t width = text.size();
+    const bool is_quoted = command.find_first_of("'\"\\") != std::string::npos;
+    for (std::size_t begin = 0; begin < command.size();) {
+        std::size_t end = is_quoted ? std::string::npos : command.find(" --", begin + 1);
+        end = std::min(end, command.size());
+        const std::string part = command.substr(begin, end - begin);
+        if (begin > 0 && width + part.size() + 2 > summary_width) {
+            text += " \\\n     ";
+            width = 5;
+        }
+        text += part;
+        width += part.size();
+        begin = end;
+    }
+    return text + "\n";
+}
+
+std::string advice_text(const InspectReport& report) {
+    std::string text = sentences_text(advice_findings(report));
+    if (report.settings) {
+        const SceneTuning& tuning = report.settings->tuning;
+        const TuneLayout* const layout = tuning.cheapest_layout();
+        text += command_lines(layout ? report.settings->layout_command : report.settings->command);
+        if (layout) text += "  C++: " + layout_code(tuning, *layout) + "\n";
+    }
+    text += sentences_text(cut_sentences(report));
+    for (const std::string& command : cut_commands(report)) text += command_lines(command);
+    return text.empty() ? text : text + "\n";
+}
+
+std::string costly_text(const InspectReport& report) {
+    const Table table = triangles_table(report, most_triangles);
+    if (table.size() == 0) return "";
+    return "triangles in the most tests; N_v: tests of nodes that hold the triangle\n" +
+           table.text() + "\n";
+}
+
+std::string pairs_text(const InspectReport& report) {
+    Table table({{.title = "worst pairs", .width = 13, .align = Align::left},
+                 {.title = "frame", .width = 6, .before = 1},
+                 {.title = "nodes", .width = 15, .before = 2},
+                 {.title = "depths", .width = 7, .before = 2},
+                 {.title = "wasted N_v", .width = 10, .before = 2},
+                 {.title = "wasted N_p", .width = 10, .before = 2}});
+    const auto add = [&](const char* reason, const std::vector<FalsePair>& pairs) {
+        for (std::size_t i = 0; i < std::min(most_pairs, pairs.size()); ++i) {
+            const FalsePair& p = pairs[i];
+            table.add({reason, p.frame, format("%u,%u", p.test.nodes.a, p.test.nodes.b),
+                       format("%d,%d", p.test.depth_a, p.test.depth_b),
+                       count_text(p.pair.below.volume_tests),
+                       count_text(p.pair.below.triangle_tests)});
+        }
+    };
+    add("fit too loose", report.loose_fits);
+    add("test too weak", report.weak_tests);
+    return table.text();
+}
+
+}  // namespace
+
+std::string inspect_summary(const InspectReport& report) {
+    std::string text = sentences_text(alarm_findings(report)) + advice_text(report) +
+                       sentences_text(waste_findings(report)) + "\n";
+    // The judgement of a recording has a table of frames, and is long.
+    if (!report.recording)
+        text += costly_text(report) + inspect_frames_text(report, most_frames) + pairs_text(report);
+    return text + "--full prints all tables.\n";
+}
+
+}  // namespace scb::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/inspect/inspect_report.h"
+#include "app/report/table.h"
+
+namespace scb::app {
+
+/// The triangles of both bodies that take part in the most tests, at most `most` of each: number,
+/// tests, share, size.
+Table triangles_table(const InspectReport& report, std::size_t most = most_costly);
+
+/// "12 triangles of robot take part in 83 % of the triangle tests."; empty if there are no tests.
+std::vector<std::string> triangle_sentences(const InspectReport& report);
+
+/// What cutting triangles would save, and the command that writes each cut mesh; empty if nothing
+/// was cut.
+std::vector<std::string> cut_sentences(const InspectReport& report);
+std::vector<std::string> cut_commands(const InspectReport& report);
+
+nlohmann::ordered_json cuts_json(const InspectReport& report);
+
+}  // namespace scb::app
