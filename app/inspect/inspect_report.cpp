@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/cli/console.h"
 #include "app/explain/explain_pictures.h"
@@ -96,18 +97,6 @@ std::string worst_text(const InspectReport& report, const std::vector<FalsePair>
         text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
         text += "\n";
     }
-    return text + "\n";
-}
-
-std::string wrong_text(const InspectReport& report) {
-    if (report.wrong.empty()) return "";
-    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
-                              report.wrong.size(), wide(report.sum.counts.wrongly_rejected));
-    text += "frame          nodes     depths   missed  rejected at\n";
-    for (const WronglyRejectedPair& w : report.wrong)
-        text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
-                       w.test.depth_a, w.test.depth_b, wide(w.rejection.missed),
-                       stage_words(report.header, w.test.stage).c_str());
     return text + "\n";
 }
 
@@ -263,8 +252,8 @@ std::string waste_text(const InspectReport& report) {
     return text + "\n" + (report.recording ? "" : inspect_frames_text(report, most_frame_rows)) +
            reasons_text(report) + triangles_text(report) + depths_text(report.sum) +
            worst_text(report, report.loose_fits, "fit too loose") +
-           worst_text(report, report.weak_tests, "test too weak") + wrong_text(report) +
-           others_text(report);
+           worst_text(report, report.weak_tests, "test too weak") +
+           inspect_rejections_text(report, report.wrong.size()) + others_text(report);
 }
 
 }  // namespace
@@ -282,6 +271,19 @@ std::string file_of(const InspectReport& report, int frame, const Step& test) {
 
 std::string operations_text(const InspectReport& report, std::uint64_t operations) {
     return report.header.engine ? "–" : render::count_text(operations);
+}
+
+std::string inspect_rejections_text(const InspectReport& report, std::size_t most) {
+    most = std::min(most, report.wrong.size());
+    if (report.wrong.empty()) return "";
+    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
+                              most, wide(report.sum.counts.wrongly_rejected));
+    text += "frame          nodes     depths   missed  rejected at\n";
+    for (const WronglyRejectedPair& w : std::span(report.wrong).first(most))
+        text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
+                       w.test.depth_a, w.test.depth_b, wide(w.rejection.missed),
+                       stage_words(report.header, w.test.stage).c_str());
+    return text + "\n";
 }
 
 std::string inspect_frames_text(const InspectReport& report, std::size_t most) {

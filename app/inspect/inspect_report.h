@@ -79,6 +79,9 @@ std::string operations_text(const InspectReport& report, std::uint64_t operation
 /// The frames that waste the most, at most `most`, and their sum.
 std::string inspect_frames_text(const InspectReport& report, std::size_t most);
 
+/// The wrong rejections that miss the most, at most `most`; empty if there are none.
+std::string inspect_rejections_text(const InspectReport& report, std::size_t most);
+
 /// For a reader: of a scene, the summary or, if `full`, all tables.
 std::string inspect_text(const InspectReport& report, bool full);
 

@@ -87,6 +87,7 @@ std::string pairs_text(const InspectReport& report) {
 std::string inspect_summary(const InspectReport& report) {
     std::string text = sentences_text(alarm_findings(report)) + advice_text(report) +
                        sentences_text(waste_findings(report)) + "\n";
+    text += inspect_rejections_text(report, most_pairs);
     // The judgement of a recording has a table of frames, and is long.
     if (!report.recording)
         text += costly_text(report) + inspect_frames_text(report, most_frames) + pairs_text(report);

@@ -66,6 +66,18 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
     }
 }
 
+TEST(RecordingJudgement, ASelfQueryHasThePairsOfItsMesh) {
+    const Trace trace = record_trace(mesh_a(), mesh_a(), asking_self(VolumeKind::obb), {0});
+    const auto kind = static_cast<std::size_t>(VolumeKind::obb);
+    TraceRecording recording(trace.header, {&mesh_a().mesh, &mesh_a().mesh},
+                             {&mesh_a().hierarchies[kind], &mesh_a().hierarchies[kind]});
+    recording.add(trace.frames[0], {Pose{}, Pose{}});
+    const RecordingJudgement judged = judge(recording.finish());
+    EXPECT_EQ(judged.verdict(), Verdict::valid);
+    EXPECT_GT(judged.exact_pairs, 0u);
+    EXPECT_EQ(judged.exact_pairs, trace.frames[0].found.pairs.size());
+}
+
 // They end above the triangles on purpose.
 TEST(RecordingJudgement, FindsNothingMissedByOwnQueriesToALevel) {
     TraceHeader header = asking(VolumeKind::obb, OverlapTest::corrected);
