@@ -17,6 +17,7 @@
 #include "app/config/config.h"
 #include "core/base/exit_status.h"
 #include "core/platform/input_files.h"
+#include "core/platform/near_word.h"
 #include "core/platform/output_file.h"
 #include "render/gl/context.h"
 #include "scb/error.h"
@@ -41,6 +42,22 @@ Named named_command(const CLI::App& program) {
     return named;
 }
 
+// Which options of the command begin like the word; or else the nearest option.
+std::string options_like(const std::string& word, const CLI::App& command) {
+    const std::string unknown = word.substr(2);
+    std::string alike;
+    std::vector<std::string> names;
+    for (const CLI::App* app = &command; app != nullptr; app = app->get_parent())
+        for (const CLI::Option* option : app->get_options())
+            for (const std::string& name : option->get_lnames()) {
+                if (option->get_group().empty()) continue;
+                names.push_back("--" + name);
+                if (app == &command && (name.starts_with(unknown) || unknown.starts_with(name)))
+                    alike += ", which has '--" + name + "'";
+            }
+    return alike.empty() ? did_you_mean(word, names) : alike;
+}
+
 // One sentence that names the unknown word, unlike the parser's message.
 std::string usage_sentence(const CLI::App& program, const std::vector<std::string>& words,
                            const CLI::ParseError& error) {
@@ -51,10 +68,10 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
         !named.command->get_subcommands([](const CLI::App*) { return true; }).empty();
     std::string sentence = error.what();
     if (wants_command && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-        std::string names;
+        std::vector<std::string> names;
         for (const CLI::App* sub : named.command->get_subcommands(
                  [](const CLI::App* app) { return !app->get_group().empty(); }))
-            names += (names.empty() ? "" : ", ") + sub->get_name();
+            names.push_back(sub->get_name());
         // The word after the command's own name, if any.
         std::string word;
         for (auto it = words.rbegin(); it != words.rend(); ++it) {
@@ -62,8 +79,9 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
             if (!it->starts_with('-')) word = *it;
         }
         sentence = (word.empty() ? "`" + command + "` needs a command"
-                                 : "unknown command '" + word + "' of `" + command + "`") +
-                   "; give one of " + names;
+                                 : "unknown command '" + word + "' of `" + command + "`" +
+                                       did_you_mean(word, names)) +
+                   "; give one of " + CLI::detail::join(names, ", ");
     }
     // The parser does not name hidden options.
     if (sentence.starts_with(": "))
@@ -80,12 +98,8 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
         for (const CLI::App* app = named.command; app != nullptr && !known; app = app->get_parent())
             known = app->get_option_no_throw(word) != nullptr;
         if (!known) {
-            sentence = "unknown option '" + word + "' of `" + command + "`";
-            for (const CLI::Option* option : named.command->get_options())
-                for (const std::string& name : option->get_lnames())
-                    if (!option->get_group().empty() &&
-                        (name.starts_with(word.substr(2)) || word.substr(2).starts_with(name)))
-                        sentence += ", which has '--" + name + "'";
+            sentence = "unknown option '" + word + "' of `" + command + "`" +
+                       options_like(word, *named.command);
             break;
         }
     }

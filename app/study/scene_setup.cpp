@@ -6,6 +6,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
+#include "core/platform/near_word.h"
 #include "core/platform/number_list.h"
 #include "core/platform/utf8.h"
 #include "scb/error.h"
@@ -148,8 +149,9 @@ std::vector<VolumeKind> HierarchyOptions::kinds() const {
     for (const std::string& name : split_list(volumes)) {
         const std::optional<VolumeKind> kind = volume_kind_of(name);
         if (!kind)
-            throw InputError("--volume " + volumes + ": '" + name +
-                             "' is not a volume; give some of " + volume_names(",") + ".");
+            throw InputError("--volume " + volumes + ": '" + name + "' is not a volume" +
+                             did_you_mean(name, split_list(volume_names(","))) + "; give some of " +
+                             volume_names(",") + ".");
         if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
     }
     return kinds;

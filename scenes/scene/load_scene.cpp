@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
+#include "core/platform/near_word.h"
 #include "core/platform/utf8.h"
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
@@ -17,36 +18,11 @@ namespace fs = std::filesystem;
 constexpr const char* what_to_name =
     "a built-in scene, a scene file (.json), one mesh file or two mesh files";
 
-/// The number of letters to add, remove or change to turn one word into the other (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
 [[noreturn]] void refuse_unknown(const std::string& name) {
-    std::string nearest;
-    std::size_t least = 4;  // a word more than three letters off is another word
-    for (const BuiltinScene& scene : builtin_scenes()) {
-        const std::size_t distance = edit_distance(name, scene.name);
-        if (distance < least) {
-            least = distance;
-            nearest = scene.name;
-        }
-    }
-    throw InputError(name + ": there is no such scene or file" +
-                     (nearest.empty() ? "" : ", did you mean " + nearest + "?") + "; name " +
-                     what_to_name + " (built in are " +
-                     name_list(builtin_scenes(), &BuiltinScene::name) +
+    std::vector<std::string> known;
+    for (const BuiltinScene& scene : builtin_scenes()) known.push_back(scene.name);
+    throw InputError(name + ": there is no such scene or file" + did_you_mean(name, known) +
+                     "; name " + what_to_name + " (built in are " + name_list(known) +
                      "; `scb scenes` lists all).");
 }
 

@@ -327,5 +327,23 @@ TEST(CommandLine, TwoMeshesAndAPose) {
     EXPECT_NE(scaled.err.find("not rigid"), std::string::npos) << scaled.err;
 }
 
+TEST(CommandLine, SuggestsTheNearestWord) {
+    for (const auto& [arguments, suggestion] :
+         std::initializer_list<std::pair<std::string, std::string>>{
+             {"colide spheres-l1", "unknown command 'colide' of `scb`, did you mean collide?"},
+             {"render level spheres-l1", "of `scb render`, did you mean levels?"},
+             {"collide spheres-l1 --frmaes 0", "of `scb collide`, did you mean --frames?"},
+             {"collide spheres-l1 --quite", "of `scb collide`, did you mean --quiet?"},
+             {"collide spheres-l1 --volume bal", "'bal' is not a volume, did you mean ball?"},
+             {"collide spheres-11", "no such scene or file, did you mean spheres-l1?"}}) {
+        const ProgramRun run = run_scb(arguments);
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(suggestion), std::string::npos) << run.err;
+    }
+    for (const std::string arguments :
+         {"xyzzy", "collide spheres-l1 --qwertyuiop", "collide spheres-l1 --volume zz"})
+        EXPECT_EQ(run_scb(arguments).err.find("did you mean"), std::string::npos) << arguments;
+}
+
 }  // namespace
 }  // namespace scb::app
