@@ -216,6 +216,14 @@ std::optional<int> parse(CLI::App& program, const std::vector<std::string>& word
     }
 }
 
+/// `help COMMAND` as `COMMAND --help`.
+std::vector<std::string> without_help_word(std::vector<std::string> words) {
+    if (words.empty() || words[0] != "help") return words;
+    words.erase(words.begin());
+    words.emplace_back("--help");
+    return words;
+}
+
 /// Reports the current exception. Returns the exit status.
 int report_exception(const ConfiguredLine& line, const Console& console) {
     try {
@@ -259,7 +267,8 @@ void tell_out_of_memory() {
     std::fputs("; use a smaller mesh or picture, fewer levels, or --max-pairs.\n", stderr);
 }
 
-int run_program(const std::vector<std::string>& words, Watch& watch) {
+int run_program(const std::vector<std::string>& given, Watch& watch) {
+    const std::vector<std::string> words = without_help_word(given);
     CLI::App program{
         "scb: render, inspect and test hierarchies of slab cut balls, without a display."};
     program.name("scb");

@@ -36,6 +36,15 @@ Option Option::folder() const {
     table_->values[option_] = {.is_folder = true};
     return type_name("DIR");
 }
+Option Option::any_case() const {
+    option_->transform(CLI::Validator(
+        [](std::string& text) {
+            text = CLI::detail::to_lower(text);
+            return "";
+        },
+        ""));
+    return *this;
+}
 Option Option::offer(const std::vector<std::string>& words) const {
     table_->values[option_].words = words;
     return *this;

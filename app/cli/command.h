@@ -28,6 +28,8 @@ class Option {
     /// "DIR".
     Option file(const std::vector<std::string>& endings) const;
     Option folder() const;
+    /// Reads the value in lower case.
+    Option any_case() const;
     /// Words to offer; other values may be valid, too.
     Option offer(const std::vector<std::string>& words) const;
     /// The value is a list of these words, with commas.

@@ -98,6 +98,7 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
             .offer_list(compared_words())
             .type_name("A,B")
             .shareable();
+            .any_case()
         command
             .add_flag("--sheet", options.sheet,
                       "Also draw a sheet of all pictures, small, with their counts")

@@ -89,7 +89,7 @@ void add_hierarchy_options(const Command& command, HierarchyOptions& options, bo
                                                   : "Bounding volume: one of " + volume_names(", "))
                               .type_name(several ? "LIST" : "VOLUME")
                               .show_default();
-    volume.shareable();
+    volume.any_case().shareable();
     const std::vector<std::string> kinds = split_list(volume_names(","));
     if (several)
         volume.offer_list(kinds);

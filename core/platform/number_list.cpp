@@ -18,6 +18,13 @@ Number parsed_number(const std::string& text, const std::string& what, const std
     return value;
 }
 
+/// Of FIRST:LAST[:STEP], or of FIRST-LAST.
+std::vector<std::string> bounds_of(const std::string& part) {
+    const std::size_t dash = part.find('-', 1);
+    if (dash == part.npos || part.find(':') != part.npos) return split_list(part, ':');
+    return {part.substr(0, dash), part.substr(dash + 1)};
+}
+
 }  // namespace
 
 std::vector<std::string> split_list(const std::string& text, char separator) {
@@ -41,7 +48,7 @@ std::int64_t large_number(const std::string& text, const std::string& what,
 }
 
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range) {
-    const std::vector<std::string> bounds = split_list(part, ':');
+    const std::vector<std::string> bounds = bounds_of(part);
     if (bounds.size() > 3)
         throw InputError(range.option + ": '" + part +
                          "' is not a range; give FIRST:LAST or FIRST:LAST:STEP.");

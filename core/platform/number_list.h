@@ -25,8 +25,8 @@ struct NumberRange {
     std::string example;
 };
 
-/// One part of a list: "7", "0:499" or "0:499:10". Throws InputError, one sentence that starts with
-/// the option, if it is not such a part or leaves the range.
+/// One part of a list: "7", "0:499" or "0-499", or "0:499:10". Throws InputError, one sentence that
+/// starts with the option, if it is not such a part or leaves the range.
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range);
 
 /// In place of a list: the default frame of the scene.

@@ -327,6 +327,12 @@ TEST(CommandLine, TwoMeshesAndAPose) {
     EXPECT_NE(scaled.err.find("not rigid"), std::string::npos) << scaled.err;
 }
 
+TEST(CommandLine, HelpOfACommandHasTwoSpellings) {
+    EXPECT_EQ(run_scb("help").out, run_scb("--help").out);
+    EXPECT_EQ(run_scb("help render levels").out, run_scb("render levels --help").out);
+    EXPECT_EQ(run_scb("help diff").status, 0);
+}
+
 TEST(CommandLine, SuggestsTheNearestWord) {
     for (const auto& [arguments, suggestion] :
          std::initializer_list<std::pair<std::string, std::string>>{
@@ -343,6 +349,17 @@ TEST(CommandLine, SuggestsTheNearestWord) {
     for (const std::string arguments :
          {"xyzzy", "collide spheres-l1 --qwertyuiop", "collide spheres-l1 --volume zz"})
         EXPECT_EQ(run_scb(arguments).err.find("did you mean"), std::string::npos) << arguments;
+}
+
+TEST(CommandLine, VolumesAndRangesHaveSeveralSpellings) {
+    const auto out = [](const std::string& arguments) {
+        const ProgramRun run = run_scb("collide spheres-l1 " + arguments);
+        EXPECT_EQ(run.status, 0) << arguments << run.err;
+        return run.out;
+    };
+    EXPECT_EQ(out("--frames 0-10 --volume OBB"), out("--frames 0:10 --volume obb"));
+    for (const std::string frames : {"0-10-2", "10-0", "-5", "0-"})
+        EXPECT_EQ(run_scb("collide spheres-l1 --frames=" + frames).status, 2) << frames;
 }
 
 }  // namespace
