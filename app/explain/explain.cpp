@@ -62,8 +62,9 @@ int explain_scene(const ExplainOptions& options, const Console& console) {
     name_query(named, at.source, at.source);
     name_view(named, options.picture, options.camera);
     name_picture(named, options.picture);
-    picture.name = explain_name(options.scene.file_stem(scene.name), at.source.header(), named,
-                                at.frame, {a.index, b.index});
+    picture.name = options.picture.picture_stem(explain_name(options.scene.file_stem(scene.name),
+                                                             at.source.header(), named, at.frame,
+                                                             {a.index, b.index}));
     const PairNames names = pair_names(scene.name, pair);
     picture.title = (names.scene.empty() ? "" : names.scene + " · ") +
                     std::string(render::volume_title(query.kind)) + " · explain · " + names.nodes;

@@ -71,7 +71,8 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
     command.remove_option("--clip");
     command.get_option("--output")
         .default_str("")
-        .description("Also draw a picture of every pair into this folder");
+        .description(
+            "Also draw a picture of every pair into this folder; or FILE.png: of the only pair");
     command.get_option("--json").description("Print a list with an object per pair");
     command.get_option("--camera")
         .description(

@@ -17,7 +17,7 @@ struct ExplainOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query{.frames = auto_frames};
-    PictureOptions picture{.output = ""};
+    PictureOptions picture{.output = "", .takes_file = true};
     CameraOptions camera;
     std::string pair, pairs_file;
     /// Given options that do not apply to --pairs, that a trace already has, and that only pictures

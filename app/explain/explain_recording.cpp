@@ -166,8 +166,8 @@ ExplainPicture picture_of(const RecordedPair& found, const ExplainOptions& optio
     name_view(named, options.picture, options.camera);
     name_picture(named, options.picture);
     const auto& [a, b] = *found.pair.nodes;
-    picture.name = explain_name(options.scene.file_stem(header.scene), header, named, frame,
-                                {a.index, b.index});
+    picture.name = options.picture.picture_stem(explain_name(
+        options.scene.file_stem(header.scene), header, named, frame, {a.index, b.index}));
     place_nodes(picture, {found.trace->body(0, frame), found.trace->body(1, frame)}, found.nodes);
     const PairNames names = pair_names(header.scene, found.pair);
     picture.title = (names.scene.empty() ? "" : names.scene + " · ") +

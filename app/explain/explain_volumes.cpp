@@ -127,7 +127,8 @@ class VolumesReport {
         name_view(named, options_.picture, options_.camera);
         name_picture(named, options_.picture);
         ExplainPicture picture;
-        picture.name = picture_name(stem(), "explain", named, format("pair-%03zu", i));
+        picture.name = options_.picture.picture_stem(
+            picture_name(stem(), "explain", named, format("pair-%03zu", i)));
         picture.title = stem() + " · " + std::string(render::volume_title(pair.kind)) +
                         " · explain" + (pairs_ == 1 ? "" : format(" · pair %zu", i));
         picture.subtitle = asked_words(pair);
@@ -155,6 +156,7 @@ int explain_volumes(const ExplainOptions& options, const Console& console) {
                          std::to_string(pairs.size()) + " pairs, and at most " +
                          std::to_string(most_pictures) +
                          " are drawn; leave out -o, or give those that matter.");
+    options.picture.check_count(pairs.size(), "give one pair");
     const OverlapOptions overlap = options.query.overlap();
     std::vector<VolumeKind> kinds;
     for (const scenes::AnyRawPair& pair : pairs)

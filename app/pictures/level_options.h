@@ -16,7 +16,7 @@ class Command;
 struct LevelOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
-    PictureOptions picture;
+    PictureOptions picture{.takes_file = true};
     CameraOptions camera;
     std::string levels = "auto";
     std::optional<render::ColorBy> color_by;  ///< none: auto

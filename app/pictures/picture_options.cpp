@@ -8,6 +8,7 @@
 #include "app/cli/command_text.h"
 #include "app/cli/validators.h"
 #include "app/query/query_options.h"
+#include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
 #include "scb/error.h"
@@ -51,6 +52,21 @@ void PictureOptions::check() const {
         throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
     if (open && output.empty())
         throw InputError("--open: there is nothing to open; say where pictures go with -o DIR.");
+    if (names_file() && !takes_file)
+        throw InputError("-o " + output + ": this command writes several files; name a folder.");
+    if (names_file() && (shards.is_shard() || shards.is_merge()))
+        throw InputError("-o " + output + ": shards are kept and joined in folders; name one.");
+}
+
+void PictureOptions::check_count(std::size_t pictures, const std::string& one) const {
+    if (names_file() && pictures > 1)
+        throw InputError("-o " + output + ": this run draws " +
+                         counted(pictures, "picture", "pictures") + "; name a folder, or " + one +
+                         ".");
+}
+
+std::string PictureOptions::picture_stem(const std::string& usual) const {
+    return names_file() ? std::filesystem::path(output).stem().string() : usual;
 }
 
 int PictureOptions::width() const { return side_of(size, 0); }
@@ -74,12 +90,14 @@ std::size_t PictureOptions::jobs() const {
 }
 
 std::filesystem::path PictureOptions::output_folder() const {
+    std::filesystem::path folder = output;
+    if (names_file() && (folder = folder.parent_path()).empty()) return folder;
     std::error_code error;
-    std::filesystem::create_directories(output, error);
-    if (error || !std::filesystem::is_directory(output))
-        throw OutputError(output + ": this folder cannot be made" +
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+        throw OutputError(folder.string() + ": this folder cannot be made" +
                           (error ? " (" + error.message() + ")" : "") + "; name another with -o.");
-    return output;
+    return folder;
 }
 
 void add_gl_option(const Command& command, std::string& gl) {
@@ -90,6 +108,9 @@ void add_gl_option(const Command& command, std::string& gl) {
 }
 
 namespace {
+
+constexpr const char* picture_output =
+    "Folder for the pictures, with index.json; or FILE.png for the only picture, without it";
 
 /// Options that do not affect a picture.
 const std::vector<std::string> untold = {"--output", "--models", "--jobs",   "--json",
@@ -179,7 +200,7 @@ void add_json(const Command& command, PictureOptions& options) {
 }  // namespace
 
 void add_picture_options(const Command& command, PictureOptions& options, CameraOptions& camera) {
-    add_output_size(command, options, "Folder for the pictures");
+    add_output_size(command, options, picture_output);
     add_view(command, options, camera);
     add_drawing(command, options);
     add_jobs(command, options);
@@ -201,7 +222,7 @@ void add_panel_option(const Command& command, PictureOptions& options) {
 void add_picture_options(const Command& command, PictureOptions& options) {
     // Only the overlay is drawn, which is not sampled.
     options.samples = 1;
-    add_output_size(command, options, "Folder for the pictures");
+    add_output_size(command, options, picture_output);
     add_drawing(command, options);
     add_jobs(command, options);
     add_copies(command, options);

@@ -28,6 +28,7 @@ struct PictureOptions {
     std::string background = "light";
     std::string gl = render::is_compiled_in(render::GlBackend::osmesa) ? "osmesa" : "egl";
     std::string output = "out";
+    bool takes_file = false;  ///< -o may name the only picture, FILE.png
     int job_count = 0;
     bool ids = false;
     bool json = false;
@@ -43,7 +44,14 @@ struct PictureOptions {
 
     /// Throws InputError if an option is invalid.
     void check() const;
+    /// Throws InputError if -o names one picture and the run draws several. `one`: what to do to
+    /// draw one.
+    void check_count(std::size_t pictures, const std::string& one) const;
 
+    /// Whether -o names the only picture in place of a folder.
+    bool names_file() const { return output.ends_with(".png"); }
+    /// The name of a picture without its ending: the file's that -o names, or `usual` in a folder.
+    std::string picture_stem(const std::string& usual) const;
     int width() const;
     int height() const;
     /// For a picture with one view.
@@ -51,7 +59,7 @@ struct PictureOptions {
     const render::Theme* theme() const;
     render::GlBackend backend() const;
     std::size_t jobs() const;
-    /// The folder, created if missing; throws OutputError if that fails.
+    /// The folder of the pictures, created if missing; throws OutputError if that fails.
     std::filesystem::path output_folder() const;
 };
 

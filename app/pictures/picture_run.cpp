@@ -6,6 +6,7 @@
 #include "app/cli/open_file.h"
 #include "app/cli/version.h"
 #include "app/pictures/plot_file.h"
+#include "core/base/text_format.h"
 #include "core/platform/file_bytes.h"
 #include "core/platform/input_files.h"
 #include "core/platform/output_file.h"
@@ -58,8 +59,8 @@ PictureRun::PictureRun(const PictureOptions& options, const std::string& scene,
       context_(options.backend()),
       renderer_(context_),
       folder_(options.output_folder()),
-      index_(place("index.json")),
       queue_(8, options.jobs()) {
+    if (!options.names_file()) index_.emplace(place("index.json"));
     queue_.set_texts(picture_texts(options, scene));
     if (options.svg) overlay_.note_in(&shapes_);
     for (const std::string& name : tables) place(name);
@@ -152,8 +153,9 @@ void PictureRun::explain(const render::SceneFigure& figure) {
         renderer_.draw(options_.shift_color ? shifted_colors(view) : view, &overlay_).image;
 }
 
-void PictureRun::draw(const std::string& name, const render::Picture& picture, Json entry,
+void PictureRun::draw(const std::string& usual_name, const render::Picture& picture, Json entry,
                       bool of_sequence) {
+    const std::string name = options_.picture_stem(usual_name);
     const bool with_ids = (options_.ids || options_.pick) && of_sequence;
     render::Rendering rendering = options_.shift_color
                                       ? renderer_.draw(shifted_colors(picture), &overlay_, with_ids)
@@ -222,7 +224,7 @@ std::filesystem::path PictureRun::place(const std::string& name) const {
 
 std::filesystem::path PictureRun::place_picture(const std::string& name) {
     std::filesystem::path path = place(name);
-    index_.about_to_write(name);
+    if (index_) index_->about_to_write(name);
     return path;
 }
 
@@ -275,6 +277,14 @@ std::string PictureRun::written_list() const {
     return list;
 }
 
+void PictureRun::write_index(const Json& head, const Console& console) {
+    if (const std::size_t replaced = index_->write(head); replaced > 0)
+        console.note("scb: " + counted(replaced, "picture", "pictures") + " of another run in " +
+                     folder_.string() + (replaced == 1 ? " was" : " were") +
+                     " replaced; give each run a folder of its own with -o to keep both.");
+    written_.push_back("index.json");
+}
+
 void PictureRun::finish(Json head, const Console& console) {
     if (sheet_ && !sheet_->sheet.cells.empty()) draw_sheet();
     queue_.finish();
@@ -286,12 +296,7 @@ void PictureRun::finish(Json head, const Console& console) {
     const render::GlInfo info = context_.info();
     head["versions"] = versions_json(&info);
     head["files"] = files_;
-    if (const std::size_t replaced = index_.write(head); replaced > 0)
-        console.note("scb: " + render::count_text(replaced) +
-                     (replaced == 1 ? " picture" : " pictures") + " of another run in " +
-                     folder_.string() + (replaced == 1 ? " was" : " were") +
-                     " replaced; give each run a folder of its own with -o to keep both.");
-    written_.push_back("index.json");
+    if (index_) write_index(head, console);
     std::string list = written_list();
     if (with_video) list += options_.video.file + "\n";
     print_result(instead_ ? *instead_ : options_.json ? index_text(head) : said_ + list);

@@ -57,12 +57,12 @@ class PictureRun {
     /// of a shrunk picture cannot be read.
     void explain(const render::SceneFigure& figure);
 
-    /// Draws the picture with overlay(), and queues it to be written as NAME.png. A picture
-    /// `of_sequence`, which is not a summary of the run, is also written with ids as NAME_ids.png,
-    /// as a frame of the video and as a cell of the sheet, if asked for. `entry`: its entry in the
-    /// index, without the file names.
-    void draw(const std::string& name, const render::Picture& picture, nlohmann::ordered_json entry,
-              bool of_sequence = true);
+    /// Draws the picture with overlay(), and queues it to be written as NAME.png, where NAME is
+    /// PictureOptions::picture_stem. A picture `of_sequence`, which is not a summary of the run, is
+    /// also written with ids as NAME_ids.png, as a frame of the video and as a cell of the sheet, if
+    /// asked for. `entry`: its entry in the index, without the file names.
+    void draw(const std::string& usual_name, const render::Picture& picture,
+              nlohmann::ordered_json entry, bool of_sequence = true);
 
     /// Writes a file beside the pictures.
     void write(const std::string& name, const std::string& text);
@@ -79,12 +79,13 @@ class PictureRun {
     void finish_shard(const Console& console);
 
     /// Draws the sheet, and waits until everything is written, including the video. Then writes
-    /// index.json, with `head`, `files` and the versions as the latest run. Prints that run, or the
-    /// names of all files, and opens the result, as the options say.
+    /// index.json of a folder, with `head`, `files` and the versions as the latest run. Prints that
+    /// run, or the names of all files, and opens the result, as the options say.
     void finish(nlohmann::ordered_json head, const Console& console);
 
   private:
     void draw_sheet();
+    void write_index(const nlohmann::ordered_json& head, const Console& console);
     /// Takes over a picture of a shard, from the folder of its pictures.
     void take_picture(const nlohmann::ordered_json& picture, const std::filesystem::path& from);
     /// A file of that picture.
@@ -105,7 +106,7 @@ class PictureRun {
     render::Context context_;
     render::Renderer renderer_;
     std::filesystem::path folder_;
-    FolderIndex index_;
+    std::optional<FolderIndex> index_;  ///< of a folder
     render::EncodeQueue queue_;
     std::unique_ptr<render::Animation> video_;  ///< or null
     std::optional<SheetRun> sheet_;

@@ -269,7 +269,7 @@ void QueryView::tell_pick(PictureRun& pictures, const std::string& name,
         return at.x >= r.x && at.x < r.x + r.width && at.y >= r.y && at.y < r.y + r.height;
     };
     const std::size_t query = layout_ && is_in(layout_->sides[1].view) ? 1 : 0;
-    pictures.say(name + format(".png at %d,%d: ", at.x, at.y) +
+    pictures.say(options_.picture.picture_stem(name) + format(".png at %d,%d: ", at.x, at.y) +
                  id_text(ids_, sources_[query], frames, pictures.id_at(at.x, at.y)));
 }
 

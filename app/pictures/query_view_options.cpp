@@ -40,6 +40,9 @@ QuerySources QueryViewOptions::open(const Console& console) const {
             "--no-panel: of two queries that are compared, only captions say which is which; leave "
             "it "
             "out, or draw each alone.");
+    const std::size_t frames = sources.front().frames().size();
+    picture.check_count(frames + sheet,
+                        frames > 1 ? "give one frame with --frames" : "leave out --sheet");
     if (picture.video.wanted()) check_output(picture.video.file, "--video", picture.output);
     return sources;
 }
@@ -95,10 +98,10 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
             .add_option("--compare", options.compare,
                         "Two overlap tests (corrected,printed) or two volumes (scb,ball): draw "
                         "both side by side, and outline the differences")
+            .any_case()
             .offer_list(compared_words())
             .type_name("A,B")
             .shareable();
-            .any_case()
         command
             .add_flag("--sheet", options.sheet,
                       "Also draw a sheet of all pictures, small, with their counts")

@@ -25,7 +25,7 @@ struct QueryViewOptions {
     HierarchyOptions hierarchy;
     QueryOptions query{.frames = auto_frames};
     QueryLimits limits;
-    PictureOptions picture;
+    PictureOptions picture{.takes_file = true};
     CameraOptions camera;
     std::string pick;  ///< "X,Y", see PictureOptions::pick
     bool sheet = false;

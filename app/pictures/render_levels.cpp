@@ -106,12 +106,14 @@ int run(const LevelOptions& options, const Console& console) {
     const std::string stem = options.scene.file_stem(scene.name);
     const int frame = subject.frame;
     const std::vector<LevelTrees>& trees = subject.trees;
+    const std::size_t total = trees.size() * subject.levels.size();
+    const bool with_sheet = total > 1 && !options.no_sheet;
+    options.picture.check_count(total + with_sheet, "give one level with --levels and one volume");
     PictureRun pictures(options.picture, scene.name);
     const LevelFigures figures(options, subject, pictures.renderer());
     const render::LevelFigure& common = figures.common();
 
     const NamedOptions named = named_options(options);
-    const std::size_t total = trees.size() * subject.levels.size();
     Progress progress(console, total);
     std::vector<std::string> names;
     for (const LevelTrees& each : trees) names.push_back(each.name);
@@ -137,7 +139,7 @@ int run(const LevelOptions& options, const Console& console) {
         pictures.finish_shard(console);
         return exit_done;
     }
-    if (total > 1 && !options.no_sheet)
+    if (with_sheet)
         pictures.draw(sheet_name(named, options, stem, frame),
                       render::compose(sheet_of(subject, figures), options.picture.samples,
                                       pictures.overlay()),

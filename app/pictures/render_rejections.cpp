@@ -202,6 +202,9 @@ int run(RejectionsOptions& options, const Console& console) {
         throw InputError("--steps " + std::to_string(*options.steps) + ": give at least 1.");
     if (options.steps && sources.size() == 2)
         throw InputError("--steps: an animation is of one query; leave it out to compare two.");
+    if (options.steps && options.picture.names_file())
+        options.picture.check_count(picture_count(sources.front(), options.steps),
+                                    "leave out --steps");
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2)
         layout = render::comparison_layout(

@@ -339,5 +339,15 @@ TEST_F(ExplainCommand, RefusesWhatMakesNoSense) {
     EXPECT_EQ(run_scb("explain --pairs " + file + " -o /proc/none").status, 3);
 }
 
+TEST_F(ExplainCommand, DrawsIntoTheFileThatIsNamed) {
+    const std::string file = folder / "new/part.png";
+    const ProgramRun run =
+        run_scb("explain spheres-l1 --frames 250 --pair 0,0 --json --size 640x480 -o " + file);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(json::parse(run.out)[0]["file"], "part.png");
+    EXPECT_TRUE(std::filesystem::exists(file));
+    EXPECT_EQ(files_in(folder / "new"), 1u);
+}
+
 }  // namespace
 }  // namespace scb::app

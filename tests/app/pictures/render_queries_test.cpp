@@ -328,5 +328,51 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     refused("pairs " + of_scene, "there is no such");
 }
 
+TEST_F(RenderQueries, OfOneFrameGoIntoTheFileThatIsNamed) {
+    const std::string scene = " spheres-l1 --frames 100 --size 320x240 ";
+    std::filesystem::create_directory(folder / "one");
+    const std::string file = folder / "one/part.png";
+    for (const std::string command : {"render pairs", "render rejections", "render traversal"}) {
+        const ProgramRun usual = run_scb(command + scene + "-o " + out);
+        const ProgramRun run = run_scb(command + scene + "-o " + file);
+        EXPECT_EQ(run.status, 0) << command << run.err;
+        EXPECT_EQ(run.out, file + "\n");
+        EXPECT_EQ(file_text(file), file_text(lines(usual.out)[0])) << command;
+        EXPECT_EQ(files_in(folder / "one"), 1u);
+    }
+    const ProgramRun with_json = run_scb("render pairs" + scene + "--ids --json -o " + file);
+    const json files = json::parse(with_json.out)["files"];
+    EXPECT_EQ(files[0]["file"], "part.png");
+    EXPECT_EQ(files[0]["ids"], "part_ids.png");
+    EXPECT_EQ(files_in(folder / "one"), 2u);
+}
+
+TEST_F(RenderQueries, OfSeveralPicturesAreRefusedInOneFile) {
+    for (const auto& [arguments, sentence] :
+         std::initializer_list<std::pair<std::string, std::string>>{
+             {"pairs --frames 0,100",
+              "this run draws 2 pictures; name a folder, or give one frame"},
+             {"pairs --frames 100 --sheet",
+              "draws 2 pictures; name a folder, or leave out --sheet"},
+             {"rejections --frames 100 --steps 500", "name a folder, or leave out --steps"},
+             {"traversal --frames 0,100", "this run draws 2 pictures"},
+             {"levels --levels 3,4", "this run draws 3 pictures; name a folder, or give one level"},
+             {"pairs --frames 100 --shard 1/2", "shards are kept and joined in folders"}}) {
+        const std::string command = arguments.substr(0, arguments.find(' '));
+        const ProgramRun run =
+            run_scb("render " + command + " spheres-l1" + arguments.substr(command.size()) +
+                    " -o " + (folder / "new/part.png"));
+        EXPECT_EQ(run.status, 2) << arguments;
+        EXPECT_NE(run.err.find(sentence), std::string::npos) << run.err;
+        EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+    }
+    for (const std::string command : {"bench", "inspect", "tune"})
+        EXPECT_NE(run_scb(command + " spheres-l1 -o " + (folder / "new/part.png"))
+                      .err.find("this command writes several files"),
+                  std::string::npos)
+            << command;
+}
+
 }  // namespace
 }  // namespace scb::app
