@@ -34,10 +34,9 @@ std::string share_cell(double share, std::uint32_t of) {
 }
 
 std::string measures_row(const LevelMeasures& m) {
-    return format(" %8u %8u %10.4g %10.4g", m.nodes, m.solid, m.sah_cost, m.epo) +
+    return format(" %8u %7u %9.4g %9.4g", m.nodes, m.solid, m.sah_cost, m.epo) +
            share_cell(m.tightness, m.solid) + share_cell(m.sibling_overlap, m.solid_siblings) +
-           format("  %10.4g %10.4g %10.4g %10.4g\n", m.area, m.volume, m.hull_volume,
-                  m.overlap_volume);
+           format(" %9.4g %9.4g %9.4g %9.4g\n", m.area, m.volume, m.hull_volume, m.overlap_volume);
 }
 
 }  // namespace
@@ -54,19 +53,20 @@ nlohmann::ordered_json measures_json(const HierarchyMeasures& measures) {
 
 std::string measures_table(const HierarchyMeasures& m) {
     std::string text =
-        "level    nodes    solid   SAH cost        EPO    tight  overlap        area     volume  "
-        "    hulls     shared\n";
+        "level    nodes   solid  SAH cost       EPO    tight  overlap      area    volume"
+        "     hulls    shared\n";
     for (std::size_t i = 0; i < m.levels.size(); ++i)
         text += format("%5zu", i) + measures_row(m.levels[i]);
     return text + "  all" + measures_row(m.all) +
            format(
-               "EPO %.4g +- %.1g; a line through the surface meets %.4g leaves; "
+               "EPO %.4g +- %.1g; a line through the surface meets %.4g leaves;\n"
                "LCV, the standard deviation of that: %.4g +- %.1g\n",
                m.all.epo, m.epo_error, m.leaf_count, m.lcv, m.lcv_error) +
            "solid: nodes whose points lie in no plane; tight: the volume of the hull of these "
-           "points over that of the node, their mean;\n"
-           "overlap: the volume that two siblings share over that of the smaller, the mean; "
-           "hulls, shared: sums of these volumes\n";
+           "points\n"
+           "over that of the node, their mean; overlap: the volume that two siblings share over "
+           "that\n"
+           "of the smaller, the mean; hulls, shared: sums of these volumes\n";
 }
 
 }  // namespace scb::app

@@ -7,6 +7,7 @@
 #include "app/report/count_table.h"
 #include "app/report/measures_report.h"
 #include "app/report/table.h"
+#include "app/report/wrapped_text.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "scb/any_packed.h"
@@ -55,15 +56,16 @@ std::string facts_text(const MeshFacts& f) {
     const auto vector = [diagonal = size.norm()](const Vec3& v) {
         return vector_text(v, diagonal);
     };
-    std::string text = "box          " + vector(f.box.lower) + " to " + vector(f.box.upper) +
-                       "; size " + vector(size) + "\n" + "surface      " +
-                       (f.closed() ? "closed"
-                                   : format("open: %zu edges of one triangle, %zu of more than two",
-                                            f.open_edges, f.crowded_edges)) +
-                       format("; %zu component%s\n", f.components, f.components == 1 ? "" : "s") +
-                       format("triangles    %zu degenerate, %zu duplicates of others\n",
-                              f.degenerate, f.duplicates) +
-                       "slenderness  " + slenderness_text(f) + "\n";
+    std::string text =
+        "box          " + vector(f.box.lower) + " to " + vector(f.box.upper) + "\n" +
+        "size         " + vector(size) + "\n" + "surface      " +
+        (f.closed() ? "closed"
+                    : "open: " + counted(f.open_edges, "edge", "edges") +
+                          format(" of one triangle, %zu of more than two", f.crowded_edges)) +
+        "; " + counted(f.components, "component", "components") + "\n" +
+        format("triangles    %zu degenerate, %zu duplicates of others\n", f.degenerate,
+               f.duplicates) +
+        wrapped_text("slenderness  " + slenderness_text(f), 13) + "\n";
     if (f.slender() > 0)
         text += format("             the longest of 16 and more is triangle %u, %.6g long\n",
                        f.longest_slender, f.longest_slender_side);
@@ -94,30 +96,28 @@ struct LevelRow {
     const VolumeStatistics* above;   ///< the level above, for the ratios
     const LevelMeasures* measures;   ///< null if not asked for
     const HierarchyMeasures* whole;  ///< only of all levels
-    std::string rules;
 };
 
-std::vector<Field<LevelRow>> level_columns(bool with_rules, bool with_measures) {
+std::vector<Field<LevelRow>> level_columns(bool with_measures) {
     const auto shown = [](double value) { return Cell(value, "%.4g"); };
-    const auto to_above = [](const LevelRow& r, double (VolumeStatistics::*of)() const,
-                             const char* pattern) {
-        return r.above ? Cell(ratio((r.l.*of)(), (r.above->*of)()), pattern) : Cell();
+    const auto to_above = [](const LevelRow& r, double (VolumeStatistics::*of)() const) {
+        return r.above ? Cell(ratio((r.l.*of)(), (r.above->*of)()), "%.2f") : Cell();
     };
     std::vector<Field<LevelRow>> fields = {
         {{"level", "level", 5}, [](auto& r) { return r.level; }},
-        {{"nodes", "nodes", 9}, [](auto& r) { return r.l.volumes; }},
-        {{"leaves", "leaves", 9}, [](auto& r) { return r.l.leaves; }},
-        {{"cover", "cover", 9}, [](auto& r) { return r.cover; }},
+        {{"nodes", "nodes", 8}, [](auto& r) { return r.l.volumes; }},
+        {{"leaves", "leaves", 8}, [](auto& r) { return r.l.leaves; }},
+        {{"cover", "cover", 8}, [](auto& r) { return r.cover; }},
         {{"mean d", "mean_diameter", 10}, [=](auto& r) { return shown(r.l.mean_diameter()); }},
         {{"max d", "max_diameter", 10}, [=](auto& r) { return shown(r.l.max_diameter); }},
-        {{"d ratio", "diameter_ratio", 8, Align::right, 0, false},
-         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_diameter, "%.3f"); }},
+        {{"ratio", "diameter_ratio", 6, Align::right, 0, false},
+         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_diameter); }},
         {{"mean tau", "mean_thickness", 10}, [=](auto& r) { return shown(r.l.mean_thickness()); }},
         {{"max tau", "max_thickness", 10}, [=](auto& r) { return shown(r.l.max_thickness); }},
-        {{"tau ratio", "thickness_ratio", 10, Align::right, 0, false},
-         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_thickness, "%.3f  "); }},
-        {{"area", "area", 11}, [=](auto& r) { return shown(r.l.area); }},
-        {{"volume", "volume", 11}, [=](auto& r) { return shown(r.l.volume); }}};
+        {{"ratio", "thickness_ratio", 6, Align::right, 0, false},
+         [=](auto& r) { return to_above(r, &VolumeStatistics::mean_thickness); }},
+        {{"area", "area", 9}, [](auto& r) { return Cell(r.l.area, "%.3g"); }},
+        {{"volume", "volume", 9}, [](auto& r) { return Cell(r.l.volume, "%.3g"); }}};
     if (with_measures) {
         for (const LevelMeasure& field : level_measures())
             fields.push_back(
@@ -127,8 +127,6 @@ std::vector<Field<LevelRow>> level_columns(bool with_rules, bool with_measures) 
                                   return r.whole ? shown(*r.whole.*field.value) : Cell();
                               }});
     }
-    if (with_rules)
-        fields.push_back({{"split by", "", 0, Align::left, 2}, [](auto& r) { return r.rules; }});
     return fields;
 }
 
@@ -137,13 +135,13 @@ std::vector<LevelRow> level_rows(const HierarchyStats& m) {
     for (std::size_t i = 0; i < m.levels.size(); ++i) {
         const LevelStatistics& l = m.levels[i];
         rows.push_back({i, l, l.cover, i == 0 ? nullptr : &m.levels[i - 1],
-                        m.measures ? &m.measures->levels[i] : nullptr, nullptr, rules_text(l)});
+                        m.measures ? &m.measures->levels[i] : nullptr, nullptr});
     }
     return rows;
 }
 
 Table level_table(const HierarchyStats& m) {
-    return table_of(level_columns(m.engine.empty(), m.measures.has_value()), level_rows(m));
+    return table_of(level_columns(m.measures.has_value()), level_rows(m));
 }
 
 Table packed_table(const HierarchyStats& m) {
@@ -156,7 +154,8 @@ Table packed_table(const HierarchyStats& m) {
         if (p.refused.empty())
             table.add({p.layout, {}, p.bytes, {m.per_triangle(p.bytes), "%.1f"}, {p.ms, "%.1f"}});
         else
-            table.add({p.layout, p.refused, {}, {nullptr, "-"}}, "  " + p.refused);
+            table.add({p.layout, p.refused, {}, {nullptr, "-"}},
+                      "\n" + wrapped_text("    " + p.refused, 4));
     return table;
 }
 
@@ -165,23 +164,27 @@ Table packed_table(const HierarchyStats& m) {
 std::string stats_table(const HierarchyStats& m) {
     std::string bodies;
     for (const std::string& body : m.bodies) bodies += (bodies.empty() ? "" : ", ") + body;
-    std::string text =
-        m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies +
-        (m.triangles > 0 ? format("): %zu triangles, %zu distinct points, ", m.triangles, m.points)
-                         : format("): %zu objects, ", m.objects)) +
+    const std::string title =
+        m.mesh + (m.bodies.size() == 1 ? " (body " : " (bodies ") + bodies + "): " +
+        (m.triangles > 0 ? counted(m.triangles, "triangle", "triangles") + ", " +
+                               counted(m.points, "distinct point", "distinct points")
+                         : counted(m.objects, "object", "objects")) +
+        ", " +
         (m.engine.empty()
              ? std::string(volume_kind_name(m.kind)) + " hierarchy" + build_text(m.build)
-             : m.volumes + " tree of " + m.engine) +
-        "\n" + (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" + level_table(m).text();
+             : m.volumes + " tree of " + m.engine);
+    std::string text = wrapped_text(title, 4) + "\n" +
+                       (m.triangles > 0 ? facts_text(m.facts) : "") + "\n" + level_table(m).text() +
+                       format("\ndepth %zu, ", m.levels.size() - 1) +
+                       counted(m.nodes, "node", "nodes");
     if (!m.engine.empty())
-        return text + format("\ndepth %zu, %zu nodes\n", m.levels.size() - 1, m.nodes) +
-               (m.measures ? "\n" + measures_table(*m.measures) : "");
+        return text + "\n" + (m.measures ? "\n" + measures_table(*m.measures) : "");
     LevelStatistics total;
     for (const LevelStatistics& l : m.levels)
         for (std::size_t r = 0; r < split_rule_count; ++r) total.rules[r] += l.rules[r];
-    text += format("\ndepth %zu, %zu nodes, %zu bytes per node (%.1f per triangle), split by: ",
-                   m.levels.size() - 1, m.nodes, m.bytes_per_node, m.per_triangle(m.bytes)) +
-            rules_text(total) +
+    text += format(", %zu bytes per node (%.1f per triangle)\n", m.bytes_per_node,
+                   m.per_triangle(m.bytes)) +
+            wrapped_text("split by: " + rules_text(total), 10) +
             format("\ntime here (differs from run to run): topology %.1f ms, fit %.1f ms\n",
                    m.topology_ms, m.fit_ms);
     if (m.measures) text += "\n" + measures_table(*m.measures);
@@ -225,8 +228,7 @@ Json stats_json(const HierarchyStats& m) {
 }
 
 std::string stats_csv_header(bool with_measures) {
-    return "mesh,bodies,hierarchy,split," +
-           table_of(level_columns(false, with_measures)).csv_header();
+    return "mesh,bodies,hierarchy,split," + table_of(level_columns(with_measures)).csv_header();
 }
 
 std::string stats_csv(const HierarchyStats& m) {
@@ -240,9 +242,8 @@ std::string stats_csv(const HierarchyStats& m) {
                     {},
                     nullptr,
                     m.measures ? &m.measures->all : nullptr,
-                    m.measures ? &*m.measures : nullptr,
-                    ""});
-    return table_of(level_columns(false, m.measures.has_value()), rows)
+                    m.measures ? &*m.measures : nullptr});
+    return table_of(level_columns(m.measures.has_value()), rows)
         .csv_rows(csv_field(m.mesh) + "," + csv_field(bodies) + "," +
                   (m.engine.empty() ? std::string(volume_kind_name(m.kind)) + "," +
                                           std::string(split_method_name(m.build.split))

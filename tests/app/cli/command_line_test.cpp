@@ -252,7 +252,7 @@ TEST(CommandLine, StatsAddUp) {
               hierarchies[1]["levels"][7]["mean_diameter"]);
 
     const std::string table = run_scb("stats spheres-l1").out;
-    EXPECT_NE(table.find("20480 triangles"), std::string::npos);
+    EXPECT_NE(table.find("20,480 triangles"), std::string::npos);
     EXPECT_NE(table.find("longest side"), std::string::npos);
 }
 
