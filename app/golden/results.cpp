@@ -53,6 +53,29 @@ void refuse_foreign(const fs::path& file, const std::string& option) {
                          ", which holds no results; name another place, or remove it.");
 }
 
+/// The lines of a failed case below its message. If there are too many, the last says where all
+/// are.
+std::string failure_text(const golden::CaseResult& c, const std::string& all_lines) {
+    constexpr std::size_t most = 24;
+    std::vector<std::string> commands;
+    for (const std::string& command : {c.reproduce, c.diff, c.update})
+        if (!command.empty()) commands.push_back(golden::plain_text(command));
+    std::vector<std::string> lines = golden::result_lines(c);
+    std::size_t more = 0;
+    if (lines.size() + commands.size() > most) {
+        const std::size_t kept = most - commands.size() - 1;
+        more = lines.size() - kept;
+        lines.resize(kept);
+    }
+    lines.insert(lines.end(), commands.begin(), commands.end());
+    if (more > 0)
+        lines.push_back(counted(more, "more line is", "more lines are") + " in " +
+                        golden::plain_text(all_lines) + ".");
+    std::string text;
+    for (const std::string& line : lines) text += "    " + line + "\n";
+    return text;
+}
+
 void tell_github(const golden::SuiteResult& result) {
     if (environment_value("GITHUB_ACTIONS") == "true")
         print_github_commands(golden::github_annotations(result));
@@ -150,7 +173,7 @@ void write_results(const golden::SuiteResult& result, const ResultFiles& files,
             if (!failed) failed = error;
         }
     };
-    attempt([&] { print_result(results_text(result)); });
+    attempt([&] { print_result(results_text(result, files.with_all_lines())); });
     if (!files.report.empty())
         attempt([&] { golden::write_report_folder(result, files.report, work); });
     if (!files.junit.empty())
@@ -161,7 +184,14 @@ void write_results(const golden::SuiteResult& result, const ResultFiles& files,
     if (failed) throw *failed;
 }
 
-std::string results_text(const golden::SuiteResult& result) {
+std::string ResultFiles::with_all_lines() const {
+    if (!report.empty()) return (fs::path(report) / "report.html").string();
+    if (!json.empty()) return json;
+    if (!junit.empty()) return junit;
+    return "the page that --report DIR writes";
+}
+
+std::string results_text(const golden::SuiteResult& result, const std::string& all_lines) {
     std::string text;
     std::map<golden::Verdict, std::size_t> counts;
     std::size_t tolerated = 0;
@@ -174,11 +204,8 @@ std::string results_text(const golden::SuiteResult& result) {
             continue;
         }
         text += golden::plain_text(c.name) + ": " + std::string(golden::verdict_names[c.verdict]) +
-                ". " + golden::plain_text(golden::first_words(c)) + "\n";
-        for (const std::string& line : golden::result_lines(c)) text += "    " + line + "\n";
-        if (!c.reproduce.empty()) text += "    " + golden::plain_text(c.reproduce) + "\n";
-        if (!c.diff.empty()) text += "    " + golden::plain_text(c.diff) + "\n";
-        if (!c.update.empty()) text += "    " + golden::plain_text(c.update) + "\n";
+                ". " + golden::plain_text(golden::first_words(c)) + "\n" +
+                failure_text(c, all_lines);
     }
     if (!result.incomplete.empty())
         text += "incomplete. " + golden::plain_text(result.incomplete) + "\n";

@@ -29,6 +29,8 @@ struct ResultFiles {
     void check(const std::filesystem::path& suite, const std::filesystem::path& baselines) const;
     /// Throws InputError if results would replace an input, or a file that holds no results.
     void refuse_inputs() const;
+    /// Where all lines of failed cases are, or would be.
+    std::string with_all_lines() const;
 
   private:
     /// The files, each with its option.
@@ -44,7 +46,7 @@ void write_results(const golden::SuiteResult& result, const ResultFiles& files,
                    const std::filesystem::path& work);
 
 /// A line per case that is not the same, with the differences, and a line with the number of cases
-/// per verdict.
-std::string results_text(const golden::SuiteResult& result);
+/// per verdict. A case has at most 25 lines; the last says how many more `all_lines` has.
+std::string results_text(const golden::SuiteResult& result, const std::string& all_lines);
 
 }  // namespace scb::app

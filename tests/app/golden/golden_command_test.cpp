@@ -1,6 +1,8 @@
 #include "tests/app/golden/golden_command.h"
 
 #include <nlohmann/json.hpp>
+
+#include "app/golden/results.h"
 #include "core/platform/output_file.h"
 #include "render/files/image_file.h"
 
@@ -216,6 +218,23 @@ TEST_F(GoldenCommand, RefusesWhatASuiteMustNotSay) {
     refused("/cases/0/nonsense", 1, "nonsense");
     refused("/scb_golden", 3, "scb_golden");
     refused("/presets/small/preset", "small", "inherits itself");
+}
+
+TEST(GoldenResults, HaveAtMost25LinesForACase) {
+    golden::SuiteResult result;
+    golden::CaseResult& failed = result.cases.emplace_back();
+    failed.name = "levels";
+    failed.verdict = golden::Verdict::different;
+    failed.reproduce = "scb render levels";
+    failed.lines.assign(23, "a line");
+    EXPECT_EQ(lines_of(results_text(result, "all.html")), 26u);  // and the sum
+    EXPECT_EQ(results_text(result, "all.html").find("all.html"), std::string::npos);
+    failed.lines.assign(40, "a line");
+    const std::string text = results_text(result, "all.html");
+    EXPECT_EQ(lines_of(text), 26u);
+    EXPECT_NE(text.find("    scb render levels\n    18 more lines are in all.html.\n1 case"),
+              std::string::npos)
+        << text;
 }
 
 }  // namespace
