@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
+#include "app/cli/validators.h"
 #include "app/report/trace_report.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
@@ -20,6 +21,7 @@ using Json = nlohmann::ordered_json;
 struct DiffOptions {
     std::string a, b, bodies;
     scenes::QuerySelection selection;  ///< of the recordings; traces have no names
+    int top = 10;
     bool json = false;
 };
 
@@ -40,9 +42,12 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
     for (const FieldDifference& field : d.asked)
         asked.push_back({{"field", field.name}, {"a", field.a}, {"b", field.b}});
     for (const FrameDifference& frame : d.frames)
-        frames.push_back({{"frame", frame.frame},
-                          {"poses_differ", frame.poses_differ},
-                          {"counts", counts_json(d, frame.a, frame.b)}});
+        frames.push_back(
+            {{"frame", frame.frame},
+             {"poses_differ", frame.poses_differ},
+             {"pairs_only_in_a", d.pairs_comparable ? Json(frame.pairs_only_in_a) : Json()},
+             {"pairs_only_in_b", d.pairs_comparable ? Json(frame.pairs_only_in_b) : Json()},
+             {"counts", counts_json(d, frame.a, frame.b)}});
     Json lost = Json::array();
     for (const LostPair& pair : d.lost)
         lost.push_back(
@@ -74,6 +79,8 @@ Json json_of(const DiffOptions& options, const TraceDiff& d) {
 }
 
 int run(const DiffOptions& options, const Console& console) {
+    if (options.top < 1)
+        throw InputError("--top " + std::to_string(options.top) + ": give at least 1.");
     const auto selection = [&](const std::string& file, const std::string& other) {
         const bool selects = scenes::names_recording(file) || !scenes::names_recording(other);
         return selects ? options.selection : scenes::QuerySelection{};
@@ -93,11 +100,11 @@ int run(const DiffOptions& options, const Console& console) {
         return frame;
     };
     const TraceDiff d = diff(a.header(), next_of_a, b.header(), [&] { return b.next(); });
-    print_result(options.json
-                     ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) +
-                           "\n"
-                     : "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) +
-                           "\n\n" + scenes::trace_diff_text(d, {}));
+    print_result(
+        options.json
+            ? json_of(options, d).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+            : "first:  " + printable(options.a) + "\nsecond: " + printable(options.b) + "\n\n" +
+                  scenes::trace_diff_text(d, {}, static_cast<std::size_t>(options.top)));
     return d.equal() ? exit_done : exit_different;
 }
 
@@ -124,6 +131,10 @@ void add_diff(const Command& program, const Console& console, Action& action) {
         .add_option("--tag", options->selection.tag,
                     "Compare only queries with this tag, of recordings")
         .type_name("TAG");
+    command.add_option("--top", options->top, "Name at most K frames for each kind of difference")
+        .check(decimal_number)
+        .type_name("K")
+        .show_default();
     command.add_flag("--json", options->json, "Print JSON instead of text");
     command.footer(
         "Compares what was asked, then the frames that are in both, in the order of the tests. "

@@ -157,7 +157,8 @@ LostPair lost_pair(const AtFrame& found, const AtFrame& lost_by, const TraceDiff
 }
 
 /// The pairs that only one of the two found.
-void compare_pairs(const AtFrame& a, const AtFrame& b, TraceDiff& result) {
+void compare_pairs(const AtFrame& a, const AtFrame& b, FrameDifference& difference,
+                   TraceDiff& result) {
     const auto& pairs_a = a.frame.found.pairs;
     const auto& pairs_b = b.frame.found.pairs;
     std::vector<IndexPair> only_a, only_b;
@@ -165,9 +166,8 @@ void compare_pairs(const AtFrame& a, const AtFrame& b, TraceDiff& result) {
                         std::back_inserter(only_a));
     std::set_difference(pairs_b.begin(), pairs_b.end(), pairs_a.begin(), pairs_a.end(),
                         std::back_inserter(only_b));
-    result.pairs_only_in_a += only_a.size();
-    result.pairs_only_in_b += only_b.size();
-    if (only_a.empty() && only_b.empty()) return;
+    result.pairs_only_in_a += difference.pairs_only_in_a = only_a.size();
+    result.pairs_only_in_b += difference.pairs_only_in_b = only_b.size();
     for (const IndexPair& pair : only_a) {
         if (result.lost.size() == TraceDiff::most_lost) return;
         result.lost.push_back(lost_pair(a, b, result, pair));
@@ -263,7 +263,8 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
         ++result.common;
         result.sum_a.add(a, *frame_a);
         result.sum_b.add(b, *frame_b);
-        FrameDifference difference{frame_a->frame, false, {}, {}};
+        FrameDifference difference;
+        difference.frame = frame_a->frame;
         difference.poses_differ = !same_pose(frame_a->b_to_a, frame_b->b_to_a);
         difference.a.add(a, *frame_a);
         difference.b.add(b, *frame_b);
@@ -286,8 +287,9 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
                             traced(b, *frame_b, outcomes_b, *test)};
         }
         if (result.pairs_comparable)
-            compare_pairs({a, *frame_a, outcomes_a}, {b, *frame_b, outcomes_b}, result);
-        if (test || difference.poses_differ || difference.a != difference.b)
+            compare_pairs({a, *frame_a, outcomes_a}, {b, *frame_b, outcomes_b}, difference, result);
+        if (test || difference.poses_differ || difference.pairs_differ() ||
+            difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();
         frame_b = frames_b();

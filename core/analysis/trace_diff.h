@@ -30,6 +30,12 @@ struct FrameDifference {
     int frame = 0;
     bool poses_differ = false;
     TraceCounts a, b;
+    std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;  ///< 0 if pairs are not comparable
+
+    bool pairs_differ() const { return pairs_only_in_a + pairs_only_in_b > 0; }
+    /// Whether A found pairs and B none.
+    bool touches_only_in_a() const { return a.pairs > 0 && b.pairs == 0; }
+    bool touches_only_in_b() const { return b.pairs > 0 && a.pairs == 0; }
 };
 
 /// A volume test and its context, for users: nodes are numbers, see numbers_of.

@@ -28,8 +28,7 @@ std::string count_table(const TraceDiff& d, const TraceNames& names) {
     return text;
 }
 
-std::string frame_list(const std::vector<int>& frames) {
-    constexpr std::size_t most = 10;
+std::string frame_list(const std::vector<int>& frames, std::size_t most) {
     std::string text;
     for (std::size_t i = 0; i < frames.size() && i < most; ++i)
         text += (i == 0 ? "" : ", ") + std::to_string(frames[i]);
@@ -37,18 +36,15 @@ std::string frame_list(const std::vector<int>& frames) {
 }
 
 /// "frame 8", "frames 8, 9, 10".
-std::string numbers_of(const std::vector<int>& frames) {
-    return (frames.size() == 1 ? "frame " : "frames ") + frame_list(frames);
+std::string numbers_of(const std::vector<int>& frames, std::size_t most) {
+    return (frames.size() == 1 ? "frame " : "frames ") + frame_list(frames, most);
 }
 
-std::string plural(std::uint64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string missing_text(const std::vector<int>& frames, const std::string& owner) {
+/// "2 frames only in the first (frames 8, 9)"; nothing if there are none.
+std::string line_of(const std::vector<int>& frames, const std::string& what, std::size_t most) {
     if (frames.empty()) return {};
-    return plural(frames.size(), "frame") + " only in the " + owner + " (" + numbers_of(frames) +
-           ")\n";
+    return counted(frames.size(), "frame", "frames") + " " + what + " (" +
+           numbers_of(frames, most) + ")\n";
 }
 
 bool has_same_pairs(const TraceDiff& d) { return d.pairs_only_in_a + d.pairs_only_in_b == 0; }
@@ -63,23 +59,34 @@ std::string pairs_text(const TraceDiff& d, const TraceNames& names) {
     return (has_same_pairs(d) ? "Both found the same pairs" : lost_pairs_text(d, names)) + ".\n\n";
 }
 
-std::string frames_text(const TraceDiff& d) {
-    std::string text = plural(d.common, "frame") + " in both";
+/// How the frames differ, a line for each kind of difference.
+std::string kinds_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {
+    std::vector<int> moved, other_pairs, same_pairs, only_a, only_b;
+    for (const FrameDifference& f : d.frames) {
+        if (f.poses_differ) moved.push_back(f.frame);
+        if (d.pairs_comparable) (f.pairs_differ() ? other_pairs : same_pairs).push_back(f.frame);
+        if (f.touches_only_in_a()) only_a.push_back(f.frame);
+        if (f.touches_only_in_b()) only_b.push_back(f.frame);
+    }
+    return line_of(moved, "with other poses", most) +
+           line_of(other_pairs, "with other pairs", most) +
+           line_of(same_pairs, "with the same pairs, but other counts or tests", most) +
+           line_of(only_a, "with contact only in the " + names.a, most) +
+           line_of(only_b, "with contact only in the " + names.b, most);
+}
+
+std::string frames_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {
+    std::string text = counted(d.common, "frame", "frames") + " in both";
     if (d.common == 0) return text + "\n";
     if (d.frames.empty())
         return text + (d.nodes_comparable ? ", all of them the same\n"
                                           : ", with equal poses and counts\n");
-    std::vector<int> frames, moved;
-    for (const FrameDifference& f : d.frames) {
-        frames.push_back(f.frame);
-        if (f.poses_differ) moved.push_back(f.frame);
-    }
-    text += ", " + std::to_string(frames.size()) + (frames.size() == 1 ? " differs" : " differ") +
-            (says_pairs_first(d) && has_same_pairs(d) ? " otherwise (" : " (") +
-            numbers_of(frames) + ")\n";
-    if (!moved.empty())
-        text += plural(moved.size(), "frame") + " with other poses (" + numbers_of(moved) + ")\n";
-    return text;
+    std::vector<int> frames;
+    for (const FrameDifference& f : d.frames) frames.push_back(f.frame);
+    return text + ", " + std::to_string(frames.size()) +
+           (frames.size() == 1 ? " differs" : " differ") +
+           (says_pairs_first(d) && has_same_pairs(d) ? " otherwise (" : " (") +
+           numbers_of(frames, most) + ")\n" + kinds_text(d, names, most);
 }
 
 BodyNames printable_names(const BodyNames& names) {
@@ -121,12 +128,12 @@ std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b,
 
 std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names) {
     if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
-    return plural(d.pairs_only_in_a, "pair") + " only in the " + names.a + ", " +
-           plural(d.pairs_only_in_b, "pair") + " only in the " + names.b;
+    return counted(d.pairs_only_in_a, "pair", "pairs") + " only in the " + names.a + ", " +
+           counted(d.pairs_only_in_b, "pair", "pairs") + " only in the " + names.b;
 }
 
-std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
-    if (d.equal()) return "equal: " + plural(d.common, "frame") + "\n";
+std::string trace_diff_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {
+    if (d.equal()) return "equal: " + counted(d.common, "frame", "frames") + "\n";
     std::string text = pairs_text(d, names);
     if (!d.asked.empty()) {
         std::size_t width = names.a.size();
@@ -141,8 +148,8 @@ std::string trace_diff_text(const TraceDiff& d, const TraceNames& names) {
             text += row(field.name, printable(field.a), printable(field.b));
         text += "\n";
     }
-    text +=
-        missing_text(d.only_in_a, names.a) + missing_text(d.only_in_b, names.b) + frames_text(d);
+    text += line_of(d.only_in_a, "only in the " + names.a, most) +
+            line_of(d.only_in_b, "only in the " + names.b, most) + frames_text(d, names, most);
     if (d.common == 0) return text;
     text += "\n" +
             (d.common == 1

@@ -366,5 +366,24 @@ TEST_F(TraceCommand, PrintsNoControlCharacters) {
     }
 }
 
+TEST_F(TraceCommand, DiffTellsOtherPairsFromOtherCounts) {
+    const std::string a = folder / "a.scbrec", b = folder / "b.scbrec";
+    for (const auto& [file, test] : {std::pair(a, "corrected"), std::pair(b, "printed")})
+        run_scb("trace spheres-l1 --frames 0:499:50 --test " + std::string(test) + " -o " + file);
+    const std::string text = run_scb("diff --top 2 " + a + " " + b).out;
+    EXPECT_NE(
+        text.find("10 frames in both, 9 differ (frames 50, 100, ...)\n"
+                  "7 frames with other pairs (frames 50, 100, ...)\n"
+                  "2 frames with the same pairs, but other counts or tests (frames 200, 250)\n"),
+        std::string::npos)
+        << text;
+    const json all = json::parse(run_scb("diff --json " + a + " " + b).out);
+    std::size_t other = 0;
+    for (const json& frame : all["frames"])
+        other += frame["pairs_only_in_a"] != 0 || frame["pairs_only_in_b"] != 0;
+    EXPECT_EQ(other, 7u);
+    EXPECT_EQ(run_scb("diff --top 0 " + a + " " + b).status, 2);
+}
+
 }  // namespace
 }  // namespace scb::app

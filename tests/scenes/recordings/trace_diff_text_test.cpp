@@ -21,5 +21,28 @@ TEST(CountRows, HaveEveryStageOnce) {
         EXPECT_TRUE(names.contains(std::string(stage_name(static_cast<Stage>(s))))) << s;
 }
 
+TEST(TraceDiffText, NamesTheFramesThatLoseAllContact) {
+    Trace a;
+    for (int frame = 0; frame < 12; ++frame) {
+        QueryTrace& query = a.frames.emplace_back();
+        query.frame = frame;
+        query.found.pairs = {{1, 2}, {3, 4}};
+    }
+    Trace b = a;
+    b.frames[3].found.pairs.clear();
+    b.frames[5].found.pairs.pop_back();
+    b.frames[7].found.n_v = 9;
+    const std::string text = trace_diff_text(diff(a, b), {});
+    for (const char* line : {"12 frames in both, 3 differ (frames 3, 5, 7)\n",
+                             "\n2 frames with other pairs (frames 3, 5)\n",
+                             "\n1 frame with the same pairs, but other counts or tests (frame 7)\n",
+                             "\n1 frame with contact only in the first (frame 3)\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+    EXPECT_NE(trace_diff_text(diff(a, b), {}, 2).find("3 differ (frames 3, 5, ...)"),
+              std::string::npos);
+    EXPECT_NE(trace_diff_text(diff(b, a), {}).find("contact only in the second (frame 3)"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace scb::scenes
