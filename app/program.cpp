@@ -280,7 +280,8 @@ int run_program(const std::vector<std::string>& given, Watch& watch) {
         "input; 3 the environment failed (disk full, cannot write); 4 nothing is wrong in what "
         "could be judged of a\n"
         "recording; 77 no OpenGL context; 130, 143 and 129 interrupted by Ctrl-C, SIGTERM and "
-        "SIGHUP.\n\n"
+        "SIGHUP; 141 the reader of\n"
+        "the output has ended. `scb help COMMAND` is `scb COMMAND --help`.\n\n"
         "Example:\n  scb render levels spheres-l1 --volume scb,ball --levels 5,7,9,11 -o out/");
 
     OptionTable table;

@@ -90,8 +90,8 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
 
 std::string title_of(const CollideCommandOptions& options, const SceneQuery& query) {
     const auto body = [&query](std::size_t i) {
-        return query.scene.bodies[i].name +
-               format(" (%zu triangles)", query.mesh(i).triangles.size());
+        return query.scene.bodies[i].name + " (" +
+               counted(query.mesh(i).triangles.size(), "triangle", "triangles") + ")";
     };
     const std::vector<std::size_t> bodies = queried_bodies(query);
     std::string text = query.scene.name + ": " + body(bodies[0]);
@@ -103,9 +103,10 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
     if (is_of_many(query)) text += format(", %zu pairs of bodies", query.pairs.size());
     text += ", " + std::string(volume_kind_name(query.kind)) + " hierarchies";
     if (query.is_packed())
-        return text + ", layout " + options.layout +
-               format(", at most %d triangles in a leaf", options.leaf_triangles) +
-               build_text(query.build) + "\n\n";
+        return text + ", layout " + options.layout + ", at most " +
+               counted(static_cast<std::uint64_t>(options.leaf_triangles), "triangle",
+                       "triangles") +
+               " in a leaf" + build_text(query.build) + "\n\n";
     if (query.kind == VolumeKind::scb) {
         text += ", test " + options.query.test;
         if (has_threshold(query.options.overlap.test) &&
@@ -342,9 +343,10 @@ std::string CollideReport::many_words() {
     if (count > most_named_pairs) apart += format("; and %zu more", count - most_named_pairs);
     std::string text;
     if (count > 0)
-        text +=
-            format("\n%zu of %zu pairs of bodies have no contact: ", count, query_.pairs.size()) +
-            apart + ".\n";
+        text += format(count == 1 ? "\n%zu of %zu pairs of bodies has no contact: "
+                                  : "\n%zu of %zu pairs of bodies have no contact: ",
+                       count, query_.pairs.size()) +
+                apart + ".\n";
     if (!inside.empty()) text += "\nWhere no triangles intersect: " + inside + ".\n";
     return text;
 }

@@ -97,9 +97,9 @@ int record(const TraceOptions& options, const Console& console) {
             bytes.assign(compact.begin(), compact.end());
         }
         write_file_whole(options.output, bytes);
-        console.note("scb: " + options.output + ": " + std::to_string(done) +
-                     (done == 1 ? " frame, " : " frames, ") + std::to_string(tests) +
-                     " volume tests, " + std::to_string(bytes.size()) + " bytes.");
+        console.note("scb: " + options.output + ": " + counted(done, "frame", "frames") + ", " +
+                     counted(tests, "volume test", "volume tests") + ", " +
+                     counted(bytes.size(), "byte", "bytes") + ".");
     }
     if (done == query.frames.size()) return exit_done;
     console.note(done == 0 ? "scb: interrupted before the first frame; no trace was written."

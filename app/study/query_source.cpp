@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/analysis/level_overlaps.h"
+#include "core/base/text_format.h"
 #include "core/platform/input_files.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
@@ -42,8 +43,8 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
 }
 
 std::string text_of(const MeshFingerprint& mesh) {
-    return std::to_string(mesh.triangles) + " triangles and " + std::to_string(mesh.vertices) +
-           " vertices";
+    return counted(mesh.triangles, "triangle", "triangles") + " and " +
+           counted(mesh.vertices, "vertex", "vertices");
 }
 
 /// "when the mesh of A had ..., and cone has another of ..."

@@ -161,9 +161,9 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     render::BlockStore store;
     render::WebPage page;
     page.title = (options.has_two_scenes() ? "" : scene + " · ") + printable(titles);
-    page.description = format("%zu %s, %d levels, scb ", first.size(),
-                              first.size() == 1 ? "body" : "bodies", subject.deepest + 1) +
-                       SCB_VERSION;
+    page.description = counted(first.size(), "body", "bodies") + ", " +
+                       counted(static_cast<std::uint64_t>(subject.deepest + 1), "level", "levels") +
+                       ", scb " SCB_VERSION;
     nlohmann::ordered_json manifest = view_manifest(subject, start, store);
     const auto queries =
         static_cast<std::size_t>(std::count_if(subject.columns.begin(), subject.columns.end(),

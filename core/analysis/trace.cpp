@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 
+#include "core/base/text_format.h"
 #include "core/base/word_hash.h"
 #include "core/collide/index_pairs.h"
 
@@ -18,8 +19,8 @@ std::string number(double value) {
 
 std::string text_of(const MeshFingerprint& mesh) {
     if (mesh.triangles == 0) return "none, but objects";
-    return std::to_string(mesh.triangles) + " triangles, " + std::to_string(mesh.vertices) +
-           " vertices, hash " + hash_text(mesh.hash);
+    return counted(mesh.triangles, "triangle", "triangles") + ", " +
+           counted(mesh.vertices, "vertex", "vertices") + ", hash " + hash_text(mesh.hash);
 }
 
 }  // namespace

@@ -323,7 +323,7 @@ TEST_F(RenderQueries, RefuseWhatMakesNoSense) {
     EXPECT_EQ(explained.status, 2);
     EXPECT_NE(explained.err.find("the bodies are elsewhere"), std::string::npos) << explained.err;
     write_text(scene, other);
-    refused("rejections " + of_scene, "was recorded when the mesh of left had 1280 triangles");
+    refused("rejections " + of_scene, "was recorded when the mesh of left had 1,280 triangles");
     std::filesystem::remove(scene);
     refused("pairs " + of_scene, "there is no such");
 }

@@ -282,7 +282,7 @@ TEST(CollideCommand, FindsThePairsOfABodyAgainstItself) {
     ASSERT_EQ(table.status, 0) << table.err;
     EXPECT_EQ(
         lines(table.out)[0],
-        "soup: A (2000 triangles) against itself, scb hierarchies, test symmetric, descent by "
+        "soup: A (2,000 triangles) against itself, scb hierarchies, test symmetric, descent by "
         "radius");
     const json found = json::parse(run_scb("collide soup --frame 0 --bodies A,A --json").out);
     EXPECT_EQ(found["query"], "self");
