@@ -59,8 +59,8 @@ class PictureRun {
 
     /// Draws the picture with overlay(), and queues it to be written as NAME.png, where NAME is
     /// PictureOptions::picture_stem. A picture `of_sequence`, which is not a summary of the run, is
-    /// also written with ids as NAME_ids.png, as a frame of the video and as a cell of the sheet, if
-    /// asked for. `entry`: its entry in the index, without the file names.
+    /// also written with ids as NAME_ids.png, as a frame of the video and as a cell of the sheet,
+    /// if asked for. `entry`: its entry in the index, without the file names.
     void draw(const std::string& usual_name, const render::Picture& picture,
               nlohmann::ordered_json entry, bool of_sequence = true);
 
