@@ -81,11 +81,11 @@ void add_explain_options(const Command& command, ExplainOptions& options) {
 }
 
 void note_given(const Command& command, ExplainOptions& options) {
-    for (const char* option : {"--pair", "--frames", "--pose", "--bodies", "--volume", "--growth",
-                               "--margin", "--split"})
+    for (const char* option : {"--pair", "--frames", "--pose", "--poses", "--bodies", "--volume",
+                               "--growth", "--margin", "--split"})
         if (command.count(option) > 0) options.of_scenes.emplace_back(option);
-    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split", "--test",
-                               "--threshold", "--bodies"})
+    for (const char* option : {"--pose", "--poses", "--volume", "--growth", "--margin", "--split",
+                               "--test", "--threshold", "--bodies"})
         if (command.count(option) > 0) options.recording.emplace_back(option);
     for (const char* option :
          {"--size", "--camera", "--up", "--ortho", "--samples", "--background", "--gl"})

@@ -61,7 +61,13 @@ std::vector<int> some_levels(const scenes::Scene& scene) {
 }
 
 /// The options that the scene needs besides its name.
-std::vector<std::string> pose_words(const SceneOptions& options) {
+std::vector<std::string> pose_words(const SceneOptions& options, const fs::path& folder) {
+    const auto [of_a, of_b] = options.pose_logs();
+    if (!of_a.empty())
+        throw InputError("--poses " + options.poses +
+                         ": a suite moves both bodies by a scene file; write one, as "
+                         "scenes/README.md says.");
+    if (!of_b.empty()) return {"--poses", name_from(of_b, folder)};
     if (options.pose.empty()) return {};
     std::string numbers;
     for (const double number : options.pose)
@@ -116,14 +122,16 @@ FirstSuite first_suite(const SceneOptions& options, const fs::path& folder) {
     const scenes::Scene scene = options.load();
     FirstSuite suite;
     if (!scene.file.empty()) suite.files.push_back(scene.file);
-    for (const scenes::NamedMesh& named : scene.meshes)
-        if (!named.file.empty() &&
-            std::find(suite.files.begin(), suite.files.end(), named.file) == suite.files.end())
-            suite.files.push_back(named.file);
+    const auto add_file = [&files = suite.files](const fs::path& file) {
+        if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end())
+            files.push_back(file);
+    };
+    for (const scenes::NamedMesh& named : scene.meshes) add_file(named.file);
+    for (const scenes::Body& body : scene.bodies) add_file(body.motion.log);
     data values;
     values["scene"] = scene_text(options.names, folder);
     values["frame"] = std::to_string(scene.default_frame);
-    const std::vector<std::string> words = pose_words(options);
+    const std::vector<std::string> words = pose_words(options, folder);
     add_collisions(values, suite.cases, scene, words);
     add_levels(values, suite.cases, scene, words);
     kainjow::mustache::mustache text{std::string(SCB_EMBEDDED(golden_cases_json))};

@@ -12,8 +12,8 @@ namespace scb::app {
 struct FirstSuite {
     std::string text;
     std::size_t cases = 0;
-    /// The files of the scene and of its meshes, with paths from the working folder; empty for a
-    /// built-in scene.
+    /// The files of the scene, its meshes and its logs of poses, with paths from the working
+    /// folder; empty for a built-in scene.
     std::vector<std::filesystem::path> files;
 };
 

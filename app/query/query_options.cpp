@@ -52,6 +52,13 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
         .type_name("R00,R01,R02,T0,...")
         .shareable();
     command
+        .add_option("--poses", options.poses,
+                    "File with the poses of the second of two meshes, one row per frame: 12 "
+                    "numbers, or [TIME] tx ty tz qx qy qz qw; A=FILE,B=FILE: of both")
+        .file({".csv", ".txt"})
+        .type_name("FILE")
+        .shareable();
+    command
         .add_flag(
             "--exact-pose", options.exact_pose,
             "Refuse a pose whose R^T R differs from the identity by more than 1e-9. Default: up "
@@ -204,15 +211,15 @@ void add_query_limits(const Command& command, QueryLimits& limits) {
 
 std::vector<std::string> given_hierarchy_options(const Command& command) {
     std::vector<std::string> given;
-    for (const char* option : {"--pose", "--volume", "--growth", "--margin", "--split"})
+    for (const char* option : {"--pose", "--poses", "--volume", "--growth", "--margin", "--split"})
         if (command.count(option) > 0) given.emplace_back(option);
     return given;
 }
 
 const std::vector<std::string>& recording_options() {
     static const std::vector<std::string> options = {
-        "--pose",      "--volume",  "--growth", "--margin",    "--split", "--test",
-        "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"};
+        "--pose", "--poses",     "--volume",  "--growth", "--margin",    "--split",
+        "--test", "--threshold", "--descent", "--bodies", "--max-pairs", "--levels"};
     return options;
 }
 

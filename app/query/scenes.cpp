@@ -28,7 +28,7 @@ int list() {
         "\nA SCENE can also be a scene file (scene.json; `scb scenes NAME` prints one to start "
         "from), one mesh\n"
         "file (OBJ, PLY, STL, OFF, glTF, GLB, DAE, 3DS, FBX and more), or two mesh files with "
-        "--pose.\n";
+        "--pose or --poses.\n";
     print_result(text);
     return exit_done;
 }

@@ -8,7 +8,6 @@
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
-#include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
 namespace {
@@ -134,23 +133,25 @@ void QuerySource::open_trace(const SceneOptions& scene, const std::string& frame
         throw InputError(path + " was recorded by scb " + header.scb_version + ", and this is " +
                          SCB_VERSION + ", whose nodes may be others; " + record_again + ".");
     RecordedOptions recorded = recorded_options(header, scene);
-    if (header.source.size() == 2) {
-        // Two meshes: the first has the identity pose, the frame has the pose of the second.
-        const scenes::PoseRows rows = scenes::rows_of(input_->first_pose());
-        recorded.scene.pose.assign(rows.begin(), rows.end());
-    } else {
-        recorded.query.bodies = header.bodies[0].name + "," + header.bodies[1].name;
-    }
+    const bool is_of_meshes = header.source.size() == 2;
+    if (!is_of_meshes) recorded.query.bodies = header.bodies[0].name + "," + header.bodies[1].name;
     try {
         query_ = open_query(recorded.scene, recorded.hierarchy, recorded.query, recorded.limits);
     } catch (const InputError& error) {
         throw InputError(path + ": the query that it recorded cannot be opened from here: " +
                          plain_reason(error, recorded.scene));
     }
+    if (is_of_meshes) {
+        // The first mesh has the identity pose, the frames have the poses of the second.
+        for (const scenes::PoseKey& key : input_->poses())
+            check_rigid(key.pose, path + ": frame " + std::to_string(key.frame));
+        query_.scene.bodies[1].motion.told = input_->poses();
+        query_.scene.frames = input_->poses().back().frame + 1;
+    }
     // A and B are aliases for bodies of other names; a trace has the names themselves.
     const std::vector<scenes::Body>& bodies = query_.scene.bodies;
-    if (header.source.size() != 2 && (bodies[query_.a].name != header.bodies[0].name ||
-                                      bodies[query_.b].name != header.bodies[1].name))
+    if (!is_of_meshes && (bodies[query_.a].name != header.bodies[0].name ||
+                          bodies[query_.b].name != header.bodies[1].name))
         throw InputError(path + ": " + query_.scene.name +
                          " has no bodies of the names that it recorded; " + record_again + ".");
     for (std::size_t side = 0; side < 2; ++side) {

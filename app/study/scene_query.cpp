@@ -185,14 +185,23 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
 }
 
 void note_poses(const SceneOptions& options, const scenes::Scene& scene, const Note& note) {
-    if (options.names.size() == 2 && options.pose.empty())
+    if (options.names.size() == 2 && options.pose.empty() && options.poses.empty())
         note("scb: both bodies are at the same pose; --pose moves the second.");
-    for (const scenes::Body& body : scene.bodies)
-        if (body.motion.correction > 0)
+    for (const scenes::Body& body : scene.bodies) {
+        const scenes::Motion& motion = body.motion;
+        const std::string most = format("%.2g at most", motion.correction);
+        if (motion.correction > 0 && motion.log.empty())
             note(
                 "scb: the pose of " + body.name +
                 " is not quite a rotation; the nearest one is used, which changes its numbers by " +
-                format("%.2g at most.", body.motion.correction));
+                most + ".");
+        if (motion.correction > 0 && !motion.log.empty())
+            note("scb: some poses of " + body.name +
+                 " are not quite rotations; the nearest ones are used, which changes their numbers "
+                 "by " +
+                 most + ", in " + motion.log.string() + ": line " +
+                 std::to_string(motion.corrected_line) + ".");
+    }
 }
 
 void note_doubts(const SceneOptions& options, const scenes::Scene& scene, const QueryOptions& query,

@@ -26,9 +26,11 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
                 "alone to `scb trace`, `render`, `inspect` or `explain`, or two to "
                 "`scb diff`, `render pairs` or `render rejections`.");
     if (is_recording()) {
-        if (!pose.empty())
-            throw InputError("--pose: " + names[0] +
-                             " is recorded, and has its poses; leave out --pose.");
+        for (const auto& [option, is_given] :
+             {std::pair("--pose", !pose.empty()), std::pair("--poses", !poses.empty())})
+            if (is_given)
+                throw InputError(std::string(option) + ": " + names[0] +
+                                 " is recorded, and has its poses; leave out " + option + ".");
         return scenes::scene_of_recording(names[0], list_of_frames, selection);
     }
     if (!selection.empty())
@@ -38,7 +40,10 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
     scenes::LoadOptions load_options;
     load_options.models_dir = models_dir;
     load_options.exact_poses = exact_pose;
+    load_options.logs = pose_logs();
     if (!pose.empty()) {
+        if (!poses.empty())
+            throw InputError("--pose and --poses exclude each other; give one of them.");
         scenes::PoseRows rows{};
         std::copy_n(pose.begin(), rows.size(), rows.begin());
         const Pose p = scenes::pose_of(rows);
@@ -49,6 +54,24 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
         load_options.pose = p;
     }
     return scenes::load_scene(names, load_options);
+}
+
+std::array<std::string, 2> SceneOptions::pose_logs() const {
+    if (!poses.starts_with("A=") && !poses.starts_with("B=")) return {"", poses};
+    std::array<std::string, 2> logs;
+    for (std::string rest = poses; !rest.empty();) {
+        std::string& log = logs[rest[0] == 'A' ? 0 : 1];
+        if (!log.empty())
+            throw InputError("--poses " + poses + ": " + rest[0] +
+                             " is named twice; give A=FILE,B=FILE.");
+        const std::size_t end = std::min(rest.find(",A="), rest.find(",B="));
+        log = rest.substr(0, end).substr(2);
+        if (log.empty())
+            throw InputError("--poses " + poses + ": the file of " + rest[0] +
+                             " has no name; give A=FILE,B=FILE.");
+        rest = end == rest.npos ? "" : rest.substr(end + 1);
+    }
+    return logs;
 }
 
 bool SceneOptions::is_recording() const {

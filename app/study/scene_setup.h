@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,6 +21,7 @@ using Note = std::function<void(const std::string& line)>;
 struct SceneOptions {
     std::vector<std::string> names;
     std::vector<double> pose;
+    std::string poses;        ///< logs of poses, see pose_logs
     bool exact_pose = false;  ///< poses must be rigid to 1e-9, see LoadOptions
     std::string models_dir;
     std::string frames;  ///< for commands that take frames here; empty: the scene's own
@@ -32,6 +34,9 @@ struct SceneOptions {
     bool is_recording() const;
     /// Whether the one name is a trace.
     bool is_trace() const;
+    /// The logs in `poses`, of the first and the second mesh: "FILE" is of the second, "A=FILE" and
+    /// "B=FILE" name the mesh, and a comma is between the two. Throws InputError.
+    std::array<std::string, 2> pose_logs() const;
     /// The beginning of file names for a scene of this name. If a recording is among the names, it
     /// is the stems of the files, since a scene may have many recordings, and the selected queries;
     /// else the scene's name.

@@ -82,7 +82,7 @@ std::vector<std::string> verdict_of(const std::string& path,
 }  // namespace
 
 void ViewOptions::note_given(const Command& command) {
-    scene = given_text(command, {"--pose", "--models"});
+    scene = given_text(command, {"--pose", "--poses", "--models"});
     bodies = given_text(command, {"--bodies", "--query", "--tag"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});

@@ -11,9 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The arguments of a query that a trace records; each has a value.
-constexpr std::string_view recorded_arguments[] = {"--pose",      "--growth",  "--margin",
-                                                   "--threshold", "--descent", "--bodies",
-                                                   "--max-pairs", "--level"};
+constexpr std::string_view recorded_arguments[] = {"--pose",   "--poses",     "--growth",
+                                                   "--margin", "--threshold", "--descent",
+                                                   "--bodies", "--max-pairs", "--level"};
 
 void add_option(std::vector<std::string>& command, const char* option, const std::string& value) {
     if (value.empty()) return;
@@ -37,12 +37,14 @@ std::string scene_from_here(const std::string& name, const fs::path& folder,
     return in_folder(in_models ? models : folder, name);
 }
 
-/// Arguments may also name a file, a camera.
+/// Arguments may also name a file: a camera, or a log of poses.
 std::string argument_from_here(const std::string& word, const fs::path& folder) {
     const std::size_t start = word.starts_with("--") ? word.find('=') + 1 : 0;
     const std::string file = word.substr(start);
     std::error_code ignored;
-    if (!file.ends_with(".json") || !fs::is_regular_file(folder / file, ignored)) return word;
+    const bool may_be_file =
+        file.ends_with(".json") || file.ends_with(".csv") || file.ends_with(".txt");
+    if (!may_be_file || !fs::is_regular_file(folder / file, ignored)) return word;
     return word.substr(0, start) + in_folder(folder, file);
 }
 

@@ -19,7 +19,7 @@ TestInput::TestInput(const std::string& path, const std::string& frames, const s
     bytes_ = trace_bytes(path);
     TraceReader whole(as_bytes(bytes_), path);
     while (const QueryTrace* frame = whole.next()) {
-        if (all_frames_.empty()) first_pose_ = frame->b_to_a;
+        poses_.push_back({frame->frame, frame->b_to_a});
         all_frames_.push_back(frame->frame);
     }
     if (all_frames_.empty()) throw InputError(path + " has no frames; record it again.");

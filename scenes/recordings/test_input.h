@@ -6,6 +6,7 @@
 
 #include "scenes/recordings/recorded_trace.h"
 #include "scenes/recordings/trace_file.h"
+#include "scenes/scene/motion.h"
 
 namespace scb::scenes {
 
@@ -26,8 +27,8 @@ class TestInput {
     /// The chosen frames, and all frames, ascending.
     const std::vector<int>& frames() const;
     const std::vector<int>& all_frames() const;
-    /// The pose of B in A's frame at the first frame of a trace.
-    const Pose& first_pose() const { return first_pose_; }
+    /// The poses of B in A's frame at all frames of a trace.
+    const std::vector<PoseKey>& poses() const { return poses_; }
     /// The query of a frame, valid until the next call. Frames must be requested in ascending
     /// order. Throws InputError if there is no such frame.
     const QueryTrace& frame(int number);
@@ -39,7 +40,7 @@ class TestInput {
   private:
     std::string path_, bytes_;  ///< of a trace
     std::vector<int> frames_, all_frames_;
-    Pose first_pose_;
+    std::vector<PoseKey> poses_;
     std::unique_ptr<TraceReader> trace_;
     std::unique_ptr<RecordedTrace> recorded_;  ///< only one of the two is set
     std::size_t next_ = 0;

@@ -8,6 +8,7 @@
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 #include "scenes/scene/builtin.h"
+#include "scenes/scene/pose_log.h"
 #include "scenes/scene/scene_file.h"
 
 namespace scb::scenes {
@@ -86,6 +87,10 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     }
     if (options.pose)
         scene.bodies[1].motion = resting_at(*options.pose, options.exact_poses, "--pose");
+    PoseLogs logs(options.exact_poses);
+    for (std::size_t side = 0; side < 2; ++side)
+        if (!options.logs[side].empty()) scene.bodies[side].motion = logs.read(options.logs[side]);
+    scene.frames = std::max(logs.frames(), 1);
     return scene;
 }
 
@@ -99,8 +104,10 @@ Scene load_scene(const std::vector<std::string>& names, const LoadOptions& optio
                          what_to_name + ".");
     if (names.size() == 2) return two_meshes(names[0], names[1], options);
     const std::string& name = names[0];
-    if (options.pose)
-        throw InputError("--pose: it places the second of two mesh files, but only " + name +
+    const bool has_logs = !options.logs[0].empty() || !options.logs[1].empty();
+    if (options.pose || has_logs)
+        throw InputError((has_logs ? "--poses: it moves" : "--pose: it places the second of") +
+                         std::string(" two mesh files, but only ") + name +
                          " is named; name two mesh files or leave it out.");
     if (const BuiltinScene* builtin = find_builtin(name))
         return load_builtin(*builtin, options.models_dir);

@@ -4,6 +4,7 @@
 
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
+#include "scenes/scene/named_file.h"
 
 namespace scb::scenes {
 namespace {
@@ -49,24 +50,6 @@ std::string remark(const Expected& expected) {
     return text.empty() ? "" : " (" + text + ")";
 }
 
-fs::path find_file(const JsonPlace& place, const Expected& expected, const SceneContext& context) {
-    const fs::path path = read_plain_text(place);
-    const std::string missing = "there is no mesh file " + path.string();
-    std::error_code ignored;
-    if (path.is_absolute()) {
-        if (fs::exists(path, ignored)) return path;
-        refuse(place, missing + remark(expected) + "; check the path.");
-    }
-    std::string tried;
-    for (const fs::path& folder : {context.folder, context.models_dir}) {
-        if (folder.empty()) continue;
-        if (fs::exists(folder / path, ignored)) return folder / path;
-        tried += (tried.empty() ? " in " : " or ") + folder.string();
-    }
-    refuse(place, missing + tried + remark(expected) +
-                      "; name the folder that holds it with --models DIR or SCB_MODELS.");
-}
-
 void check_counts(const Mesh& mesh, const fs::path& path, const Expected& expected,
                   const JsonPlace& place) {
     const std::size_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
@@ -86,7 +69,7 @@ void check_counts(const Mesh& mesh, const fs::path& path, const Expected& expect
 NamedMesh read_model_file(const JsonPlace& place, const SceneContext& context) {
     const JsonPlace file = field(place, "file");
     const Expected expected = read_expected(place);
-    const fs::path path = find_file(file, expected, context);
+    const fs::path path = named_file(file, context, "mesh file", remark(expected));
     NamedMesh model{"", {}, path};
     try {
         model.mesh = load_mesh(path);

@@ -39,9 +39,13 @@ Mat3 rotation_about(const Vec3& axis, double degrees) {
     return m;
 }
 
-Motion resting_at(const Pose& pose, bool exact, const std::string& name) {
+NearestPose rigid_pose(const Pose& pose, bool exact, const std::string& name) {
     if (exact) check_rigid(pose, name);
-    const NearestPose nearest = nearest_rigid(pose, name);
+    return nearest_rigid(pose, name);
+}
+
+Motion resting_at(const Pose& pose, bool exact, const std::string& name) {
+    const NearestPose nearest = rigid_pose(pose, exact, name);
     Motion motion;
     motion.base = nearest.pose.rotation;
     motion.correction = nearest.correction;

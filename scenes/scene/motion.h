@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,9 @@ struct Motion {
     /// Replaces all other members: given poses, ascending by frame; the first is also valid for
     /// earlier frames.
     std::vector<PoseKey> told;
+    /// The log with these poses, see PoseLogs, and the line of the pose that was corrected most.
+    std::filesystem::path log;
+    std::size_t corrected_line = 0;
 };
 
 /// The rotation by `degrees` about `axis`: Rodrigues' formula, with no function of the C library
@@ -49,8 +54,11 @@ struct Motion {
 /// finite.
 Mat3 rotation_about(const Vec3& axis, double degrees);
 
-/// A body that rests at this pose or, unless `exact`, at the pose with the nearest rotation. Throws
-/// InputError, naming `name`, as check_rigid and nearest_rigid do.
+/// This pose or, unless `exact`, the pose with the nearest rotation. Throws InputError, naming
+/// `name`, as check_rigid and nearest_rigid do.
+NearestPose rigid_pose(const Pose& pose, bool exact, const std::string& name);
+
+/// A body that rests at the rigid_pose.
 Motion resting_at(const Pose& pose, bool exact, const std::string& name);
 
 /// The pose (body frame to world) at a frame. Throws InputError if the pose is not rigid and

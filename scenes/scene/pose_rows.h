@@ -6,7 +6,7 @@
 
 namespace scb::scenes {
 
-/// A pose as in files and --pose: the matrix [R|t], row by row.
+/// A pose as in files, --pose and logs: the matrix [R|t], row by row.
 using PoseRows = std::array<double, 12>;
 
 PoseRows rows_of(const Pose& pose);

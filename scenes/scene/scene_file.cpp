@@ -1,5 +1,6 @@
 #include "scenes/scene/scene_file.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,8 @@
 #include "scb/error.h"
 #include "scenes/scene/camera_view.h"
 #include "scenes/scene/model_json.h"
+#include "scenes/scene/named_file.h"
+#include "scenes/scene/pose_log.h"
 
 namespace scb::scenes {
 namespace {
@@ -72,16 +75,33 @@ std::size_t find_model(const JsonPlace& place, const Names& models) {
                       name_list(models, &Names::value_type::first) + ".");
 }
 
-Body read_body(const JsonPlace& place, const Names& models, bool exact_poses) {
-    check_fields(place, {"name", "model", "position", "rotation", "pose"});
+Motion read_poses(const JsonPlace& place, const SceneContext& context, PoseLogs& logs) {
+    const std::filesystem::path file = named_file(place, context, "log of poses");
+    try {
+        return logs.read(file);
+    } catch (const InputError& error) {
+        refuse(place, error.what());
+    }
+}
+
+/// Refuses a body with two fields that say where it is.
+void check_placement(const JsonPlace& place) {
+    const bool moves = has(place, "position") || has(place, "rotation");
+    if (has(place, "pose") && moves)
+        refuse(place, "pose stands for both position and rotation; leave it or those two out.");
+    if (has(place, "poses") && (moves || has(place, "pose")))
+        refuse(place, "poses stands for position, rotation and pose; leave it or those out.");
+}
+
+Body read_body(const JsonPlace& place, const Names& models, const SceneContext& context,
+               PoseLogs& logs) {
+    check_fields(place, {"name", "model", "position", "rotation", "pose", "poses"});
+    check_placement(place);
     Body body;
     body.name = read_plain_text(field(place, "name"));
     body.mesh = find_model(field(place, "model"), models);
-    if (has(place, "pose")) {
-        if (has(place, "position") || has(place, "rotation"))
-            refuse(place, "pose stands for both position and rotation; leave it or those two out.");
-        body.motion = read_pose(field(place, "pose"), exact_poses);
-    }
+    if (has(place, "pose")) body.motion = read_pose(field(place, "pose"), context.exact_poses);
+    if (has(place, "poses")) body.motion = read_poses(field(place, "poses"), context, logs);
     if (has(place, "position")) body.motion.path = read_position(field(place, "position"));
     if (has(place, "rotation")) body.motion.turns = read_rotation(field(place, "rotation"));
     return body;
@@ -113,15 +133,27 @@ Names read_models(const JsonPlace& place, const SceneContext& context, Scene& sc
     return names;
 }
 
-void read_bodies(const JsonPlace& place, const Names& models, bool exact_poses, Scene& scene) {
+void read_bodies(const JsonPlace& place, const Names& models, const SceneContext& context,
+                 PoseLogs& logs, Scene& scene) {
     const std::size_t count = array_size(place, "a list of bodies");
     if (count == 0) refuse_value(place, "at least one body");
     Names names;
     for (std::size_t i = 0; i < count; ++i) {
-        Body body = read_body(element(place, i), models, exact_poses);
+        Body body = read_body(element(place, i), models, context, logs);
         add_name(element(place, i), names, body.name);
         scene.bodies.push_back(std::move(body));
     }
+}
+
+/// The number of frames. If there are logs, it is the number of their rows.
+int read_frames(const JsonPlace& root, const PoseLogs& logs) {
+    if (!has(root, "frames")) return std::max(logs.frames(), 1);
+    const auto frames = static_cast<int>(read_integer(field(root, "frames"), 1, most_frames));
+    if (logs.frames() != 0 && frames != logs.frames())
+        refuse(field(root, "frames"),
+               sentence("there are ", frames, ", and ", logs.first().string(), " has ",
+                        counted(logs.frames(), "pose", "poses"), "; leave frames out."));
+    return frames;
 }
 
 }  // namespace
@@ -139,14 +171,14 @@ Scene parse_scene(std::string_view json_text, const SceneContext& context) {
         refuse_value(field(root, "name"),
                      "at most 100 letters, digits, '.', '_' and '-' as a name");
     if (has(root, "description")) scene.description = read_text(field(root, "description"));
-    if (has(root, "frames"))
-        scene.frames = static_cast<int>(read_integer(field(root, "frames"), 1, most_frames));
+    if (has(root, "camera")) scene.camera = read_camera(field(root, "camera"));
+    const Names models = read_models(field(root, "models"), context, scene);
+    PoseLogs logs(context.exact_poses);
+    read_bodies(field(root, "bodies"), models, context, logs, scene);
+    scene.frames = read_frames(root, logs);
     if (has(root, "default_frame"))
         scene.default_frame =
             static_cast<int>(read_integer(field(root, "default_frame"), 0, scene.frames - 1));
-    if (has(root, "camera")) scene.camera = read_camera(field(root, "camera"));
-    const Names models = read_models(field(root, "models"), context, scene);
-    read_bodies(field(root, "bodies"), models, context.exact_poses, scene);
     return scene;
 }
 

@@ -22,7 +22,7 @@ struct SceneContext {
 ///     scb_scene        1, the version of the schema
 ///     name             letters, digits, '.', '_', '-'; names output files
 ///     [description]    one sentence
-///     [frames]         1 to 1,000,000; default 1
+///     [frames]         1 to 1,000,000; default 1, or the number of poses in logs
 ///     [default_frame]  0 to frames - 1; default 0
 ///     [camera]         see CameraView: [azimuth], [elevation], [distance], [target], [up],
 ///                      [field_of_view], [orthographic], [view_height], [inset {center, radius}]
@@ -55,12 +55,14 @@ struct SceneContext {
 ///       [rotation]     a list of {axis, [degrees], [per_frame]}, applied in order, see Turn
 ///       [pose]         instead of these two: twelve numbers, the 3x4 matrix [R|t] row by row; see
 ///                      nearest_rigid
+///       [poses]        instead of these three: a file with the pose at each frame, see PoseLogs
 ///
 /// Throws InputError, one sentence that names the file and the place: broken JSON (line and
 /// column); nesting more than max_json_depth deep; a field that is missing, unknown, repeated, of
 /// the wrong type or out of range; a name or path that is empty or has control characters; an
-/// unknown model; a mesh that cannot be made or loaded; a pose that is not rigid; more than 2^25
-/// procedural triangles altogether.
+/// unknown model; a mesh that cannot be made or loaded; a pose that is not rigid; a log of poses
+/// that PoseLogs refuses, or that has not `frames` poses; more than 2^25 procedural triangles
+/// altogether.
 Scene parse_scene(std::string_view json_text, const SceneContext& context);
 
 /// Reads a scene file; `models_dir` and `exact_poses` as in SceneContext. Throws InputError.

@@ -11,16 +11,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void note_meshes_of(const fs::path& scene, const fs::path& models_dir) {
-    const nlohmann::json document = parse_json(read_text_file(scene.string()), scene.string());
-    if (!document.is_object() || !document.contains("models")) return;
-    for (const nlohmann::json& model : document.at("models")) {
-        if (!model.is_object() || !model.contains("file") || !model.at("file").is_string())
-            continue;
-        const fs::path mesh = model.at("file").get<std::string>();
-        note_input(scene.parent_path() / mesh);
-        note_input(models_dir / mesh);
+/// Notes the files that `name` has in the objects of the list `list` of a scene.
+void note_files(const nlohmann::json& scene, const char* list, const char* name,
+                const std::vector<fs::path>& folders) {
+    if (!scene.is_object() || !scene.contains(list)) return;
+    for (const nlohmann::json& entry : scene.at(list)) {
+        if (!entry.is_object() || !entry.contains(name) || !entry.at(name).is_string()) continue;
+        for (const fs::path& folder : folders)
+            note_input(folder / entry.at(name).get<std::string>());
     }
+}
+
+void note_files_of(const fs::path& scene, const fs::path& models_dir) {
+    const nlohmann::json document = parse_json(read_text_file(scene.string()), scene.string());
+    const std::vector<fs::path> folders = {scene.parent_path(), models_dir};
+    note_files(document, "models", "file", folders);
+    note_files(document, "bodies", "poses", folders);
 }
 
 }  // namespace
@@ -31,7 +37,7 @@ void note_scene_inputs(const std::vector<std::string>& names, const fs::path& mo
         note_input(models_dir / name);
         if (name.extension() != ".json") continue;
         try {
-            note_meshes_of(name, models_dir);
+            note_files_of(name, models_dir);
         } catch (const InputError&) {
         }
     }
