@@ -71,10 +71,15 @@ int run(CollideCommandOptions& options, const Console& console) {
     // Recorded pairs can only be compared with all exact pairs of triangles.
     const bool whole = !options.first && options.limits.levels.empty() &&
                        options.limits.max_pairs == QueryLimits{}.max_pairs;
-    if (!options.contacts.empty() && !whole)
-        throw InputError(
-            "--contacts needs all pairs of triangles; leave out --first, --max-pairs and "
-            "--levels.");
+    for (const auto& [name, is_given] : {std::pair("--contacts", !options.contacts.empty()),
+                                         std::pair("--expect", !options.expect.empty())})
+        if (is_given && !whole)
+            throw InputError(std::string(name) +
+                             " needs all pairs of triangles; leave out --first, --max-pairs and "
+                             "--levels.");
+    if (options.scene.is_recording() && !options.expect.empty())
+        throw InputError("--expect " + options.expect + ": " + options.scene.names[0] +
+                         " has pairs of its own, which are compared; leave out --expect.");
     if (options.scene.is_recording() && !options.contacts.empty() && options.contacts != "all")
         throw InputError("--contacts " + options.contacts +
                          ": recorded pairs are compared with all pairs; give --contacts all.");
@@ -97,7 +102,6 @@ int run(CollideCommandOptions& options, const Console& console) {
                                  "leave --layout out.");
         query.pack(*layout);
     }
-    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (options.first) query.options.max_pairs = 1;
     note_doubts(options.hierarchy, {query.kind}, console.notes());
     if (!layout && options.leaf_triangles != most_leaf_triangles)
@@ -106,6 +110,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
 
     CollideReport report(options, query, recorded ? &*recorded : nullptr);
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());
     for (const int frame : query.frames) {
@@ -120,7 +125,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     if (!sums.complete && !options.first)
         console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
                      " pairs (--max-pairs); there may be more.");
-    if (sums.frames == query.frames.size()) return exit_done;
+    if (sums.frames == query.frames.size()) return report.agrees() ? exit_done : exit_different;
     console.note("scb: interrupted; " + std::to_string(sums.frames) + " of " +
                  std::to_string(query.frames.size()) + " frames are finished.");
     return exit_interrupted(watch.signal());
@@ -164,6 +169,11 @@ void add_collide(const Command& program, const Console& console, Action& action)
             "mesh files")
         .file({".csv"})
         .only_typed();
+    command
+        .add_option("--expect", options->expect,
+                    "Compare the pairs with a file as --pairs-out writes it: name pairs that are "
+                    "missing or false in the file, and exit with 1 if there are any")
+        .file({".csv"});
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
@@ -177,7 +187,10 @@ void add_collide(const Command& program, const Console& console, Action& action)
         "its two bodies. Counts are\n"
         "the same on every machine. Ctrl-C keeps the frames that were finished and exits with "
         "130.\n\n"
-        "Example:\n  scb collide spheres-l1 --frames 0:499:50");
+        "Examples:\n"
+        "  scb collide spheres-l1 --frames 0:499:50\n"
+        "  scb collide a.ply b.ply --poses log.csv --pairs-out pairs.csv\n"
+        "  scb collide a.ply b.ply --poses log.csv --expect engine.csv");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });

@@ -178,11 +178,15 @@ CollideReport::CollideReport(const CollideCommandOptions& options, SceneQuery& q
         query.choose(pair);
         inside_.emplace_back(query);
     }
+    if (!options.expect.empty()) comparison_.emplace(options.expect, query);
     if (!options.json && !options.csv && stages_.size() > most_stage_columns) stages_.clear();
     std::vector<Column> columns = count_columns(stages_);
     if (options.contacts == "all") columns.push_back({"touching", "touching", 9});
     if (recorded)
         for (const char* name : {"recorded", "missed", "false"}) columns.push_back({name, name, 9});
+    if (comparison_)
+        for (const char* name : {"expected", "missing", "false"})
+            columns.push_back({name, name, 9});
     if (is_of_many(query)) {
         columns.push_back({"", "body_a"});
         columns.push_back({"", "body_b"});
@@ -219,7 +223,8 @@ std::string CollideReport::text() {
     }
     return title_of(options_, query_) + table_.text() + recorded_words() +
            (leaves_out_contacts() ? left_out_words() : "") +
-           (is_of_many(query_) ? many_words() : apart_words());
+           (is_of_many(query_) ? many_words() : apart_words()) +
+           (comparison_ ? comparison_->text(sums_.frames) : "");
 }
 
 std::size_t CollideReport::choose_contacts(Collision& found, int frame) {
@@ -253,10 +258,12 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
         there.emplace(recorded_->results(), complete && recorded_->has_results());
         grazing_ += there->grazing;
     }
+    ExpectedDifference difference;
+    if (comparison_) difference = comparison_->add(i, frame, found.pairs);
     if (options_.json)
-        add_json(frame, found, touching, there);
+        add_json(frame, found, touching, there, difference);
     else
-        add_row(frame, found, touching, there);
+        add_row(frame, found, touching, there, difference);
     if (!options_.pairs_out.empty())
         for (const IndexPair& pair : found.pairs)
             pairs_ += format("%d,", frame) +
@@ -267,10 +274,12 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
 }
 
 void CollideReport::add_json(int frame, const Collision& found, std::size_t touching,
-                             const std::optional<RecordedCounts>& there) {
+                             const std::optional<RecordedCounts>& there,
+                             const ExpectedDifference& difference) {
     Json counts = query_.is_packed() ? packed_count_json(frame, query_.b_to_a(frame), found)
                                      : count_json(frame, query_.b_to_a(frame), found, stages_);
     if (is_all_contacts()) counts["touching"] = touching;
+    if (difference) counts["expected"] = json_of(*difference);
     if (is_of_many(query_)) {
         Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
         counts.erase("frame");
@@ -288,7 +297,8 @@ void CollideReport::add_json(int frame, const Collision& found, std::size_t touc
 }
 
 void CollideReport::add_row(int frame, const Collision& found, std::size_t touching,
-                            const std::optional<RecordedCounts>& there) {
+                            const std::optional<RecordedCounts>& there,
+                            const ExpectedDifference& difference) {
     std::vector<Cell> cells =
         query_.is_packed() ? packed_count_cells(frame, found) : count_cells(frame, found, stages_);
     if (is_all_contacts()) cells.emplace_back(touching);
@@ -296,6 +306,11 @@ void CollideReport::add_row(int frame, const Collision& found, std::size_t touch
         cells.emplace_back(there->pairs);
         cells.push_back(there->missed ? Cell(*there->missed) : Cell("-"));
         cells.emplace_back(there->wrong);
+    }
+    if (difference) {
+        cells.emplace_back(difference->expected);
+        cells.emplace_back(difference->missing.size());
+        cells.emplace_back(difference->not_found.size());
     }
     if (is_of_many(query_)) {
         cells.emplace_back(name_of(query_, query_.a));

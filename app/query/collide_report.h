@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/query/expected_pairs.h"
 #include "app/query/inside_report.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
@@ -23,6 +24,7 @@ struct CollideCommandOptions {
     QueryLimits limits;
     bool first = false, json = false, csv = false;
     std::string pairs_out;
+    std::string expect;  ///< a file of pairs to compare with; empty: none
     std::string layout = "reference";
     int leaf_triangles = most_leaf_triangles;
     std::string contacts;  ///< --contacts; empty: all pairs, and contacts are not told apart
@@ -62,12 +64,16 @@ class CollideReport {
 
     const CollideSums& sums() const { return sums_; }
     const std::string& pairs() const { return pairs_; }
+    /// Whether all pairs so far are the expected ones; true if no pairs are expected.
+    bool agrees() const { return !comparison_ || comparison_->agrees(); }
 
     /// The text of all frames so far; to be called once.
     std::string text();
 
   private:
     struct RecordedCounts;
+    /// From the expected pairs; none: no pairs are expected.
+    using ExpectedDifference = std::optional<PairComparison::Difference>;
 
     /// The number of pairs that only touch. Keeps the pairs of the chosen contacts.
     std::size_t choose_contacts(Collision& found, int frame);
@@ -78,10 +84,10 @@ class CollideReport {
     void add(std::size_t i, int frame, Collision found);
 
     void add_json(int frame, const Collision& found, std::size_t touching,
-                  const std::optional<RecordedCounts>& there);
+                  const std::optional<RecordedCounts>& there, const ExpectedDifference& difference);
 
     void add_row(int frame, const Collision& found, std::size_t touching,
-                 const std::optional<RecordedCounts>& there);
+                 const std::optional<RecordedCounts>& there, const ExpectedDifference& difference);
 
     /// For a choice of contacts: how many others there are.
     std::string left_out_words() const;
@@ -100,6 +106,7 @@ class CollideReport {
     const CollideCommandOptions& options_;
     SceneQuery& query_;
     scenes::RecordedTrace* recorded_;
+    std::optional<PairComparison> comparison_;  ///< with --expect
     std::vector<Stage> stages_;
     CollideSums sums_;
     Table table_;

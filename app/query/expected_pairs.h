@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/study/scene_query.h"
+#include "scb/triangle_overlap.h"
+
+namespace scb::app {
+
+/// Pairs of triangles in a file, as `scb collide --pairs-out` writes them.
+class PairFile {
+  public:
+    /// Keeps the pairs of the frames and bodies of the query. Throws InputError, naming file and
+    /// line: columns or numbers are missing, or the scene has no such frame, body or triangle.
+    PairFile(const std::string& path, const SceneQuery& query);
+
+    /// The pairs of the bodies SceneQuery::pairs[i]: ascending, each once.
+    std::vector<IndexPair> pairs(std::size_t i, int frame) const;
+
+    const std::string& path() const { return path_; }
+
+  private:
+    struct Row {
+        std::uint32_t bodies = 0;  ///< index into SceneQuery::pairs
+        int frame = 0;
+        IndexPair triangles;
+
+        friend auto operator<=>(const Row&, const Row&) = default;
+    };
+    class Reader;
+
+    std::string path_;
+    std::vector<Row> rows_;
+};
+
+/// Compares the pairs that queries find with those in a file, frame by frame.
+class PairComparison {
+  public:
+    /// Refers to the query.
+    PairComparison(const std::string& path, const SceneQuery& query)
+        : query_(query), file_(path, query) {}
+
+    /// How the pairs of a query differ.
+    struct Difference {
+        std::size_t expected = 0;  ///< pairs in the file
+        struct Missing {
+            IndexPair triangles;
+            double depth = 0;
+        };
+        /// Triangles that are apart, or a pair that the query leaves out: it was asked for other
+        /// contacts.
+        struct False {
+            IndexPair triangles;
+            TriangleContact contact = TriangleContact::apart;
+            double distance = 0;
+        };
+        std::vector<Missing> missing;  ///< the file lacks them; the deepest first
+        std::vector<False> not_found;  ///< only the file has them; the farthest first
+    };
+    /// The pairs that the query of the bodies SceneQuery::pairs[i] has found.
+    Difference add(std::size_t i, int frame, std::span<const IndexPair> found);
+
+    bool agrees() const { return missing_ + false_ == 0; }
+    /// Sentences about all frames so far, `frames` of them, and the first pairs that differ.
+    std::string text(std::size_t frames) const;
+
+  private:
+    /// Lists a pair, unless enough are listed.
+    void list(int frame, IndexPair triangles, const std::string& words);
+
+    static constexpr std::size_t most_listed = 20;
+
+    const SceneQuery& query_;
+    PairFile file_;
+    std::size_t found_ = 0, missing_ = 0, false_ = 0;
+    double most_depth_ = 0, most_distance_ = 0;
+    std::size_t listed_ = 0;
+    std::string list_;
+};
+
+nlohmann::ordered_json json_of(const PairComparison::Difference& difference);
+
+}  // namespace scb::app
