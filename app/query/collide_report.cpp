@@ -171,7 +171,8 @@ CollideReport::CollideReport(const CollideCommandOptions& options, SceneQuery& q
       recorded_(recorded),
       stages_(query.is_packed() ? std::vector<Stage>{}
                                 : counted_stages(query.kind, query.options.overlap)),
-      met_(query.pairs.size()) {
+      met_(query.pairs.size()),
+      intervals_(query.pairs.size()) {
     pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
              (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
     for (const BodyPair& pair : query.pairs) {
@@ -209,6 +210,7 @@ std::string CollideReport::text() {
         Json json = json_of(options_, query_, sums_, std::move(json_frames_),
                             recorded_ == nullptr ? 0 : recorded_->header().engine->left_out);
         json["inside"] = std::move(json_inside_);
+        if (query_.options.stop_level < 0) json["contact_intervals"] = contact_json();
         std::set<std::string> not_closed;
         for (const InsideReport& inside : inside_)
             for (std::string& name : inside.not_closed()) not_closed.insert(std::move(name));
@@ -223,7 +225,7 @@ std::string CollideReport::text() {
     }
     return title_of(options_, query_) + table_.text() + recorded_words() +
            (leaves_out_contacts() ? left_out_words() : "") +
-           (is_of_many(query_) ? many_words() : apart_words()) +
+           (is_of_many(query_) ? many_words() : apart_words()) + contact_words() +
            (comparison_ ? comparison_->text(sums_.frames) : "");
 }
 
@@ -252,6 +254,7 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
             json_inside_.push_back(std::move(found_inside));
     const std::size_t touching = options_.contacts.empty() ? 0 : choose_contacts(found, frame);
     sums_.add(found);
+    intervals_[i].add(frame, !found.pairs.empty());
     std::optional<RecordedCounts> there;
     if (recorded_ != nullptr) {
         const bool complete = recorded_->frame(frame).found.complete;
@@ -364,6 +367,39 @@ std::string CollideReport::many_words() {
                 apart + ".\n";
     if (!inside.empty()) text += "\nWhere no triangles intersect: " + inside + ".\n";
     return text;
+}
+
+std::string CollideReport::contact_words() {
+    if (sums_.frames < 2 || query_.options.stop_level >= 0) return "";
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
+        if (intervals_[i].empty() || ++count > most_named_pairs) continue;
+        query_.choose(query_.pairs[i]);
+        text += (count == 1 ? "" : "; ") +
+                (is_of_many(query_) ? pair_words(query_) + " in " : std::string()) +
+                intervals_[i].words();
+    }
+    if (count == 0) return "";
+    if (count > most_named_pairs) text += format("; and %zu more pairs", count - most_named_pairs);
+    const std::vector<int>& frames = query_.frames;
+    const bool are_all = static_cast<std::size_t>(frames.back() - frames.front()) < frames.size();
+    return "\n" +
+           std::string(!leaves_out_contacts()            ? "In contact: "
+                       : options_.contacts == "crossing" ? "Crossing: "
+                                                         : "Touching: ") +
+           text + (are_all ? ".\n" : ", of those queried.\n");
+}
+
+Json CollideReport::contact_json() {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
+        if (intervals_[i].empty()) continue;
+        query_.choose(query_.pairs[i]);
+        list.push_back({{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}},
+                        {"frames", intervals_[i].json()}});
+    }
+    return list;
 }
 
 }  // namespace scb::app

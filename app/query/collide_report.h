@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/query/contact_intervals.h"
 #include "app/query/expected_pairs.h"
 #include "app/query/inside_report.h"
 #include "app/query/query_options.h"
@@ -101,6 +102,10 @@ class CollideReport {
     /// For several pairs of bodies: the pairs that never met, and bodies that lie inside others.
     std::string many_words();
 
+    /// For several frames: those in which bodies are in contact.
+    std::string contact_words();
+    nlohmann::ordered_json contact_json();
+
     static constexpr std::size_t most_named_pairs = 8;
 
     const CollideCommandOptions& options_;
@@ -118,6 +123,7 @@ class CollideReport {
     std::uint64_t grazing_ = 0;        ///< recorded pairs within the tolerance
     std::deque<InsideReport> inside_;  ///< per pair of bodies
     std::vector<bool> met_;            ///< per pair of bodies
+    std::vector<ContactIntervals> intervals_;  ///< per pair of bodies, of the chosen contacts
 };
 
 }  // namespace scb::app

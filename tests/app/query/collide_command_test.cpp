@@ -58,9 +58,10 @@ TEST(CollideCommand, TableCsvAndJsonAgree) {
                                    csv = lines(run_scb(arguments + " --csv").out);
     const json frames = json::parse(run_scb(arguments + " --json").out)["frames"];
     ASSERT_EQ(csv.size(), 1 + frames.size());
-    // Title, empty, header, frames, mean, empty, which body lies inside the other.
-    ASSERT_EQ(table.size(), 6 + frames.size());
-    EXPECT_EQ(table.back(), "Where no triangles intersect: A lies inside B in 1 of 4 frames.");
+    // Title, empty, header, frames, mean, empty, which body lies inside the other, empty, contact.
+    ASSERT_EQ(table.size(), 8 + frames.size());
+    EXPECT_EQ(table[table.size() - 3],
+              "Where no triangles intersect: A lies inside B in 1 of 4 frames.");
     EXPECT_NE(csv[0].find("axis-a2xb2"), std::string::npos);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         std::istringstream cells(table[3 + i]);
