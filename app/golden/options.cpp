@@ -33,7 +33,8 @@ std::vector<golden::GoldenCase> GoldenOptions::chosen(const golden::Suite& all) 
         golden::GoldenCase seen = golden::seen_from_here(golden, all.file.parent_path(), models);
         // Other processes read these files; nothing here may replace them.
         scenes::note_scene_inputs(seen.scene, models);
-        for (const std::string& argument : seen.arguments) note_input(argument);
+        for (const std::string& argument : seen.arguments)
+            note_input(argument.substr(argument.find('=') + 1));
         if (names.empty() || wanted.erase(golden.name) > 0) cases.push_back(std::move(seen));
     }
     if (!wanted.empty())

@@ -15,7 +15,7 @@ const char* const scene_text = R"({
   "scb_scene": 1, "name": "small", "frames": 2,
   "models": [{"name": "wedge", "file": "wedge.obj"}, {"name": "flat", "file": "flat.gltf"}],
   "bodies": [{"name": "left", "model": "wedge"},
-             {"name": "right", "model": "flat", "position": [0.1, 0.1, 0.1]}]
+             {"name": "right", "model": "flat", "poses": "log.csv"}]
 })";
 const char* const wedge_text =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -28,7 +28,9 @@ const char* const flat_text =
 const char* const pairs_text =
     R"([{"a": {"center": [0, 0, 0], "radius": 1}, "b": {"center": [1, 0, 0], "radius": 1}}])";
 const char* const suite_text = R"({"scb_golden": 1, "cases": [
-  {"name": "one", "run": "collide", "scene": "scene.json", "frames": "0"}]})";
+  {"name": "one", "run": "collide", "scene": "scene.json", "frames": "0"},
+  {"name": "two", "run": "collide", "scene": ["wedge.obj", "wedge.obj"], "frames": "0",
+   "arguments": ["--poses=moves.csv"]}]})";
 
 /// A command, the files that it reads, and its option for the output: a folder, or a file of that
 /// name.
@@ -39,13 +41,16 @@ struct Row {
 };
 
 std::vector<Row> rows() {
-    const std::vector<std::string> of_scene = {"scene.json", "wedge.obj", "flat.gltf", "flat.bin"},
-                                   with_camera = {"scene.json", "wedge.obj", "flat.gltf",
-                                                  "flat.bin", "camera.json"},
-                                   of_trace = {"t.scbrec",  "scene.json", "wedge.obj",
-                                               "flat.gltf", "flat.bin",   "camera.json"},
-                                   of_suite = {"suite.json", "scene.json", "wedge.obj", "flat.gltf",
-                                               "flat.bin"};
+    const std::vector<std::string> of_scene = {"scene.json", "wedge.obj", "flat.gltf", "flat.bin",
+                                               "log.csv"};
+    const auto of_scene_and = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = of_scene;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    const std::vector<std::string> with_camera = of_scene_and({"camera.json"}),
+                                   of_trace = of_scene_and({"t.scbrec", "camera.json"}),
+                                   of_suite = of_scene_and({"suite.json", "moves.csv"});
     const std::string picture = " --size 320x240 --samples 1 --camera camera.json";
     return {
         {"render levels scene.json --levels 0,1 --ids" + picture, with_camera, "-o", ""},
@@ -61,6 +66,10 @@ std::vector<Row> rows() {
         {"tune scene.json --frames 0 --no-time", of_scene, "-o", ""},
         {"bench scene.json --frames 0 --repeat 1 --volume scb", of_scene, "-o", ""},
         {"collide scene.json --frames 0", of_scene, "--pairs-out", "out.csv"},
+        {"collide wedge.obj wedge.obj --poses log.csv --expect expected.csv",
+         {"wedge.obj", "log.csv", "expected.csv"},
+         "--pairs-out",
+         "out.csv"},
         {"trace scene.json --frames 0", of_scene, "-o", "out.scbrec"},
         {"convert r.scbrec t.jsonl", {"r.scbrec", "t.jsonl"}, "-o", "out.scbrec"},
         {"export scene.json --levels 0", of_scene, "-o", "out.ply"},
@@ -82,6 +91,9 @@ struct InputsAndOutputs : testing::Test {
         for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 1.f})
             numbers.append(reinterpret_cast<const char*>(&number), sizeof number);
         folder.write("flat.bin", numbers);
+        folder.write("log.csv", "0.1 0.1 0.1 0 0 0 1\n0.1 0.1 0.1 0 0 0 1\n");
+        folder.write("moves.csv", "0 0 0.5 0 0 0 1\n");
+        folder.write("expected.csv", "frame,triangle_a,triangle_b\n");
         folder.write("camera.json", R"({"azimuth": 10})");
         folder.write("pairs.json", pairs_text);
         folder.write("suite.json", suite_text);
