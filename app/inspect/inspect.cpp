@@ -211,10 +211,11 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         for (const char* option : {"--size", "--background", "--gl", "--jobs"})
             if (command.count(option) > 0) options->of_pictures.emplace_back(option);
         const std::vector<std::string> of_queries = {
-            "SCENE",   "--pose", "--models",    "--volume", "--growth", "--margin",
+            "SCENE",   "--pose", "--poses",     "--models", "--volume", "--growth", "--margin",
             "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
-        options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
-                                                 "--query", "--tag", "--frames", "--margin"});
+        options->of_scene =
+            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--query",
+                                 "--tag", "--frames", "--margin"});
         options->of_files = given_text(command, {"SCENE", "--models"});
         options->of_meshes = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
         options->of_frames = given_text(command, {"--frames"});

@@ -14,6 +14,7 @@
 #include "app/report/build_text.h"
 #include "app/report/scene_report.h"
 #include "app/report/trace_report.h"
+#include "app/report/wrapped_text.h"
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "core/platform/utf8.h"
@@ -226,16 +227,11 @@ std::string title_text(const TraceHeader& header) {
 /// may read, is kept.
 std::string wrapped_lines(const std::string& text) {
     std::string lines;
-    for (const std::string& line : split_list(text.substr(0, text.size() - 1), '\n')) {
-        if (lines.empty() || character_count(line) <= summary_width) {
-            lines += line + "\n";
-            continue;
-        }
-        const std::string indent(line.find_first_not_of(' '), ' ');
-        lines += indent +
-                 wrapped(line.substr(indent.size()), summary_width - indent.size(), indent + "  ") +
+    for (const std::string& line : split_list(text.substr(0, text.size() - 1), '\n'))
+        lines += (lines.empty() || character_count(line) <= report_width
+                      ? line
+                      : wrapped_text(line, line.find_first_not_of(' ') + 2)) +
                  "\n";
-    }
     return lines;
 }
 

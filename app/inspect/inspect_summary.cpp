@@ -4,6 +4,7 @@
 
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
+#include "app/report/wrapped_text.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -16,8 +17,7 @@ constexpr std::size_t most_triangles = 3, most_frames = 3, most_pairs = 2;
 /// Each sentence on lines of its own.
 std::string sentences_text(const std::vector<std::string>& sentences) {
     std::string text;
-    for (const std::string& sentence : sentences)
-        text += wrapped(sentence, summary_width, "  ") + "\n";
+    for (const std::string& sentence : sentences) text += wrapped_text(sentence, 2) + "\n";
     return text;
 }
 
@@ -30,7 +30,7 @@ std::string command_lines(const std::string& command) {
         std::size_t end = is_quoted ? std::string::npos : command.find(" --", begin + 1);
         end = std::min(end, command.size());
         const std::string part = command.substr(begin, end - begin);
-        if (begin > 0 && width + part.size() + 2 > summary_width) {
+        if (begin > 0 && width + part.size() + 2 > report_width) {
             text += " \\\n     ";
             width = 5;
         }

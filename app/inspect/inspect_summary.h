@@ -6,9 +6,6 @@
 
 namespace scb::app {
 
-/// In characters.
-inline constexpr std::size_t summary_width = 100;
-
 /// The findings on waste that matter first: advice, costly triangles, and of a scene the worst
 /// frames and pairs. With the title at most 40 lines of 100 characters, unless names or commands
 /// are long.

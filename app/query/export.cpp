@@ -96,9 +96,9 @@ int run_cut(const ExportOptions& options, const Console& console) {
     }
     write_file_whole(options.output, bytes);
     console.note(options.output + ": " +
-                 counted(cut->mesh.triangles.size(), "triangle", "triangles") + ", of which " +
-                 count_text(cut->pieces) + " are pieces of " +
-                 counted(cut->cut, "triangle", "triangles") + ".");
+                 counted(cut->mesh.triangles.size(), "triangle", "triangles") + "; " +
+                 counted(cut->cut, "triangle", "triangles") + " cut into " +
+                 counted(cut->pieces, "piece", "pieces") + ".");
     return exit_done;
 }
 

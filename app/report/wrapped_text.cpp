@@ -6,12 +6,11 @@
 namespace scb::app {
 
 std::string wrapped_text(const std::string& text, std::size_t indent) {
-    constexpr std::size_t most = 100;
     const std::vector<std::string> words = split_list(text, ' ');
     std::string lines, line = words.front();
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string longer = line + " " + words[i];
-        const bool fits = character_count(longer) <= most;
+        const bool fits = character_count(longer) <= report_width;
         if (!fits) lines += line + "\n";
         line = fits ? longer : std::string(indent, ' ') + words[i];
     }

@@ -254,8 +254,9 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"
         "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected");
     command.callback([&action, &console, command, options] {
-        options->of_scene = given_text(command, {"SCENE", "--pose", "--models", "--bodies",
-                                                 "--query", "--tag", "--frames", "--margin"});
+        options->of_scene =
+            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--query",
+                                 "--tag", "--frames", "--margin"});
         action = [&console, options] { return run(*options, console); };
     });
 }

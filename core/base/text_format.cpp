@@ -39,28 +39,6 @@ std::string right_aligned(const std::string& text, std::size_t width) {
     return characters < width ? std::string(width - characters, ' ') + text : text;
 }
 
-std::string wrapped(std::string_view text, std::size_t width, const std::string& indent) {
-    std::string lines;
-    std::size_t used = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string_view word = text.substr(0, end);
-        const std::size_t characters = character_count(word);
-        if (lines.empty()) {
-            used = characters;
-        } else if (used + 1 + characters > width) {
-            lines += "\n" + indent;
-            used = character_count(indent) + characters;
-        } else {
-            lines += " ";
-            used += 1 + characters;
-        }
-        lines += word;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
 std::string exact_number(double value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;

@@ -27,10 +27,6 @@ std::string left_aligned(const std::string& text, std::size_t width);
 /// The text, with blanks before it up to that width in characters.
 std::string right_aligned(const std::string& text, std::size_t width);
 
-/// The text in lines of at most `width` characters, broken at blanks; lines after the first begin
-/// with `indent`. A longer word has a line of its own.
-std::string wrapped(std::string_view text, std::size_t width, const std::string& indent);
-
 /// The shortest decimal text that reads back as the same double; "inf" or "nan" if not finite.
 std::string exact_number(double value);
 

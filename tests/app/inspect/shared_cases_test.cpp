@@ -162,7 +162,7 @@ TEST_F(SharedCases, ATestOfAnEngineWhoseTestsAreExactIsWrong) {
                                          "/cases/08-cgal-triangle-box/08-old.scbrec -o " + lines);
     ASSERT_EQ(converted.status, 0) << converted.err;
     folder.write("exact.jsonl", "{\"setting\":\"tests\",\"value\":\"exact\"}\n" + file_text(lines));
-    const ProgramRun run = run_scb("--quiet inspect " + folder / "exact.jsonl");
+    const ProgramRun run = run_scb("--quiet inspect --full " + folder / "exact.jsonl");
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("a test of an engine whose tests are exact passed volumes that are "
                            "apart"),
