@@ -127,7 +127,7 @@ class SharedCase : public testing::TestWithParam<std::size_t> {
 TEST_P(SharedCase, HasItsVerdictItsCauseAndItsNumbers) {
     const Case& of = cases()[GetParam()];
     const ProgramRun run =
-        run_scb("--quiet --no-config inspect " + shared_folder() + "/cases/" + of.file);
+        run_scb("--quiet --no-config inspect --full " + shared_folder() + "/cases/" + of.file);
     EXPECT_EQ(run.status, of.status) << run.err;
     for (const std::string& text : of.texts)
         EXPECT_NE(("\n" + run.out).find(text), std::string::npos) << text << "\n" << run.out;
