@@ -170,11 +170,11 @@ PairFile::PairFile(const std::string& path, const SceneQuery& query) : path_(pat
 }
 
 std::vector<IndexPair> PairFile::pairs(std::size_t i, int frame) const {
-    const auto [first, last] =
-        std::ranges::equal_range(rows_, std::pair(static_cast<std::uint32_t>(i), frame), {},
-                                 [](const Row& row) { return std::pair(row.bodies, row.frame); });
+    const std::pair at(static_cast<std::uint32_t>(i), frame);
+    const auto place = [](const Row& row) { return std::pair(row.bodies, row.frame); };
     std::vector<IndexPair> pairs;
-    std::transform(first, last, std::back_inserter(pairs),
+    std::transform(std::ranges::lower_bound(rows_, at, {}, place),
+                   std::ranges::upper_bound(rows_, at, {}, place), std::back_inserter(pairs),
                    [](const Row& row) { return row.triangles; });
     return pairs;
 }
