@@ -126,8 +126,8 @@ TEST(InspectCommand, CutsLongTrianglesIfThatLowersTheCost) {
     const ProgramRun written = run_scb(command.substr(4) + " --map " + folder / "map.csv");
     EXPECT_EQ(written.status, 0) << written.err;
     EXPECT_NE(written.err.find("; " + std::to_string(mesh["triangles"].get<int>()) +
-                               " triangles cut into " + count_text(mesh["pieces"].get<int>()) +
-                               " pieces."),
+                               " triangles cut into " +
+                               count_text(mesh["pieces"].get<std::uint64_t>()) + " pieces."),
               std::string::npos)
         << written.err;
     EXPECT_TRUE(file_text(folder / "map.csv").starts_with("triangle,cut_from\n0,0\n1,1\n"));

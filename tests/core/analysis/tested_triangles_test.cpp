@@ -7,6 +7,7 @@
 #include "core/analysis/triangle_heat.h"
 #include "tests/core/analysis/made_query.h"
 #include "tests/core/analysis/traces.h"
+#include "tests/core/overlap/volume_pairs.h"
 
 namespace scb {
 namespace {
