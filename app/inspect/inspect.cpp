@@ -111,6 +111,9 @@ int run(InspectOptions& options, const Console& console) {
         inspect_frames(inspected, options, parts, console, watch);
         if (parts.are_of_shard()) return finish_shard(parts, watch, console);
     }
+    if (!recorded && !inspected.found->complete)
+        console.note("scb: a query ended at " + std::to_string(options.limits.max_pairs) +
+                     " pairs; the report has the tests before.");
     const ExplainedPairs explained = report_waste(inspected);
     std::string no_settings =
         recorded && !report.recording->judged.wrong() ? inspected.no_waste : "";

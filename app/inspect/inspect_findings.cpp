@@ -41,7 +41,7 @@ std::vector<std::string> best_other(const InspectReport& report) {
     const AlternativeTest& best = *std::max_element(
         report.others.begin(), report.others.end(),
         [](const AlternativeTest& x, const AlternativeTest& y) { return x.caught < y.caught; });
-    if (best.all.operations >= all.operations) return {};
+    if (best.caught == 0 || best.all.operations >= all.operations) return {};
     return {"Of the other tests, " + overlap_title(best.overlap) + " catches the most, " +
             render::count_text(best.caught) + " of the " +
             render::count_text(report.sum.counts.passed(PassReason::weak_test)) +
@@ -70,8 +70,9 @@ std::vector<std::string> causes(const InspectReport& report) {
                     facts.longest_slender,
                     ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())));
         if (body.duplicated)
-            sentences.push_back(render::count_text(facts.duplicates) + " of " + of +
-                                " are there twice: each pair is found twice, and costs twice.");
+            sentences.push_back(
+                render::count_text(facts.duplicates) + " of " + of +
+                " are copies of others: pairs with a copy are found again, and cost again.");
         if (body.soup)
             sentences.push_back(of + " fall into " + render::count_text(facts.components) +
                                 " parts that have no corner in common: a soup, whose volumes "

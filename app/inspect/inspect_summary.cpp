@@ -79,7 +79,7 @@ std::string pairs_text(const InspectReport& report) {
     };
     add("fit too loose", report.loose_fits);
     add("test too weak", report.weak_tests);
-    return table.text();
+    return table.size() == 0 ? "" : table.text();
 }
 
 }  // namespace

@@ -94,22 +94,29 @@ std::vector<std::string> triangle_sentences(const InspectReport& report) {
 std::vector<std::string> cut_sentences(const InspectReport& report) {
     if (!report.settings || !report.settings->cuts) return {};
     const CutTrial& cuts = *report.settings->cuts;
-    std::string text = "Cutting ";
+    const SceneTuning& tuning = report.settings->tuning;
+    std::string what;
     for (const MeshCut& cut : cuts.meshes)
-        text += (&cut == cuts.meshes.data() ? "" : " and ") +
-                counted(cut.triangles, "triangle", "triangles") + " of " +
-                printable(bodies_of(report, cut)) + " into " +
+        what += (what.empty() ? "" : " and ") + counted(cut.triangles, "triangle", "triangles") +
+                " of " + printable(bodies_of(report, cut)) + " into " +
                 counted(cut.pieces, "piece", "pieces");
     const auto changes = [](const Work& from, const Work& to) {
         return "N_v " + render::change_text(from.volume_tests, to.volume_tests) + ", N_p " +
                render::change_text(from.triangle_tests, to.triangle_tests) + ", cost " +
                render::change_text(from.picoseconds, to.picoseconds);
     };
-    const SceneTuning& tuning = report.settings->tuning;
-    text += ": " + changes(cuts.before, cuts.after) + " with " + advised_text(tuning);
-    if (!report.settings->recorded && (tuning.cheapest_layout() || tuning.recommended() != 0))
-        text += "; " + changes(cuts.base_before, cuts.base_after) + " with the present setting";
-    return {text + "."};
+    const std::string with_best =
+                          changes(cuts.before, cuts.after) + " with " + advised_text(tuning),
+                      with_base = changes(cuts.base_before, cuts.base_after) + " with " +
+                                  (report.settings->recorded
+                                       ? std::string(volume_kind_name(tuning.base().setting.volume))
+                                       : "the present setting");
+    const bool helps_best = cuts.after.picoseconds < cuts.before.picoseconds,
+               has_best = tuning.cheapest_layout() || tuning.recommended() != 0;
+    if (!has_best) return {"Cut " + what + ": " + with_base + "."};
+    if (helps_best) return {"Cut " + what + ": " + with_best + "; " + with_base + "."};
+    return {"Only if you keep the present setting, cut " + what + ": " + with_base + "; " +
+            with_best + "."};
 }
 
 std::vector<std::string> cut_commands(const InspectReport& report) {

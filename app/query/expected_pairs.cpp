@@ -42,7 +42,8 @@ std::vector<std::string> csv_cells(std::string_view line) {
 /// Reads the rows of the file.
 class PairFile::Reader {
   public:
-    Reader(const std::string& path, const SceneQuery& query) : lines_(path), query_(query) {}
+    Reader(const std::string& path, const SceneQuery& query)
+        : path_(path), lines_(path), query_(query) {}
 
     std::vector<Row> read() {
         while (const std::optional<std::string_view> line = lines_.next()) {
@@ -53,23 +54,20 @@ class PairFile::Reader {
             else
                 read_row(cells);
         }
-        if (columns_.empty()) refuse_header();
+        if (columns_.empty()) throw InputError(path_ + ": it has no lines; " + header_words);
         std::sort(rows_.begin(), rows_.end());
         rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
         return std::move(rows_);
     }
 
   private:
+    static constexpr const char* header_words =
+        "the first line must name the columns frame,triangle_a,triangle_b, or "
+        "frame,body_a,body_b,triangle_a,triangle_b, as --pairs-out writes them.";
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
     [[noreturn]] void refuse(const std::string& sentence) const {
         throw InputError(lines_.place() + ": " + sentence);
-    }
-
-    [[noreturn]] void refuse_header() const {
-        refuse(
-            "the first line must name the columns frame,triangle_a,triangle_b, or "
-            "frame,body_a,body_b,triangle_a,triangle_b, as --pairs-out writes them.");
     }
 
     std::size_t column(const char* name) const {
@@ -84,7 +82,7 @@ class PairFile::Reader {
         bodies_ = {column("body_a"), column("body_b")};
         if (frame_ == none || triangles_[0] == none || triangles_[1] == none ||
             (bodies_[0] == none) != (bodies_[1] == none))
-            refuse_header();
+            refuse(header_words);
         if (bodies_[0] == none && query_.pairs.size() > 1)
             refuse(sentence("the queries are of ", query_.pairs.size(),
                             " pairs of bodies; add the columns body_a and body_b, or choose two "
@@ -156,6 +154,7 @@ class PairFile::Reader {
                name_list(bodies, &scenes::Body::name) + ".");
     }
 
+    std::string path_;
     TextLines lines_;
     const SceneQuery& query_;
     std::vector<std::string> columns_;  ///< the names in the first line

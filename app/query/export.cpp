@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -23,6 +25,8 @@ namespace {
 
 // Larger meshes are too much for viewers and for 32-bit indices.
 constexpr std::size_t most_triangles = 40'000'000;
+// Pieces take some 100 bytes each while they are made.
+constexpr std::size_t most_pieces = 4'000'000;
 
 struct ExportOptions {
     SceneOptions scene;
@@ -59,6 +63,18 @@ std::size_t cut_body(const scenes::Scene& scene, const std::string& name) {
                      " with --body: " + names + ".");
 }
 
+/// Throws InputError if the numbers of a file would change the pieces: all formats have floats.
+void check_rounding(const Mesh& mesh, double longest) {
+    double most = 0;
+    for (const Vec3& vertex : mesh.vertices)
+        most = std::max(most, (vertex - vertex.cast<float>().cast<double>()).cwiseAbs().maxCoeff());
+    if (most > longest / 1000)
+        throw InputError(format("-o: the file would round coordinates to 32 bits, by up to %.3g, "
+                                "and the sides of pieces are at most %.3g; ",
+                                most, longest) +
+                         "move the mesh nearer to its origin, or give a larger --cut.");
+}
+
 /// Writes the mesh of a body with triangles cut into pieces.
 int run_cut(const ExportOptions& options, const Console& console) {
     if (!(options.cut > 0) || !std::isfinite(options.cut))
@@ -67,7 +83,8 @@ int run_cut(const ExportOptions& options, const Console& console) {
     const auto check_outputs = [&] {
         check_output(options.output, "-o");
         if (!options.map.empty()) check_output(options.map, "--map");
-        if (options.map == options.output)
+        if (!options.map.empty() && std::filesystem::weakly_canonical(options.map) ==
+                                        std::filesystem::weakly_canonical(options.output))
             throw InputError("--map " + options.map + ": -o names the same file; name another.");
     };
     check_outputs();
@@ -82,10 +99,11 @@ int run_cut(const ExportOptions& options, const Console& console) {
                  parse_numbers(part, {"--triangles", "triangle", scene.bodies[body].name + " has",
                                       static_cast<int>(mesh.triangles.size()) - 1, "12,40:50"}))
                 seeds.push_back(static_cast<std::uint32_t>(triangle));
-    const std::optional<CutMesh> cut = cut_triangles(mesh, seeds, options.cut, most_triangles);
+    const std::optional<CutMesh> cut = cut_triangles(mesh, seeds, options.cut, most_pieces);
     if (!cut)
         throw InputError("--cut " + exact_number(options.cut) + ": this would make more than " +
-                         count_text(most_triangles) + " pieces; give a longer side.");
+                         count_text(most_pieces) + " pieces; give a longer side.");
+    check_rounding(cut->mesh, options.cut);
     const std::vector<std::uint8_t> bytes = scenes::encode_mesh(
         {{scene.bodies[body].name, cut->mesh, {0.75f, 0.75f, 0.75f}}}, options.output);
     if (!options.map.empty()) {
@@ -170,8 +188,8 @@ void add_export(const Command& program, const Console& console, Action& action) 
         .show_default();
     command
         .add_option("--cut", options->cut,
-                    "Write the mesh of a body, in its own frame, with triangles cut into pieces "
-                    "whose sides are at most so long")
+                    "Write the mesh of a body, in its own frame and scaled as in the scene, with "
+                    "triangles cut into pieces whose sides are at most so long")
         .type_name("LENGTH");
     command
         .add_option("--triangles", options->triangles,

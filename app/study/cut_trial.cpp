@@ -21,11 +21,10 @@ namespace {
 constexpr std::size_t most_seeds = 64;
 /// The costly triangles take at least four fifths of the triangle tests.
 constexpr std::uint64_t tests_numerator = 4, tests_denominator = 5;
-/// A mesh may grow by half, and by this number.
-constexpr std::size_t most_new_pieces = 2000;
+constexpr std::size_t most_pieces = 20'000;
 /// Lengths are compared in so many frames.
 constexpr std::size_t most_trial_frames = 5;
-/// Triangles are long if a side is so many times the usual side of the other tested triangles.
+/// Triangles are long if a side is so many times the usual height of tested triangles.
 constexpr double long_ratio = 8;
 
 /// The fewest triangles that take four fifths of the tests.
@@ -49,15 +48,17 @@ double longest_side(const Mesh& mesh, const std::vector<std::uint32_t>& triangle
     return longest;
 }
 
-/// The median of the longest sides of the triangles, each as often as it was tested.
-double usual_side(const std::vector<TestedTriangle>& tested, const Mesh& mesh) {
-    std::vector<std::pair<double, std::uint64_t>> sides;
-    for (const TestedTriangle& one : tested)
-        sides.emplace_back(triangle_size(corners(mesh, one.triangle)).longest_side, one.items);
-    std::sort(sides.begin(), sides.end());
+/// The median of the heights on the longest sides, each as often as its triangle was tested.
+double usual_height(const std::vector<TestedTriangle>& tested, const Mesh& mesh) {
+    std::vector<std::pair<double, std::uint64_t>> heights;
+    for (const TestedTriangle& one : tested) {
+        const TriangleSize size = triangle_size(corners(mesh, one.triangle));
+        heights.emplace_back(size.longest_side / size.slenderness, one.items);
+    }
+    std::sort(heights.begin(), heights.end());
     std::uint64_t left = item_tests(tested) / 2;
-    for (const auto& [side, tests] : sides) {
-        if (tests > left) return side;
+    for (const auto& [height, tests] : heights) {
+        if (tests > left) return height;
         left -= tests;
     }
     return 0;
@@ -77,10 +78,14 @@ struct HeldMesh {
     std::vector<std::uint32_t> joined{};  ///< in a self query
 };
 
-/// To three digits, for commands.
-double rounded(double value) {
+/// Up to three digits, for commands. Halves of the longest side must not be longer.
+double rounded_up(double value) {
     const CLocale with_points;
-    return std::strtod(format("%.3g", value).c_str(), nullptr);
+    return std::strtod(format("%.3g", 1.006 * value).c_str(), nullptr);
+}
+
+bool saves_a_tenth(const Work& before, const Work& after) {
+    return 10 * after.picoseconds <= 9 * before.picoseconds;
 }
 
 /// The recommended layout or setting, and its work in all frames.
@@ -112,22 +117,23 @@ class Trial {
         before_ = after_ = work_of_queries(few_);
     }
 
-    /// Cuts a mesh if that lowers the cost. `usual`: of the sides of tested triangles.
+    /// Cuts a mesh if that lowers the cost. `usual`: the height of tested triangles.
     void cut(std::size_t side, const std::vector<std::uint32_t>& costly, double usual) {
         const std::shared_ptr<const HeldMesh> whole = sides_[side];
         std::vector<std::uint32_t> seeds;
         if (costly.size() <= most_seeds) seeds = costly;
-        const std::size_t most_pieces = most_new_pieces + whole->mesh.triangles.size() / 2;
         double longest = longest_side(whole->mesh, costly) / 2;
         bool found = false;
         for (int worse = 0; worse < 4 && longest > usual; longest /= 2) {
-            const double limit = rounded(longest);
+            const double limit = rounded_up(longest);
             std::optional<CutMesh> cut = cut_triangles(whole->mesh, seeds, limit, most_pieces);
             if (!cut || progress_.ends()) return;
             const auto uncut = sides_;
             place(side, std::move(cut->mesh));
             const Work work = work_of_queries(few_);
-            if (work.picoseconds >= after_.picoseconds) {
+            // A mesh is cut for a twentieth of the cost at least.
+            const std::uint64_t least = found ? after_.picoseconds : after_.picoseconds / 20 * 19;
+            if (work.picoseconds >= least) {
                 sides_ = uncut;
                 ++worse;
                 continue;
@@ -140,7 +146,7 @@ class Trial {
         }
     }
 
-    bool saves_a_tenth() const { return 10 * after_.picoseconds <= 9 * before_.picoseconds; }
+    bool has_gained() const { return saves_a_tenth(before_, after_); }
     const std::vector<MeshCut>& cuts() const { return cuts_; }
 
     /// The work of the queries in all frames, by any method.
@@ -222,7 +228,7 @@ std::optional<CutTrial> try_cuts(const scenes::Scene& scene, std::size_t a, std:
     double usual = std::numeric_limits<double>::infinity();
     for (std::size_t side = 0; side < of_meshes.size(); ++side)
         if (!of_meshes[side].empty())
-            usual = std::min(usual, usual_side(of_meshes[side], mesh(side)));
+            usual = std::min(usual, usual_height(of_meshes[side], mesh(side)));
     std::array<std::vector<std::uint32_t>, 2> costly;
     for (std::size_t side = 0; side < of_meshes.size(); ++side) {
         costly[side] = costly_part(of_meshes[side], mesh(side));
@@ -240,12 +246,14 @@ std::optional<CutTrial> try_cuts(const scenes::Scene& scene, std::size_t a, std:
             if (!costly[side].empty()) trial.cut(side, costly[side], usual);
             if (!progress.step()) return std::nullopt;
         }
-        if (!trial.saves_a_tenth()) continue;
+        if (!trial.has_gained()) continue;
         CutTrial result{trial.cuts(), best_work, {}, tuning.base().counts, {}};
         result.after = trial.work_by(best);
         result.base_after = trial.work_by(base);
         if (progress.ends()) return std::nullopt;
-        return result;
+        if (saves_a_tenth(result.before, result.after) ||
+            saves_a_tenth(result.base_before, result.base_after))
+            return result;
     }
     return std::nullopt;
 }

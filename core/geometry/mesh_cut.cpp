@@ -61,7 +61,7 @@ class Cutter {
             const Triangle piece = left.back();
             left.pop_back();
             const int i = longest_side(piece);
-            if (is_long(piece, i)) {
+            if (is_long(piece, i) && has_middle(piece, i)) {
                 const std::uint32_t middle = middle_of(piece, i);
                 const std::uint32_t from = corner(piece, i), to = corner(piece, i + 1),
                                     opposite = corner(piece, i + 2);
@@ -100,6 +100,12 @@ class Cutter {
             .norm();
     }
     bool is_long(const Triangle& t, int i) const { return length(t, i) > longest_; }
+    /// Whether the midpoint of a side, rounded, is neither of its ends.
+    bool has_middle(const Triangle& t, int i) const {
+        const Vec3 &from = result_.mesh.vertices[corner(t, i)],
+                   &to = result_.mesh.vertices[corner(t, i + 1)], middle = (from + to) / 2;
+        return middle != from && middle != to;
+    }
     int longest_side(const Triangle& t) const {
         int found = 0;
         for (const int i : {1, 2})

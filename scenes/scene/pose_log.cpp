@@ -171,7 +171,7 @@ Motion PoseLogs::read(const std::filesystem::path& file) {
     if (frames_ != 0 && frames != frames_)
         throw InputError(sentence(file.string(), ": it has ", counted(frames, "pose", "poses"),
                                   ", and ", first_.string(), " has ", frames_,
-                                  "; give all bodies with a log as many."));
+                                  "; all logs must have as many rows."));
     if (frames_ == 0) first_ = file;
     frames_ = frames;
     return motion;

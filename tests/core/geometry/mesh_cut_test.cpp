@@ -90,7 +90,17 @@ TEST(MeshCut, EndsAtTheLimitOfPieces) {
     const auto cut = cut_triangles(long_box(), {}, 3, many);
     EXPECT_TRUE(cut_triangles(long_box(), {}, 3, cut->pieces + 4));
     EXPECT_FALSE(cut_triangles(long_box(), {}, 3, cut->pieces - 1));
-    EXPECT_FALSE(cut_triangles(long_box(), {}, 1e-9, 1000));
+    for (const double longest : {1e-9, 1e-17, 1e-300})
+        EXPECT_FALSE(cut_triangles(long_box(), {}, longest, 1000)) << longest;
+}
+
+TEST(MeshCut, ASideBetweenNeighboringNumbersIsKept) {
+    Mesh mesh;
+    mesh.vertices = {Vec3(1, 0, 0), Vec3(1 + 0x1p-52, 0, 0), Vec3(1, 0x1p-53, 0)};
+    mesh.triangles = {{0, 1, 2}};
+    const auto cut = cut_triangles(mesh, {}, 0x1p-60, many);
+    ASSERT_TRUE(cut);
+    EXPECT_LT(cut->mesh.triangles.size(), many);
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST(PoseLog, HasAsManyRowsAsTheOthers) {
     EXPECT_EQ(logs.frames(), 2);
     logs.read(two);
     EXPECT_EQ(refusal([&] { logs.read(one); }),
-              one + ": it has 1 pose, and " + two + " has 2; give all bodies with a log as many.");
+              one + ": it has 1 pose, and " + two + " has 2; all logs must have as many rows.");
 }
 
 std::string scene_of_boxes(const std::string& bodies, const std::string& more = "") {
