@@ -22,6 +22,8 @@ constexpr std::size_t most_seeds = 64;
 /// The costly triangles take at least four fifths of the triangle tests.
 constexpr std::uint64_t tests_numerator = 4, tests_denominator = 5;
 constexpr std::size_t most_pieces = 20'000;
+/// In percent of the cost. Users who take the best setting lose time by a cut for the base.
+constexpr std::uint64_t least_gain = 10, least_gain_of_base = 25;
 /// Lengths are compared in so many frames.
 constexpr std::size_t most_trial_frames = 5;
 /// Triangles are long if a side is so many times the usual height of tested triangles.
@@ -84,8 +86,8 @@ double rounded_up(double value) {
     return std::strtod(format("%.3g", 1.006 * value).c_str(), nullptr);
 }
 
-bool saves_a_tenth(const Work& before, const Work& after) {
-    return 10 * after.picoseconds <= 9 * before.picoseconds;
+bool saves_percent(std::uint64_t percent, const Work& before, const Work& after) {
+    return 100 * after.picoseconds <= (100 - percent) * before.picoseconds;
 }
 
 /// The recommended layout or setting, and its work in all frames.
@@ -146,7 +148,7 @@ class Trial {
         }
     }
 
-    bool has_gained() const { return saves_a_tenth(before_, after_); }
+    bool has_gained() const { return saves_percent(least_gain, before_, after_); }
     const std::vector<MeshCut>& cuts() const { return cuts_; }
 
     /// The work of the queries in all frames, by any method.
@@ -251,8 +253,8 @@ std::optional<CutTrial> try_cuts(const scenes::Scene& scene, std::size_t a, std:
         result.after = trial.work_by(best);
         result.base_after = trial.work_by(base);
         if (progress.ends()) return std::nullopt;
-        if (saves_a_tenth(result.before, result.after) ||
-            saves_a_tenth(result.base_before, result.base_after))
+        if (saves_percent(least_gain, result.before, result.after) ||
+            saves_percent(least_gain_of_base, result.base_before, result.base_after))
             return result;
     }
     return std::nullopt;

@@ -27,9 +27,9 @@ struct CutTrial {
 
 /// Cuts the triangles that take most of the triangle tests, at several lengths, and takes the
 /// length of the least cost with the recommended setting or layout; if no cut saves a tenth of that
-/// cost, the length of the least cost with the base setting. If these triangles are many, all
-/// triangles with longer sides are cut. None if no cut saves a tenth, or if `progress` ended the
-/// trial. `tested`: of A and of B, the latter empty in a self query.
+/// cost, the length of the least cost with the base setting, if that saves a quarter. If these
+/// triangles are many, all triangles with longer sides are cut. None if no cut saves that much, or
+/// if `progress` ended the trial. `tested`: of A and of B, the latter empty in a self query.
 std::optional<CutTrial> try_cuts(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                  const SceneTuning& tuning,
                                  const std::array<std::vector<TestedTriangle>, 2>& tested,
