@@ -103,9 +103,9 @@ int run_cut(const ExportOptions& options, const Console& console) {
     if (!cut)
         throw InputError("--cut " + exact_number(options.cut) + ": this would make more than " +
                          count_text(most_pieces) + " pieces; give a longer side.");
-    check_rounding(cut->mesh, options.cut);
     const std::vector<std::uint8_t> bytes = scenes::encode_mesh(
         {{scene.bodies[body].name, cut->mesh, {0.75f, 0.75f, 0.75f}}}, options.output);
+    check_rounding(cut->mesh, options.cut);
     if (!options.map.empty()) {
         std::string map = "triangle,cut_from\n";
         for (std::size_t i = 0; i < cut->origin.size(); ++i)
