@@ -97,26 +97,21 @@ std::vector<std::string> causes(const InspectReport& report) {
     return sentences;
 }
 
-std::string counts_over(std::uint64_t count, std::uint64_t of) {
-    return format("%.2f", ratio(static_cast<double>(count), static_cast<double>(of)));
-}
-
 /// The best setting of this project for the queries of a recording.
 std::string recorded_advice(const InspectSettings& settings) {
     const SceneTuning& tuning = settings.tuning;
     const TuneLayout* const layout = tuning.cheapest_layout();
-    const TuneRow& row = tuning.rows[tuning.recommended()];
-    const Work found = layout ? Work{layout->n_v, layout->n_p} : row.counts,
+    const Work found = layout ? Work{layout->n_v, layout->n_p}
+                              : tuning.rows[tuning.recommended()].counts,
                &recorded = *settings.recorded;
-    return "Best of this project's hierarchies in " + render::frames_text(tuning.frames) + ": " +
-           (layout ? layout_text(tuning, *layout) + ", packed" : setting_text(row.setting)) +
-           ", with " + counts_over(found.volume_tests, recorded.volume_tests) +
-           " of the recorded N_v" +
-           (recorded.triangle_tests == 0
-                ? ""
-                : " and " + counts_over(found.triangle_tests, recorded.triangle_tests) +
-                      " of N_p") +
-           ".";
+    std::string text = "Best of this project's hierarchies in " +
+                       render::frames_text(tuning.frames) + ": " + recommended_text(tuning) +
+                       format(", with %.2f of the recorded N_v",
+                              multiple_of(found.volume_tests, recorded.volume_tests));
+    if (recorded.triangle_tests > 0)
+        text +=
+            format(" and %.2f of N_p", multiple_of(found.triangle_tests, recorded.triangle_tests));
+    return text + ".";
 }
 
 }  // namespace

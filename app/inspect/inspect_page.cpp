@@ -33,6 +33,8 @@ std::string percents(std::uint64_t part, std::uint64_t whole) {
                   whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
+data flag(bool is_set) { return data(is_set ? data::type::bool_true : data::type::bool_false); }
+
 data text_rows(const char* key, const std::vector<std::string>& texts) {
     data rows(data::type::list);
     for (const std::string& text : texts) {
@@ -72,12 +74,12 @@ data frame_rows(const InspectReport& report) {
     data rows(data::type::list);
     for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
         data row = frame_data(std::to_string(report.frames[i].frame), report.frames[i].found);
-        row["sum"] = data(data::type::bool_false);
+        row["sum"] = flag(false);
         rows << row;
     }
     if (report.frames.size() > 1) {
         data row = frame_data("sum", report.sum);
-        row["sum"] = data(data::type::bool_true);
+        row["sum"] = flag(true);
         rows << row;
     }
     return rows;
@@ -141,8 +143,7 @@ data setting_rows(const InspectSettings& settings) {
         data row;
         row["setting"] =
             (r == 0 && !settings.recorded ? "present: " : "") + setting_text(found.setting);
-        row["best"] = data(!cheapest && r == tuning.recommended() ? data::type::bool_true
-                                                                  : data::type::bool_false);
+        row["best"] = flag(!cheapest && r == tuning.recommended());
         set_changes(row, from, found.counts);
         if (settings.recorded) {
             row["operations_change"] = "";
@@ -159,7 +160,7 @@ data setting_rows(const InspectSettings& settings) {
         row["n_p"] = render::count_text(from.triangle_tests);
         row["operations"] = "–";
         row["cost"] = "–";
-        row["best"] = data(data::type::bool_false);
+        row["best"] = flag(false);
         rows << row;
     } else {
         add(0);
@@ -167,7 +168,7 @@ data setting_rows(const InspectSettings& settings) {
     if (cheapest) {
         data row;
         row["setting"] = layout_text(tuning, *cheapest) + ", packed";
-        row["best"] = data(data::type::bool_true);
+        row["best"] = flag(true);
         set_changes(row, from, {cheapest->n_v, cheapest->n_p, 0, cheapest->picoseconds});
         // Operations of packed tests are not counted.
         row["operations"] = "–";
@@ -200,15 +201,13 @@ void set_judgement(data& values, const InspectedRecording& recording,
     for (const std::string& line : verdict_lines(judged)) {
         data row;
         row["text"] = printable(line);
-        row["alarm"] = data(verdict.is_empty_list() && judged.wrong() ? data::type::bool_true
-                                                                      : data::type::bool_false);
+        row["alarm"] = flag(verdict.is_empty_list() && judged.wrong());
         verdict << row;
     }
     values.set("verdict", verdict);
-    values["is_wrong"] = data(judged.wrong() ? data::type::bool_true : data::type::bool_false);
+    values["is_wrong"] = flag(judged.wrong());
     values["problems"] = problem_rows(recording);
-    values["has_problems"] =
-        data(recording.pictures.empty() ? data::type::bool_false : data::type::bool_true);
+    values["has_problems"] = flag(!recording.pictures.empty());
     Table trees({{.title = "tree", .align = Align::left},
                  {.title = "name", .align = Align::left},
                  {.title = "nodes"},
@@ -225,8 +224,7 @@ void set_judgement(data& values, const InspectedRecording& recording,
     for (const scenes::StageJudgement& stage : judged.stages)
         stages.add({printable(stage.name), render::count_text(stage.tests),
                     render::count_text(stage.false_positives), render::count_text(stage.wrong)});
-    values["has_stages"] =
-        data(judged.stages.empty() ? data::type::bool_false : data::type::bool_true);
+    values["has_stages"] = flag(!judged.stages.empty());
     values["stages"] = stages.html();
     values["report"] = recording_text(recording, settings);
 }
@@ -255,7 +253,7 @@ class Group {
         // The page of a recording has one frame.
         const bool in_view = !report_.recording || frame == report_.frames.front().frame;
         // Set in any case: a template takes a missing value from the page.
-        pair["view"] = data(data::type::bool_false);
+        pair["view"] = flag(false);
         if (!page_.view.empty() && in_view)
             pair["view"] = page_.view + "#frame=" + std::to_string(frame) + "&nodes=" + nodes;
         pair["command"] = page_.explain + " --frames " + std::to_string(frame) + " --pair " + nodes;
@@ -342,17 +340,15 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
         data finding;
         finding["text"] = sentence;
         const bool alarm = findings.is_empty_list() && report.sum.counts.wrongly_rejected > 0;
-        finding["alarm"] = data(alarm ? data::type::bool_true : data::type::bool_false);
+        finding["alarm"] = flag(alarm);
         findings << finding;
     }
     values.set("findings", findings);
     values["summary"] = page.summary;
     values["bodies"] = page.bodies;
-    values["has_bodies"] =
-        data(page.bodies.empty() ? data::type::bool_false : data::type::bool_true);
+    values["has_bodies"] = flag(!page.bodies.empty());
     const Table triangles = triangles_table(report);
-    values["has_triangles"] =
-        data(triangles.size() > 0 ? data::type::bool_true : data::type::bool_false);
+    values["has_triangles"] = flag(triangles.size() > 0);
     values["triangles"] = triangles.html();
     values.set("cut_commands", text_rows("command", cut_commands(report)));
     values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
@@ -362,10 +358,8 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
                                 render::count_text(report.frames.size()) + " frames; " +
                                 report.files + "_frames.csv has all of them.";
-    values["has_wrong"] = data(report.sum.counts.wrongly_rejected > 0 ? data::type::bool_true
-                                                                      : data::type::bool_false);
-    values["has_others"] =
-        data(report.others.empty() ? data::type::bool_false : data::type::bool_true);
+    values["has_wrong"] = flag(report.sum.counts.wrongly_rejected > 0);
+    values["has_others"] = flag(!report.others.empty());
     values["others"] = other_rows(report);
     values["weak"] = render::count_text(report.sum.counts.passed(PassReason::weak_test));
     values["groups"] = groups_of(report, page);
@@ -385,7 +379,7 @@ void set_settings(data& values, const InspectSettings& settings, std::size_t fra
     const std::string packed = layout_sentence(tuning);
     if (!packed.empty()) values["packed"] = packed;
     if (!settings.layout_command.empty()) values["use_packed"] = settings.layout_command;
-    values["timed"] = data(tuning.timed() ? data::type::bool_true : data::type::bool_false);
+    values["timed"] = flag(tuning.timed());
 }
 
 }  // namespace
@@ -396,13 +390,12 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["subtitle"] = inspect_subtitle(report);
     values["width"] = std::to_string(page.width);
     values["height"] = std::to_string(page.height);
-    values["light"] = data(page.light ? data::type::bool_true : data::type::bool_false);
-    values["has_judgement"] =
-        data(report.recording ? data::type::bool_true : data::type::bool_false);
+    values["light"] = flag(page.light);
+    values["has_judgement"] = flag(report.recording.has_value());
     if (report.recording) set_judgement(values, *report.recording, report.settings);
-    values["has_waste"] = data(report.has_waste ? data::type::bool_true : data::type::bool_false);
+    values["has_waste"] = flag(report.has_waste);
     if (report.has_waste) set_waste(values, report, page);
-    values["has_settings"] = data(report.settings ? data::type::bool_true : data::type::bool_false);
+    values["has_settings"] = flag(report.settings.has_value());
     if (report.settings) set_settings(values, *report.settings, report.frames.size());
     if (!page.view.empty()) {
         values["view"] = page.view + "#show=verdicts";

@@ -63,7 +63,8 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
     std::optional<SceneTuning> tuning =
         tune_scene(query.scene, query.a, query.b, counted, asked, progress);
     if (!tuning) return std::nullopt;
-    InspectSettings result{std::move(*tuning), {}, {}, {}, {}, {}, {}};
+    InspectSettings result;
+    result.tuning = std::move(*tuning);
     result.cuts = try_cuts(query.scene, query.a, query.b, result.tuning, findings.tested, progress);
     result.scene = options.of_files;
     if (scenes::names_trace(options.scene.names[0])) {
@@ -125,8 +126,10 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     const std::size_t a = source.body_index(0), b = source.body_index(1);
     std::optional<SceneTuning> tuning = tune_scene(scene, a, b, counted, asked, progress);
     if (!tuning) return std::nullopt;
-    InspectSettings result{std::move(*tuning), {}, {}, render::volume_title(source.header()),
-                           recorded,           {}, {}};
+    InspectSettings result;
+    result.tuning = std::move(*tuning);
+    result.engine = render::volume_title(source.header());
+    result.recorded = recorded;
     result.cuts = try_cuts(scene, a, b, result.tuning, findings.tested, progress);
     result.scene = options.of_files;
     const std::string collide =

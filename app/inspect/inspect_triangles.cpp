@@ -6,7 +6,6 @@
 
 #include "app/cli/command_text.h"
 #include "app/timing/tune_layout_report.h"
-#include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
 #include "render/figures/inspect_figure.h"
@@ -35,17 +34,6 @@ std::string bodies_of(const InspectReport& report, const MeshCut& cut) {
                                                    : body_name(report, cut.side);
 }
 
-/// The recommended layout or setting.
-std::string advised_text(const SceneTuning& tuning) {
-    const TuneLayout* const layout = tuning.cheapest_layout();
-    return layout ? layout_text(tuning, *layout) + ", packed"
-                  : setting_text(tuning.rows[tuning.recommended()].setting);
-}
-
-std::string share_of(std::uint64_t part, std::uint64_t whole) {
-    return render::share_text(static_cast<double>(part), static_cast<double>(whole));
-}
-
 }  // namespace
 
 Table triangles_table(const InspectReport& report, std::size_t most) {
@@ -63,11 +51,11 @@ Table triangles_table(const InspectReport& report, std::size_t most) {
         const BodyTriangles& body = report.triangles[side];
         for (std::size_t i = 0; i < std::min(most, body.costly.size()); ++i) {
             const auto& [tests, size] = body.costly[i];
-            const double share = static_cast<double>(tests.items) / static_cast<double>(body.tests);
+            const double part = static_cast<double>(tests.items) / static_cast<double>(body.tests);
             table.add({Cell(body_name(report, side), printable(body_name(report, side))),
                        tests.triangle,
                        {tests.items, render::count_text(tests.items)},
-                       {share, share_of(tests.items, body.tests)},
+                       {part, share(tests.items, body.tests)},
                        {tests.volumes, render::count_text(tests.volumes)},
                        {size.longest_side, "%.3g"},
                        std::isfinite(size.slenderness) ? Cell(size.slenderness, "%.3g")
@@ -86,7 +74,7 @@ std::vector<std::string> triangle_sentences(const InspectReport& report) {
         sentences.push_back(counted(body.costly.size(), "triangle", "triangles") + " of " +
                             printable(body_name(report, side)) +
                             (body.costly.size() == 1 ? " takes part in " : " take part in ") +
-                            share_of(together, body.tests) + " of the triangle tests.");
+                            share(together, body.tests) + " of the triangle tests.");
     }
     return sentences;
 }
@@ -106,7 +94,7 @@ std::vector<std::string> cut_sentences(const InspectReport& report) {
                render::change_text(from.picoseconds, to.picoseconds);
     };
     const std::string with_best =
-                          changes(cuts.before, cuts.after) + " with " + advised_text(tuning),
+                          changes(cuts.before, cuts.after) + " with " + recommended_text(tuning),
                       with_base = changes(cuts.base_before, cuts.base_after) + " with " +
                                   (report.settings->recorded
                                        ? std::string(volume_kind_name(tuning.base().setting.volume))
@@ -151,7 +139,7 @@ Json cuts_json(const InspectReport& report) {
                     {"n_p", of.triangle_tests},
                     {"cost", static_cast<double>(of.picoseconds) / 1000}};
     };
-    json["setting"] = advised_text(report.settings->tuning);
+    json["setting"] = recommended_text(report.settings->tuning);
     json["before"] = work(cuts.before);
     json["after"] = work(cuts.after);
     json["base"] = {{"before", work(cuts.base_before)}, {"after", work(cuts.base_after)}};

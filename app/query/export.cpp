@@ -8,6 +8,7 @@
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/study/level_trees.h"
+#include "app/study/scene_query.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_cut.h"
@@ -53,14 +54,10 @@ void append(Mesh& mesh, const Mesh& part) {
 /// The index of the body to cut.
 std::size_t cut_body(const scenes::Scene& scene, const std::string& name) {
     if (name.empty() && scene.bodies.size() == 1) return 0;
-    std::string names;
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        if (scene.bodies[b].name == name) return b;
-        names += (names.empty() ? "" : ", ") + scene.bodies[b].name;
-    }
+    if (const auto body = body_named(scene, name)) return *body;
     throw InputError((name.empty() ? std::string("--cut: the scene has several bodies; name one")
                                    : "--body " + name + ": the scene has no such body; name one") +
-                     " with --body: " + names + ".");
+                     " with --body: " + name_list(scene.bodies, &scenes::Body::name) + ".");
 }
 
 /// Throws InputError if the numbers of a file would change the pieces: all formats have floats.

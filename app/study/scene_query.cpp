@@ -10,14 +10,6 @@
 namespace scb::app {
 namespace {
 
-/// The index of the body with this name. Two bodies may also be called A and B.
-std::optional<std::size_t> body_named(const scenes::Scene& scene, const std::string& name) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (scene.bodies[i].name == name) return i;
-    if (scene.bodies.size() != 2 || (name != "A" && name != "B")) return std::nullopt;
-    return name == "A" ? 0 : 1;
-}
-
 /// The pairs of bodies that `names` may mean: names may have commas, so each comma may be the one
 /// between the two names.
 std::vector<BodyPair> pairs_named(const scenes::Scene& scene, const std::string& names) {
@@ -31,6 +23,13 @@ std::vector<BodyPair> pairs_named(const scenes::Scene& scene, const std::string&
 }
 
 }  // namespace
+
+std::optional<std::size_t> body_named(const scenes::Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].name == name) return i;
+    if (scene.bodies.size() != 2 || (name != "A" && name != "B")) return std::nullopt;
+    return name == "A" ? 0 : 1;
+}
 
 const Mesh& SceneQuery::mesh(std::size_t body) const {
     return scene.meshes[scene.bodies[body].mesh].mesh;

@@ -50,6 +50,9 @@ struct SceneQuery {
     CollideOptions mutated_options() const;
 };
 
+/// The index of the body with this name. Two bodies may also be called A and B.
+std::optional<std::size_t> body_named(const scenes::Scene& scene, const std::string& name);
+
 /// The pairs of bodies that a command may query.
 enum class QueriedBodies {
     two,       ///< two bodies, or one with itself

@@ -161,9 +161,9 @@ class Run {
                setting.descent == usual.descent && setting.growth == usual.growth;
     }
 
-    /// Whether a k-DOP would cost too much with half of the tests of the tightest volumes so far, in
-    /// trees of the same split. Then its hierarchies are not built. Tight volumes with cheap tests
-    /// are tried before.
+    /// Whether a k-DOP would cost too much with half of the tests of the tightest volumes so far,
+    /// in trees of the same split. Then its hierarchies are not built. Tight volumes with cheap
+    /// tests are tried before.
     bool is_hopeless(const TuneSetting& setting) const {
         const auto& fewest = fewest_tests_[setting.split == SplitMethod::cost ? 1 : 0];
         const bool is_dop = setting.volume == VolumeKind::dop14 ||
@@ -231,7 +231,7 @@ class Run {
     bool gives_up_, packs_;
     std::vector<TuneSetting> given_up_;
     const TuneProgress& progress_;
-    std::optional<std::uint64_t> least_cost_;        // of a row, if settings are given up
+    std::optional<std::uint64_t> least_cost_;  // of a row, if settings are given up
     // Then also of a row of each split.
     std::array<std::optional<std::uint64_t>, 2> fewest_tests_;
     std::vector<std::vector<std::uint64_t>> pairs_;  // per row, per frame

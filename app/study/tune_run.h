@@ -91,10 +91,10 @@ struct TuneOptions {
     bool every = false;                      ///< whether the settings of all volumes are tried
     int repeats = 0;                         ///< of each timed query; 0: nothing is timed
     std::vector<PackedLayout> layouts = {};  ///< that are tried, see tried_layouts
-    /// Whether to try fewer settings: no other thresholds, and no variants of volumes that cost more
-    /// than the best. A setting is given up if it costs more than `hopeless_cost` times the least
-    /// that a setting before it costs, as soon as some of its frames show that; a k-DOP by the tests of
-    /// other volumes. Settings whose test may miss pairs are no measure.
+    /// Whether to try fewer settings: no other thresholds, and no variants of volumes that cost
+    /// more than the best. A setting is given up if it costs more than `hopeless_cost` times the
+    /// least that a setting before it costs, as soon as some of its frames show that; a k-DOP by
+    /// the tests of other volumes. Settings whose test may miss pairs are no measure.
     bool gives_up = false;
 };
 inline constexpr std::uint64_t hopeless_cost = 3;

@@ -50,6 +50,12 @@ std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout) {
                 : format(" with leaves of %d", layout.layout.leaf_triangles));
 }
 
+std::string recommended_text(const SceneTuning& tuning) {
+    const TuneLayout* const layout = tuning.cheapest_layout();
+    return layout ? layout_text(tuning, *layout) + ", packed"
+                  : setting_text(tuning.rows[tuning.recommended()].setting);
+}
+
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) {
     TuneSetting setting;
     setting.split = tuning.rows[layout.row].setting.split;

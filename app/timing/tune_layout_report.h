@@ -10,6 +10,10 @@ namespace scb::app {
 /// "scb2, split cost, quantized8": the hierarchies and their layout.
 std::string layout_text(const SceneTuning& tuning, const TuneLayout& layout);
 
+/// The layout or, if no layout costs less, the setting to use: "scb2, split cost, quantized8,
+/// packed".
+std::string recommended_text(const SceneTuning& tuning);
+
 /// The options of `scb collide` and `scb bench`: " --volume scb2 --split cost --layout quantized8".
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 

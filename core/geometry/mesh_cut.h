@@ -28,8 +28,8 @@ struct CutMesh {
 /// and a closed mesh stays closed. Without seeds, all triangles with a longer side are cut.
 ///
 /// Midpoints are rounded to double: of coordinates in single precision that differ little in
-/// magnitude they are exact. A side without a rounded point between its ends is not cut. Nothing if more than `most_pieces` pieces would be made.
-/// `longest` > 0.
+/// magnitude they are exact. A side without a rounded point between its ends is not cut. Nothing if
+/// more than `most_pieces` pieces would be made. `longest` > 0.
 std::optional<CutMesh> cut_triangles(const Mesh& mesh, std::span<const std::uint32_t> seeds,
                                      double longest, std::size_t most_pieces);
 
