@@ -98,6 +98,8 @@ export class App {
     await this.refresh();
     await this.follow();
     this.address.writeNow();
+    // The first drawing was asked for before, so it ends before this callback; a script can pick afterwards.
+    await new Promise(requestAnimationFrame);
     document.documentElement.dataset.ready = 'true';
   }
 
