@@ -164,7 +164,7 @@ TEST(RecordingJson, NamesTheLineThatItRefuses) {
           "{\"frame\": 0, \"appended\": \"0\"}",
           "{\"tests\": [], \"appended\": \"00\"}",
           "{\"unknown\": 200, \"hex\": \"\"}",
-          "{\"unknown\": 203, \"hex\": \"\"}",
+          "{\"unknown\": 205, \"hex\": \"\"}",
           "{\"unknown\": 250, \"hex\": \"0\"}",
           "{\"setting\": {\"hex\": \"zz\"}, \"value\": \"\"}"}) {
         const std::string sentence = refusal_of_text(text);
