@@ -30,7 +30,7 @@ render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& sourc
     else if (!frame.found.complete)
         figure.remark = stopped_remark(frame);
     look_at_contact(figure, view, frame, region);
-    view.show_small_contact(figure, region);
+    view.show_place_of_contact(figure, region);
     return figure;
 }
 

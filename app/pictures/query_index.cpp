@@ -64,6 +64,12 @@ Json query_index_head(const QueryView& view, const std::string& command) {
     options["background"] = picture.background;
     if (shows_bodies && !view.follows_contact())
         head["camera"] = scenes::camera_json(view.camera_view(view.camera({})));
+    if (const auto& sought = view.sought())
+        head["sought_direction"] = {{"azimuth", sought->direction.azimuth},
+                                    {"elevation", sought->direction.elevation},
+                                    {"tried", render::tried_directions},
+                                    {"frame", sought->frame},
+                                    {"score", sought->direction.score}};
     return head;
 }
 
@@ -83,7 +89,8 @@ Json query_index_entry(const QueryView& view, const QueryFrames& frames,
     Json entry = query_index_entry(view, frames);
     for (std::size_t i = 0; i < frames.size() && view.options().picture.ids; ++i)
         add_node_numbers(view.compares() ? entry["queries"][i] : entry, *frames[i]);
-    if (view.follows_contact()) entry["camera"] = scenes::camera_json(view.camera_view(camera));
+    if (view.follows_contact() || !view.is_whole(camera))
+        entry["camera"] = scenes::camera_json(view.camera_view(camera));
     return entry;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -11,11 +12,15 @@
 #include "app/report/scene_report.h"
 #include "core/base/text_format.h"
 #include "render/figures/figure_words.h"
+#include "render/figures/pairs_figure.h"
 #include "render/figures/volume_colors.h"
 #include "scb/level_cover.h"
 
 namespace scb::app {
 namespace {
+
+/// A region whose extent is below this part of the view's is small in it.
+constexpr double small_in_view = 1.0 / 6;
 
 /// The nodes whose volumes the camera has to show: some that cover the mesh closely, or all leaves.
 /// If volumes are drawn, all of the upper levels, since a volume may stick out of its parent;
@@ -104,17 +109,66 @@ QueryView::QueryView(const QueryViewOptions& options, const QuerySources& source
         return std::isfinite(most) ? most : mesh_reach(body, direction);
     };
     support_ = support_over_frames(of_volumes);
-    render::Support held = support_;
+    held_ = support_;
     if (options.held_part < 1)
-        held = render::support_between(
+        held_ = render::support_between(
             support_over_frames([of_volumes](const render::QueryBody& body, const Vec3& direction) {
                 return body.mesh->triangles.empty() ? of_volumes(body, direction)
                                                     : mesh_reach(body, direction);
             }),
             support_, options.held_part);
-    center_ = render::center_of(held);
-    whole_ = camera_for(camera_view_, held, aspect());
+    place_camera();
+    if (options.seeks_contact) seek_contact();
+}
+
+void QueryView::place_camera() {
+    center_ = render::center_of(held_);
+    whole_ = camera_for(camera_view_, held_, aspect());
     render::set_depth_range(whole_, support_);
+}
+
+void QueryView::seek(const render::Subject& subject, int frame,
+                     const std::vector<AnyVolume>& region) {
+    if (!options_.camera.leaves_direction_open(sources_.front().scene())) return;
+    const render::QueryBodies at_frame = bodies(frame);
+    const render::Support whole = [&at_frame](const Vec3& direction) {
+        return std::max(mesh_reach(at_frame[0], direction), mesh_reach(at_frame[1], direction));
+    };
+    const render::Support shown = region.empty() ? whole : render::support_of(region);
+    sought_ = {frame, render::seeing_direction(renderer_, subject, aspect(),
+                                               {camera_view_.azimuth, camera_view_.elevation},
+                                               [&](double azimuth, double elevation) {
+                                                   scenes::CameraView wish = camera_view_;
+                                                   wish.azimuth = azimuth;
+                                                   wish.elevation = elevation;
+                                                   render::Camera camera =
+                                                       camera_for(wish, shown, aspect());
+                                                   render::set_depth_range(camera, whole);
+                                                   return camera;
+                                               })};
+    camera_view_.azimuth = sought_->direction.azimuth;
+    camera_view_.elevation = sought_->direction.elevation;
+    place_camera();
+}
+
+void QueryView::seek_contact() {
+    const QuerySource& source = sources_.front();
+    if (!options_.camera.leaves_direction_open(source.scene())) return;
+    // One direction for all pictures of a run: by the frame with the most pairs of three.
+    const std::vector<int>& frames = source.frames();
+    std::optional<QueryTrace> most;
+    for (const int frame : std::set{frames.front(), frames[frames.size() / 2], frames.back()})
+        if (QueryTrace query = source.frame_again(frame);
+            !most || query.found.pairs.size() > most->found.pairs.size())
+            most = std::move(query);
+    if (most->found.pairs.empty()) return;
+    const render::QueryBodies at_frame = bodies(most->frame);
+    const std::vector<render::Segment> contact =
+        render::contact_segments(at_frame, source.header(), *most);
+    std::vector<AnyVolume> region;
+    if (follows_contact())
+        region = near_contact(render::contact_region(at_frame, source.header(), *most, contact));
+    seek(render::contact_subject(at_frame, source.header(), *most, contact), most->frame, region);
 }
 
 render::Support QueryView::support_over_frames(Reach reach) const {
@@ -170,30 +224,52 @@ double QueryView::least_radius() const {
            50;
 }
 
+std::vector<AnyVolume> QueryView::near_contact(std::vector<AnyVolume> region) const {
+    if (region.empty()) return region;
+    const Ball contact = render::ball_about_centers(region);
+    region.emplace_back(Ball{contact.center, std::max(contact.radius, least_radius())});
+    return region;
+}
+
 render::Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
-    if (!follows_contact() || region.empty()) return whole_;
-    // Not so close that a single small triangle fills the view.
-    std::vector<AnyVolume> wide = region;
-    const render::Support of_region = render::support_of(region);
-    const Vec3 middle = render::center_of(of_region);
+    if (!looks_closely(region)) return whole_;
+    const std::vector<AnyVolume> wide = near_contact(region);
     scenes::CameraView wish = camera_view_;
     wish.target.reset();
     wish.distance.reset();
     wish.view_height.reset();
-    wide.emplace_back(Ball{middle, least_radius()});
     render::Camera camera = camera_for(wish, render::support_of(wide), aspect());
     render::set_depth_range(camera, support_);
     return camera;
 }
 
-void QueryView::show_small_contact(render::SceneFigure& figure,
-                                   const std::vector<AnyVolume>& region) const {
-    if (follows_contact() || region.empty()) return;
-    constexpr double small = 1.0 / 8;
-    if (render::extent_in_view(figure.pane.camera, region) > small) return;
+bool QueryView::looks_closely(const std::vector<AnyVolume>& region) const {
+    if (region.empty() || follows_contact()) return !region.empty();
+    return options_.camera.camera.empty() && !options_.camera.usual_direction &&
+           (options_.one_picture || sources_.front().frames().size() == 1) &&
+           render::extent_in_view(whole_, region) < small_in_view;
+}
+
+bool QueryView::is_whole(const render::Camera& camera) const {
+    return camera.position == whole_.position && camera.view_height == whole_.view_height;
+}
+
+void QueryView::show_place_of_contact(render::SceneFigure& figure,
+                                      const std::vector<AnyVolume>& region) const {
+    if (region.empty()) return;
+    const Ball contact = render::ball_about_centers(region);
+    if (looks_closely(region)) {
+        const render::Camera& camera = figure.pane.camera;
+        const double radius = 0.5 / render::pixels_per_unit(camera, contact.center, 1);
+        figure.detail =
+            render::Detail{camera_for(camera_view_, held_, 1), contact.center, radius, true};
+        render::set_depth_range(figure.detail->camera, support_);
+        return;
+    }
+    if (render::extent_in_view(figure.pane.camera, region) > small_in_view) return;
+    if (options_.one_picture) return;
     render::insert_before_notes(figure.panel,
                                 {"the contact is small here: see it with --camera\u00a0contact"});
-    const Ball contact = render::ball_about_centers(region);
     const double radius = std::max(1.1 * contact.radius, least_radius());
     figure.detail = render::Detail{
         detail_camera(camera_view_, {contact.center, radius}, support_, 1), contact.center, radius};
@@ -204,8 +280,7 @@ scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {
 }
 
 Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {
-    return !follows_contact() || region.empty() ? center_
-                                                : render::center_of(render::support_of(region));
+    return looks_closely(region) ? render::center_of(render::support_of(region)) : center_;
 }
 
 std::string QueryView::title(const std::string& what) const {

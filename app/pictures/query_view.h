@@ -13,11 +13,18 @@
 #include "render/figures/comparison_figure.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
+#include "render/figures/seeing_direction.h"
 
 namespace scb::app {
 
 /// Text for a query that ended before it had found everything.
 std::string stopped_remark(const QueryTrace& frame);
+
+/// The direction of view that was sought, and the frame whose subject most of it shows.
+struct SoughtDirection {
+    int frame = 0;
+    render::SeeingDirection direction;
+};
 
 /// Two bodies of a scene on the GPU, with camera and names: common to the pictures of a run. If the
 /// pictures show no bodies (Shown::nothing), there are only titles and file names.
@@ -31,19 +38,30 @@ class QueryView {
 
     /// Whether there are two queries.
     bool compares() const { return sources_.size() == 2; }
+    /// Turns the camera to where most of the subject is visible, unless the user or the scene has
+    /// chosen a direction. The bodies are as at the frame. With `region`, the camera shows this
+    /// region alone.
+    void seek(const render::Subject& subject, int frame, const std::vector<AnyVolume>& region = {});
+    /// What seek found, if it did.
+    const std::optional<SoughtDirection>& sought() const { return sought_; }
     /// The bodies at a frame, with the hierarchies of one of the queries.
     render::QueryBodies bodies(int frame, std::size_t query = 0) const;
     /// The camera for a picture of the options' size: one for all frames; or fitted to `region`, if
-    /// it follows the contact and there is one.
+    /// looks_closely.
     render::Camera camera(const std::vector<AnyVolume>& region) const;
     /// The point that the camera looks at, where a scale bar is valid.
     Vec3 center(const std::vector<AnyVolume>& region) const;
     /// The complete description of the camera, see exact_camera_view.
     scenes::CameraView camera_view(const render::Camera& camera) const;
-    /// If the contact is small in the figure's view, magnifies it, and adds a hint for a closer
-    /// view to the panel.
-    void show_small_contact(render::SceneFigure& figure,
-                            const std::vector<AnyVolume>& region) const;
+    /// Of a close view, adds a small view of the whole. If the contact is small in the figure's
+    /// view, magnifies it, and adds a hint for a closer view to the panel.
+    void show_place_of_contact(render::SceneFigure& figure,
+                               const std::vector<AnyVolume>& region) const;
+    /// Whether the camera shows the region alone: if it follows the contact, or if the region is
+    /// small in the only picture of a run and no camera was asked for.
+    bool looks_closely(const std::vector<AnyVolume>& region) const;
+    /// Whether it is the camera for all frames.
+    bool is_whole(const render::Camera& camera) const;
     bool follows_contact() const { return options_.camera.follows_contact(); }
 
     const QueryViewOptions& options() const { return options_; }
@@ -71,9 +89,15 @@ class QueryView {
                      std::optional<SheetRun> planned) const;
 
   private:
+    /// seek, for the contact of a frame that is shown.
+    void seek_contact();
+    /// Fits the camera that shows everything.
+    void place_camera();
     double aspect() const;
-    /// The least radius of a view of the contact, so that a single small triangle does not fill it.
+    /// The least radius of a view of the contact.
     double least_radius() const;
+    /// The region, and so much about it that a single small triangle does not fill the view.
+    std::vector<AnyVolume> near_contact(std::vector<AnyVolume> region) const;
     /// The support over all queries and frames; `reach` is the extent of a body in a direction.
     using Reach = std::function<double(const render::QueryBody&, const Vec3& direction)>;
     render::Support support_over_frames(Reach reach) const;
@@ -88,11 +112,14 @@ class QueryView {
     /// By mesh, since the mesh of a recorded body may change between frames.
     mutable std::unordered_map<const Mesh*, render::MeshHandle> meshes_;
     scenes::CameraView camera_view_;
+    std::optional<SoughtDirection> sought_;
     /// Of both bodies at all frames.
     Vec3 center_ = Vec3::Zero();
     render::Camera whole_;
     /// Of both bodies at all frames; computed from the volumes of one frame at a time.
     render::Support support_;
+    /// What the camera holds: the support, or a part of it.
+    render::Support held_;
     IdRanges ids_;
 };
 

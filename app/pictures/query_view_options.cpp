@@ -86,8 +86,13 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
         command.get_option("--camera")
             .description(
                 "fit, orbit:AZIMUTH,ELEVATION[,DISTANCE[,X,Y,Z]] in degrees, contact (follows the "
-                "contact), or a JSON file; default: the scene's camera")
+                "contact), or a JSON file; default: the scene's camera, or from where most of the "
+                "contact is visible")
             .offer({"fit", "contact", "orbit:"});
+        command
+            .add_flag("--usual-direction", options.camera.usual_direction,
+                      "Look from the usual direction, also if a body hides the contact from there")
+            .shareable();
         command
             .add_option(
                 "--pick", options.pick,

@@ -159,8 +159,11 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         .type_name("N")
         .shareable();
     command.footer(
-        "Strong colors are triangles that intersect, black lines where they meet; a line is thin "
-        "and gray where a body hides it.\n"
+        "Strong colors are triangles that intersect, black lines where they meet, and green areas "
+        "where they lie on each other. Triangles are pale and lines dashed where a body hides "
+        "them.\n"
+        "Without --camera, and if the scene has no camera, the view is from where most of the "
+        "contact is visible, and close if the contact is small; index.json has the view.\n"
         "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"

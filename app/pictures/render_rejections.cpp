@@ -59,7 +59,7 @@ struct Shot {
         figure.center = view.center(region);
         figure.panel =
             render::rejections_panel(bodies, source.header(), frame, outcomes, ended, style);
-        view.show_small_contact(figure, region);
+        view.show_place_of_contact(figure, region);
         figure.chart = render::endings_chart(source.header(), frame, outcomes, style);
         figure.theme = style.theme;
         figure.with_panel = !options.picture.no_panel;

@@ -15,9 +15,15 @@ struct CameraOptions {
     bool orthographic = false;
     std::string up;    ///< x, y or z; empty: the camera's own, or z
     std::string clip;  ///< X,Y,Z,D; empty: the camera's own, or none
+    bool usual_direction = false;  ///< no direction is sought, see QueryView::seek
 
     /// Whether the camera is to follow the contact: `--camera contact`.
     bool follows_contact() const { return camera == "contact"; }
+
+    /// Whether neither the user nor the scene has chosen a direction of view.
+    bool leaves_direction_open(const scenes::Scene& scene) const {
+        return (camera.empty() || follows_contact()) && !scene.camera && !usual_direction;
+    }
 
     void check() const;      ///< throws InputError if an option is invalid
     Vec3 up_vector() const;  ///< throws InputError

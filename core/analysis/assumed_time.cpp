@@ -63,14 +63,14 @@ std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test) {
 
 std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
                            const Collision& found) {
-    constexpr std::uint64_t triangle_test = 34'000, pair = 150'000;
+    constexpr std::uint64_t pair = 150'000;
     const VolumeTimes times = times_of(volume, overlap.test);
     const std::uint64_t passed = found.stages[static_cast<std::size_t>(Stage::overlapping)];
     // Each pair of leaves that passes leads to a test of triangles, each other pair to a division.
     const std::uint64_t divisions = passed - std::min(passed, found.n_p);
     const bool measured = descent == DescentRule::area || descent == DescentRule::volume;
     return times.test * found.n_v + (measured ? times.measures * divisions : 0) +
-           triangle_test * found.n_p + pair * found.pairs.size();
+           assumed_triangle_time * found.n_p + pair * found.pairs.size();
 }
 
 Work work_of(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,

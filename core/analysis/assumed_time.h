@@ -24,6 +24,9 @@ std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, Des
 /// The assumed time of one test of two volumes, in picoseconds.
 std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test);
 
+/// The assumed time of one test of two triangles, in picoseconds.
+inline constexpr std::uint64_t assumed_triangle_time = 34'000;
+
 /// The work of a query of a whole hierarchy, with its assumed time.
 Work work_of(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
              const Collision& found);

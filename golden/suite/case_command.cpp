@@ -71,6 +71,8 @@ std::vector<std::string> command_of(const GoldenCase& golden, const fs::path& fo
         command.emplace_back("--ids");
         if (!golden.panel) command.emplace_back("--no-panel");
     }
+    if (golden.run == GoldenRun::pairs || golden.run == GoldenRun::rejections)
+        command.emplace_back("--usual-direction");
     if (golden.run == GoldenRun::levels) command.emplace_back("--no-sheet");
     if (golden.run == GoldenRun::inspect) {
         add_option(command, "--top", "1");

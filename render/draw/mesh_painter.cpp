@@ -21,6 +21,10 @@ namespace scb::render {
 
 namespace {
 
+/// More than any surface is drawn nearer than it is, so that surfaces that coincide do not hide
+/// each other.
+constexpr float nearer_than_coinciding = 2e-4f;
+
 struct Corner {
     std::array<float, 3> position;
     std::array<std::int16_t, 4> normal;
@@ -129,6 +133,8 @@ const MeshPainter::GpuMesh& MeshPainter::prepare(const MeshDraw& draw, const Eye
     program_.set("edges", draw.edges ? 1 : 0);
     program_.set("hatched", draw.hatched ? 1 : 0);
     program_.set("first_id", draw.first_id);
+    program_.set("transparency", 0.0f);
+    program_.set("nearer", 0.0f);
     program_.set("colored", draw.triangle_colors.empty() ? 0 : 1);
 
     gl_.BindVertexArray(gpu.attributes.name());
@@ -163,7 +169,17 @@ void MeshPainter::draw_triangles(const std::vector<std::uint32_t>& triangles) {
 }
 
 void MeshPainter::draw(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
+    draw_prepared(draw, prepare(draw, view, background));
+}
+
+void MeshPainter::draw_hidden(const MeshDraw& draw, const EyeView& view, Rgba8 background) {
     const GpuMesh& gpu = prepare(draw, view, background);
+    program_.set("transparency", static_cast<float>(1 - draw.shine_through));
+    program_.set("nearer", nearer_than_coinciding);
+    draw_prepared(draw, gpu);
+}
+
+void MeshPainter::draw_prepared(const MeshDraw& draw, const GpuMesh& gpu) {
     if (draw.chosen)
         draw_triangles(*draw.chosen);
     else

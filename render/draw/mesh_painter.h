@@ -27,6 +27,10 @@ class MeshPainter {
     /// this painter.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
+    /// Draws the parts of a mesh that shine through what was drawn, with blending on. Depths are
+    /// compared the other way round, and do not change.
+    void draw_hidden(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
+
   private:
     /// Coordinates of corners, in units of `scale` about `origin`, so that single precision serves
     /// meshes of any size and any distance from their frame's origin.
@@ -42,6 +46,7 @@ class MeshPainter {
     /// Sets the program's data for the mesh, including its colors.
     const GpuMesh& prepare(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
+    void draw_prepared(const MeshDraw& mesh, const GpuMesh& gpu);
     /// Draws triangles of the prepared mesh.
     void draw_triangles(const std::vector<std::uint32_t>& triangles);
 

@@ -155,6 +155,28 @@ struct Renderer::Parts {
         clear_depth();
     }
 
+    /// Draws the hidden parts of what shines through, then its visible parts once more over them.
+    void draw_hidden(const Pane& pane, const EyeView& view, Rgba8 background) {
+        std::vector<const MeshDraw*> shining;
+        for (const MeshDraw& mesh : pane.meshes)
+            if (mesh.shine_through > 0 && !mesh.backdrop) shining.push_back(&mesh);
+        if (shining.empty() && pane.areas.empty()) return;
+        gl.DepthMask(GL_FALSE);
+        gl.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        gl.Enable(GL_BLEND);
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        gl.DepthFunc(GL_GREATER);
+        for (const MeshDraw* mesh : shining) meshes.draw_hidden(*mesh, view, background);
+        segments.draw_hidden_areas(pane.areas, view);
+        gl.Disable(GL_BLEND);
+        gl.DepthFunc(GL_LEQUAL);
+        for (const MeshDraw* mesh : shining) meshes.draw(*mesh, view, background);
+        segments.draw_areas(pane.areas, view);
+        gl.DepthFunc(GL_LESS);
+        gl.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        gl.DepthMask(GL_TRUE);
+    }
+
     void draw_pane(const Pane& pane, const PixelRect& part, bool first, Rgba8 of_picture,
                    int scale) {
         const EyeView view = make_eye_view(pane, part, scale);
@@ -167,7 +189,9 @@ struct Renderer::Parts {
         draw_backdrop(pane, view, background);
         draw_meshes(pane, view, background, false);
         volumes.draw_opaque(pane.volumes, view);
+        segments.draw_areas(pane.areas, view);
         segments.draw_opaque(pane.segments, view);
+        draw_hidden(pane, view, background);
         volumes.draw_translucent(pane.volumes, view);
         // Only opaque surfaces hide lines in which surfaces meet.
         if (has_translucent(pane) && has_meeting_lines(pane)) {
@@ -176,6 +200,7 @@ struct Renderer::Parts {
                 gl.ColorMaski(buffer, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
             draw_meshes(pane, view, background, false);
             volumes.draw_opaque(pane.volumes, view);
+            segments.draw_areas(pane.areas, view);
             for (const GLuint buffer : {0u, 1u})
                 gl.ColorMaski(buffer, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         }

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/geometry/triangle_segment.h"
+#include "render/figures/contact_areas.h"
 #include "render/figures/figure_words.h"
 #include "render/plots/ending_colors.h"
 #include "scb/level_cover.h"
@@ -82,8 +83,10 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
     }
 }
 
-/// The color of lines in which triangles meet, where a body hides them.
-Rgba8 hidden_color(const Theme& theme) { return mix(theme.text, theme.background, 0.25); }
+/// Of triangles in pairs and of areas, where a body hides them.
+constexpr double hidden_opacity = 0.3;
+
+Rgba8 area_color() { return category_color(2); }
 
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
                      const TraceHeader& header, const QueryTrace& frame, const PairsStyle& style) {
@@ -114,12 +117,18 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHead
                     transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
         },
         pairs_in_block);
+    const std::vector<Area> areas = contact_areas(bodies, frame);
+    std::vector<bool> in_area(pairs.size()), of_a(bodies[0].mesh->triangles.size()),
+        of_b(bodies[1].mesh->triangles.size());
+    for (const Area& area : areas)
+        in_area[area.id] = of_a[pairs[area.id].a] = of_b[pairs[area.id].b] = true;
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (meet[i])
+        if (meet[i] && !in_area[i] && !(of_a[pairs[i].a] && of_b[pairs[i].b]))
             segments.push_back({transform_point(bodies[0].pose, meet[i]->a),
                                 transform_point(bodies[0].pose, meet[i]->b), Rgba8{},
                                 static_cast<std::uint32_t>(i)});
+    for (Segment& outline : outlines_of(areas)) segments.push_back(std::move(outline));
     return segments;
 }
 
@@ -130,9 +139,11 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
     for (std::size_t side = 0; side < body_count(header); ++side) {
         const QueryBody& body = bodies[side];
         // Before the whole mesh, since the first of coinciding surfaces is visible.
-        if (!pairs_are_nodes(header))
+        if (!pairs_are_nodes(header)) {
             pane.meshes.push_back(
                 marked_triangles(body, of_body(header, frame.found.pairs, side), body_color(side)));
+            pane.meshes.back().shine_through = hidden_opacity;
+        }
         pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
         if (pairs_are_nodes(header))
             add_volumes(pane, body, of_body(header, frame.found.pairs, side),
@@ -142,14 +153,49 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
                        ending_color(Stage::triangles_apart, *style.theme), side == 1);
     }
     if (pairs_are_nodes(header)) return pane;
+    pane.areas = contact_areas(bodies, frame);
+    for (Area& area : pane.areas) {
+        area.id += first_pair_id;
+        area.color = area_color();
+        area.shine_through = hidden_opacity;
+    }
     pane.segments = std::move(contact);
     for (Segment& segment : pane.segments) {
         segment.id += first_pair_id;
         segment.color = style.theme->text;
-        segment.hidden_color = hidden_color(*style.theme);
+        segment.hidden_color = style.theme->text;
         segment.width = 3;
     }
     return pane;
+}
+
+Subject contact_subject(const QueryBodies& bodies, const TraceHeader& header,
+                        const QueryTrace& frame, std::vector<Segment> contact) {
+    constexpr std::uint32_t of_contact = 1, of_a = 2;
+    Subject subject;
+    Pane& pane = subject.pane = pairs_pane(bodies, header, frame, std::move(contact), {}, 1);
+    const auto first_of_b = of_a + static_cast<std::uint32_t>(bodies[0].mesh->triangles.size());
+    int side = 0;
+    for (MeshDraw& mesh : pane.meshes) {
+        mesh.first_id = !mesh.chosen ? 0 : side++ == 0 ? of_a : first_of_b;
+        mesh.shine_through = 0;
+    }
+    for (Area& area : pane.areas) area.shine_through = 0, area.id = of_contact;
+    for (Segment& segment : pane.segments) segment.hidden_color.reset(), segment.id = of_contact;
+    for (VolumeInstance& volume : pane.volumes) volume.id = of_contact;
+    const bool both = side == 2;
+    subject.score = [first_of_b, both](const IdImage& ids) {
+        std::uint64_t contact_pixels = 0, a = 0, b = 0;
+        for (const std::uint32_t id : ids.ids)
+            if (id == of_contact)
+                ++contact_pixels;
+            else if (id >= first_of_b)
+                ++b;
+            else if (id >= of_a)
+                ++a;
+        return contact_pixels * (both ? 1 + std::min(a, b) : 1);
+    };
+    return subject;
 }
 
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
@@ -187,9 +233,12 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
         return items;
     }
     items.emplace_back(PanelKey{theme.text, "where triangles meet"});
-    items.emplace_back(PanelKey{hidden_color(theme), "hidden by a body"});
+    if (const std::size_t areas = contact_areas(bodies, frame).size(); areas > 0)
+        items.emplace_back(PanelLegendRow{area_color(), "triangles lie on each other",
+                                          count_text(areas), "", false});
     add_leaves_keys(items, bodies, header, frame, style);
     items.emplace_back(PanelNote{"strong colors: triangles that intersect"});
+    items.emplace_back(PanelNote{"dashed, or pale: behind a body"});
     if (style.leaves)
         items.emplace_back(PanelNote{"leaves: those that overlap while their triangles are apart"});
     return items;
@@ -202,6 +251,8 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
     if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
+    if (!contact_areas(bodies, frame).empty())
+        items.emplace_back(PanelKey{area_color(), "triangles lie on each other"});
     add_leaves_keys(items, bodies, header, frame, style);
     return items;
 }

@@ -6,6 +6,7 @@
 #include "core/analysis/trace.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
+#include "render/figures/seeing_direction.h"
 
 namespace scb::render {
 
@@ -15,18 +16,26 @@ struct PairsStyle {
     const Theme* theme = &light_theme;
 };
 
-/// The segments in which the pairs of triangles meet, in the world. The id of each is the index of
-/// its pair. Empty if the pairs are nodes.
+/// The segments in which the pairs of triangles meet, in the world, without pairs that meet in an
+/// area; then the outlines of these areas. The id of each is the index of its pair. Empty if the
+/// pairs are nodes.
 std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
                                       const QueryTrace& frame);
 
-/// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors;
-/// the segments in which they meet, thin and gray where a body hides them; and, on request,
+/// The result of a query: both meshes, pale; the triangles that intersect in the bodies' colors,
+/// which shine through a body in front of them; the areas in which triangles lie on each other; the
+/// segments in which they meet, dashed where a body hides them; and, on request,
 /// translucent and hatched for B, the volumes of leaves that overlapped although their triangles do
 /// not intersect. For a query that stopped at a level: the volumes of the pairs of nodes.
 /// `contact`: of contact_segments. `first_pair_id` is the id of the first pair's segment.
 Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
                 std::vector<Segment> contact, const PairsStyle& style, std::uint32_t first_pair_id);
+
+/// For seeing_direction: where the bodies meet, hidden where a body is in front. The score is the
+/// number of visible pixels of lines, areas and volumes, times those of the body of whose triangles
+/// in pairs less is visible: so both are to be seen.
+Subject contact_subject(const QueryBodies& bodies, const TraceHeader& header,
+                        const QueryTrace& frame, std::vector<Segment> contact);
 
 /// Its numbers and legend.
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,

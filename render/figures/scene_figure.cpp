@@ -75,6 +75,42 @@ void draw_chart(Overlay& overlay, const FigureLayout& layout, int below, const T
     }
 }
 
+/// A square in the lower right corner of the view.
+PixelRect corner_square(const FigureLayout& layout) {
+    const int size = layout.view.height / 4;
+    return {layout.view.x + layout.view.width - size, layout.view.y + layout.view.height - size,
+            size, size};
+}
+
+bool meet(const PixelRect& a, const PixelRect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+           b.y < a.y + a.height;
+}
+
+void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& figure, int unit) {
+    const Theme& theme = *figure.theme;
+    const TextStyle style{small_size(unit), FontWeight::bold, theme.text, Align::center};
+    const int pad = unit / 4;
+    std::vector<PixelRect> drawn;
+    for (const SceneLabel& label : figure.labels) {
+        const Vec3 at = project(figure.pane.camera, label.at, view.width, view.height);
+        const TextSize size = overlay.measure(label.text, style);
+        const int x = view.x + static_cast<int>(at[0]), y = view.y + static_cast<int>(at[1]);
+        const PixelRect box{x - size.width / 2 - pad, y - size.height / 2, size.width + 2 * pad,
+                            size.height};
+        if (!(at[2] > 0) || box.x < view.x || box.y < view.y ||
+            box.x + box.width > view.x + view.width || box.y + box.height > view.y + view.height)
+            continue;
+        if (std::any_of(drawn.begin(), drawn.end(),
+                        [&box](const PixelRect& other) { return meet(box, other); }))
+            continue;
+        drawn.push_back(box);
+        overlay.rectangle(box, theme.panel);
+        overlay.frame(box, label.frame, std::max(1, unit / 10));
+        overlay.text(x, box.y, label.text, style);
+    }
+}
+
 /// Sets the pane into the view, with its squares; with a panel also scale bar and remark.
 Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay& overlay) {
     const Theme& theme = *figure.theme;
@@ -88,6 +124,7 @@ Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay&
                 marker_of(view, figure.pane.camera, marker.center, std::max(marker.radius, least)))
             overlay.frame(*square, theme.text, std::max(2, unit / 8));
     }
+    draw_labels(overlay, view, figure, unit);
     if (figure.with_panel) draw_remark(overlay, view, figure.remark, theme, unit);
     figure.pane.viewport = view;
     return std::move(figure.pane);
@@ -108,8 +145,12 @@ Picture compose(SceneFigure figure, int width, int height, int samples, Overlay&
         draw_chart(overlay, layout, below, theme, figure.chart);
     }
     picture.panes.push_back(pane_in_view(figure, layout.view, layout.unit, overlay));
-    if (!figure.detail || !figure.with_panel || !figure.chart.rows.empty()) return picture;
-    const std::optional<PixelRect> square = detail_square(layout, below);
+    if (!figure.detail || !figure.with_panel) return picture;
+    std::optional<PixelRect> square;
+    if (figure.chart.rows.empty())
+        square = detail_square(layout, below);
+    else if (figure.detail->shows_whole)
+        square = corner_square(layout);
     if (!square) return picture;
     Pane magnified = picture.panes.front();
     magnified.viewport = *square;

@@ -23,6 +23,13 @@ struct SceneMarker {
     double radius = 0;
 };
 
+/// A short text on a small panel at a point of the scene, over everything.
+struct SceneLabel {
+    Vec3 at = Vec3::Zero();
+    std::string text;
+    Rgba8 frame;  ///< of the panel
+};
+
 /// A picture with one view of the scene: heading, view, panel of numbers, scale bar.
 struct SceneFigure {
     std::string title;
@@ -30,9 +37,14 @@ struct SceneFigure {
     Pane pane;                   ///< its viewport is set by compose()
     Vec3 center = Vec3::Zero();  ///< the place for which the scale bar is valid
     std::vector<PanelItem> panel;
-    PanelChart chart;              ///< below the panel, if there is room
-    std::optional<Detail> detail;  ///< below the panel, if there is room and no chart
+    PanelChart chart;  ///< below the panel, if there is room
+    /// Below the panel, if there is room and no chart. With a chart, the whole is in a corner of
+    /// the view, and a part is left out.
+    std::optional<Detail> detail;
     std::vector<SceneMarker> markers;
+    /// The first ones first; a label that would cover an earlier one, or that is not in the view,
+    /// is left out.
+    std::vector<SceneLabel> labels;
     std::string remark;  ///< in the view, at the top: for things that a reader would otherwise miss
     /// False: the view alone, with its markers, and without text.
     bool with_panel = true;

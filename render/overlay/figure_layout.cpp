@@ -54,10 +54,14 @@ void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const Pixe
     const int thickness = std::max(1, layout.unit / 10);
     const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
     overlay.text(square.x, square.y - small_size(layout.unit) * 5 / 4,
-                 "detail, " + number_text(2 * detail.radius) + " wide", caption);
+                 detail.shows_whole ? "the whole; square: the view"
+                                    : "detail, " + number_text(2 * detail.radius) + " wide",
+                 caption);
     overlay.frame(square, theme.accent, thickness);
-    if (const auto marker = marker_of(layout.view, camera, detail.center, detail.radius))
-        overlay.frame(*marker, theme.accent, thickness);
+    const auto marker = detail.shows_whole
+                            ? marker_of(square, detail.camera, detail.center, detail.radius)
+                            : marker_of(layout.view, camera, detail.center, detail.radius);
+    if (marker) overlay.frame(*marker, theme.accent, thickness);
 }
 
 namespace {

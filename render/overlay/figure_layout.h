@@ -27,18 +27,20 @@ struct FigureLayout {
 /// Without a panel the view is the whole picture, and there is no heading.
 FigureLayout figure_layout(int width, int height, bool with_panel = true);
 
-/// A part of the scene that a smaller view magnifies.
+/// A smaller view beside the picture's view. It magnifies a part; or it shows the whole, and where
+/// the picture's view is in it.
 struct Detail {
     Camera camera;  ///< for a square view
     Vec3 center = Vec3::Zero();
-    double radius = 1;
+    double radius = 1;  ///< of the part, about the center
+    bool shows_whole = false;
 };
 
 /// The square for a magnified detail: below the panel's rows, which end at `below`, or beside them;
 /// nothing if there is no room.
 std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
 
-/// The frames of a detail in its square and in the view that it is a part of, and its size.
+/// The frames of a detail in its square and of the part in the larger of both views, and its size.
 void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const PixelRect& square,
                         const Camera& camera, const Detail& detail, const Theme& theme);
 

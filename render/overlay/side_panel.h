@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/overlay/overlay.h"
+#include "render/view/palette.h"
 
 namespace scb::render {
 
@@ -38,10 +39,11 @@ struct PanelLegendRow {
     bool hatched = false;
 };
 
-/// Viridis from 0 to 1 as a bar, with labels at places between 0 and 1 below it.
+/// The colors from 0 to 1 as a bar, with labels at places between 0 and 1 below it.
 struct PanelScale {
     std::string title;
     std::vector<std::pair<double, std::string>> ticks;
+    Rgba8 (*color)(double) = viridis;
 };
 
 /// Left out as a whole if it has no room.

@@ -3,6 +3,8 @@ uniform int hatched;
 uniform uint first_id;
 uniform float shading;  // 0: no light and shade
 uniform vec4 fade;  // a color, and how far to fade into it
+uniform float transparency;
+uniform float nearer;  // see buffer_depth
 
 flat in vec3 v_normal;
 flat in vec4 v_color;
@@ -29,7 +31,7 @@ void main() {
     }
     if (is_clipped(v_eye)) discard;  // not before the derivatives
     if (hatched != 0) lit = striped(lit);
-    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0);
-    gl_FragDepth = buffer_depth(-v_eye.z, 0.0);
+    out_color = vec4(mix(to_stored(lit), fade.rgb, fade.a), 1.0 - transparency);
+    gl_FragDepth = buffer_depth(-v_eye.z, nearer);
     out_id = first_id == 0u ? 0u : first_id + v_triangle;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "scb/any_hierarchy.h"
 
@@ -36,6 +37,20 @@ constexpr std::array<Rgba8, 16> viridis_stops = {{{0x44, 0x01, 0x54},
                                                   {0xA5, 0xDB, 0x36},
                                                   {0xD2, 0xE2, 0x1B},
                                                   {0xFD, 0xE7, 0x25}}};
+
+constexpr std::array<Rgba8, 7> red_stops = {{{0xFF, 0xED, 0xA0},
+                                             {0xFE, 0xD9, 0x76},
+                                             {0xFE, 0xB2, 0x4C},
+                                             {0xFD, 0x8D, 0x3C},
+                                             {0xFC, 0x4E, 0x2A},
+                                             {0xE3, 0x1A, 0x1C},
+                                             {0xB1, 0x00, 0x26}}};
+
+Rgba8 between_stops(std::span<const Rgba8> stops, double at) {
+    const double t = at > 0 ? std::min(at, 1.0) * static_cast<double>(stops.size() - 1) : 0;
+    const std::size_t below = std::min(static_cast<std::size_t>(t), stops.size() - 2);
+    return mix(stops[below], stops[below + 1], t - static_cast<double>(below));
+}
 
 }  // namespace
 
@@ -77,11 +92,9 @@ Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme
     return mix(color, theme.text, std::min(0.4 * at, 0.8 * at / static_cast<double>(count - 1)));
 }
 
-Rgba8 viridis(double magnitude) {
-    const double t = magnitude > 0 ? std::min(magnitude, 1.0) * (viridis_stops.size() - 1) : 0;
-    const std::size_t below = std::min(static_cast<std::size_t>(t), viridis_stops.size() - 2);
-    return mix(viridis_stops[below], viridis_stops[below + 1], t - static_cast<double>(below));
-}
+Rgba8 viridis(double magnitude) { return between_stops(viridis_stops, magnitude); }
+
+Rgba8 pale_to_red(double amount) { return between_stops(red_stops, amount); }
 
 Rgba8 mix(Rgba8 a, Rgba8 b, double t) {
     const auto channel = [t](std::uint8_t from, std::uint8_t to) {

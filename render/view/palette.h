@@ -34,6 +34,10 @@ Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme
 /// counts as 0.
 Rgba8 viridis(double magnitude);
 
+/// Brewer's YlOrRd ("ColorBrewer", 2003): an amount from 0 (pale yellow) to 1 (dark red), clamped,
+/// whose small values do not stand out; NaN counts as 0.
+Rgba8 pale_to_red(double amount);
+
 /// Between a (t = 0) and b (t = 1), channel by channel.
 Rgba8 mix(Rgba8 a, Rgba8 b, double t);
 

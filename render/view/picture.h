@@ -52,6 +52,18 @@ struct MeshDraw {
     /// The strength of light and shade, 0 to 1. At 0 each triangle has exactly its color, so that
     /// readers find the colors of a legend.
     double shading = 1;
+    /// The opacity, 0 to 1, with which the parts behind something else are drawn over it. So the
+    /// things in front look translucent.
+    double shine_through = 0;
+};
+
+/// A flat convex polygon in the world, in exactly its color, drawn nearer by 35 millionths of its
+/// distance: in front of the surfaces that it lies in, and behind segments that lie in it.
+struct Area {
+    std::vector<Vec3> corners;  ///< in order
+    Rgba8 color;
+    std::uint32_t id = 0;
+    double shine_through = 0;  ///< see MeshDraw::shine_through
 };
 
 /// A straight line in the world, of constant width in the picture. It faces the viewer at the depth
@@ -65,8 +77,8 @@ struct Segment {
     double width = 2;     ///< pixels
     bool on_top = false;  ///< drawn over everything else of the pane, never hidden
     /// For a line in which surfaces meet. It is drawn over translucent things. Where something
-    /// opaque is more than three pixels in front of it, it has this color and is at most two pixels
-    /// wide. The surfaces that meet there are usually less far in front.
+    /// opaque is more than three pixels in front of it, it is dashed in this color and at most 1.5
+    /// pixels wide. The surfaces that meet there are usually less far in front.
     std::optional<Rgba8> hidden_color = std::nullopt;
 };
 
@@ -88,8 +100,8 @@ struct Outline {
 };
 
 /// A view within a picture: one camera, clipped to its rectangle. The order of drawing: meshes that
-/// are a backdrop; opaque meshes, volumes and segments by depth, at equal depth the first in this
-/// order; then translucent volumes from far to near (by the distance of their centers along the
+/// are a backdrop; opaque meshes, volumes, areas and segments by depth, at equal depth the first in this
+/// order; then what shines through; then translucent volumes from far to near (by the distance of their centers along the
 /// view axis, ties by id, then by position in the list), their back sides before their fronts; then
 /// the segments that have a color where they are hidden; then those that are on top; then the
 /// outline.
@@ -99,6 +111,7 @@ struct Pane {
     std::optional<Rgba8> background;  ///< if it differs from the picture's
     std::vector<MeshDraw> meshes;
     std::vector<VolumeInstance> volumes;
+    std::vector<Area> areas;
     std::vector<Segment> segments;
     Outline outline;
     /// If set, makes the meshes, volumes and segments of the pane when it is drawn. So the panes of

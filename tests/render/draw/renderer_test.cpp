@@ -237,7 +237,7 @@ TEST(Renderer, SegmentsHaveTheirWidthAndStayInFront) {
     EXPECT_EQ(pixel(*rendering.ids, 50, 50), 1u);
 }
 
-TEST(Renderer, LinesInWhichSurfacesMeetAreThinWhereTheyAreHidden) {
+TEST(Renderer, LinesInWhichSurfacesMeetAreDashedWhereTheyAreHidden) {
     Drawing drawing;
     // A line behind the ball. Its ends are seen through a translucent ball.
     Picture picture =
@@ -255,8 +255,13 @@ TEST(Renderer, LinesInWhichSurfacesMeetAreThinWhereTheyAreHidden) {
         for (int y = 0; y < 101; ++y) rows += pixel(image, x, y) == color;
         return rows;
     };
-    EXPECT_EQ(rows_of(100, gray), 2);
-    EXPECT_EQ(rows_of(100, red), 0);
+    int dashes = 0;
+    for (int x = 92; x < 108; ++x) {
+        EXPECT_EQ(rows_of(x, red), 0);
+        EXPECT_LE(rows_of(x, gray), 1);
+        dashes += rows_of(x, gray);
+    }
+    EXPECT_EQ(dashes, 10);
     EXPECT_EQ(rows_of(70, gray), 0);
     EXPECT_EQ(rows_of(70, red), 3);
 }
@@ -305,6 +310,90 @@ TEST(Renderer, HatchedVolumesHaveTwoTonesAndTheirIds) {
         EXPECT_EQ(darker, 6);
         EXPECT_NEAR(light_after / light_before, 1, 0.04);
     }
+}
+
+/// Orthographic, from -y; a square about the origin of this height fills the view.
+Camera from_the_front(double height) {
+    return fit_camera(orbit_axes(0, 0),
+                      support_of(std::vector<AnyVolume>{Ball{Vec3(0, 0, 0), height / 2}}),
+                      {1, 0.04, true, 30});
+}
+
+MeshDraw quad_at(MeshHandle handle, double y, Rgba8 color, std::uint32_t first_id) {
+    MeshDraw mesh;
+    mesh.mesh = handle;
+    mesh.pose.translation = Vec3(0, y, 0);
+    mesh.color = color;
+    mesh.shading = 0;
+    mesh.first_id = first_id;
+    return mesh;
+}
+
+TEST(Renderer, AMeshShinesThroughWhatHidesItAndStaysAsItIsElsewhere) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.volumes.clear();
+    pane.camera = from_the_front(4);
+    const MeshHandle handle = drawing.renderer.upload(quad());
+    const Rgba8 blue{0, 0, 255}, red{255, 0, 0};
+    // The blue square is before the right half of the red one.
+    pane.meshes = {quad_at(handle, 0.5, red, 100), quad_at(handle, 0, blue, 200)};
+    pane.meshes[1].pose.translation = Vec3(1, 0, 0);
+    const Rendering plain = drawing.renderer.draw(picture, nullptr, true);
+    pane.meshes[0].shine_through = 0.4;
+    for (const bool blue_first : {false, true}) {
+        if (blue_first) std::swap(pane.meshes[0], pane.meshes[1]);
+        const Rendering shining = drawing.renderer.draw(picture, nullptr, true);
+        EXPECT_EQ(shining.ids, plain.ids);
+        EXPECT_EQ(pixel(shining.image, 40, 50), red);
+        const Rgba8 mixed = pixel(shining.image, 60, 50);
+        EXPECT_NEAR(mixed.r, 0.4 * 255, 1);
+        EXPECT_NEAR(mixed.b, 0.6 * 255, 1);
+        EXPECT_EQ(pixel(shining.image, 85, 50), blue);
+    }
+    // Two that shine through keep the color of the nearer one.
+    for (MeshDraw& mesh : pane.meshes) mesh.shine_through = 0.4;
+    EXPECT_EQ(drawing.renderer.draw(picture).image, plain.image);
+}
+
+TEST(Renderer, AreasAreBeforeTheSurfaceThatTheyLieInAndBehindLinesInThem) {
+    Drawing drawing;
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Pane& pane = picture.panes[0];
+    pane.volumes.clear();
+    pane.camera = from_the_front(4);
+    const MeshHandle handle = drawing.renderer.upload(quad());
+    const Rgba8 blue{0, 0, 255}, green{0, 255, 0}, black{0, 0, 0};
+    pane.meshes = {quad_at(handle, 0, blue, 100)};
+    pane.areas = {{{Vec3(-0.5, 0, -0.5), Vec3(0.5, 0, -0.5), Vec3(0.5, 0, 0.5), Vec3(-0.5, 0, 0.5)},
+                   green,
+                   300,
+                   0.5}};
+    pane.segments = {{Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0), black, 400, 3}};
+    Rendering rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 45), 300u);
+    EXPECT_EQ(pixel(rendering.image, 50, 45), green);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 50), 400u);
+    EXPECT_EQ(pixel(rendering.image, 30, 50), blue);
+    // Behind the surface it shines through, and the surface keeps its ids.
+    pane.meshes[0].pose.translation = Vec3(0, -0.5, 0);
+    rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_GE(pixel(*rendering.ids, 50, 45), 100u);
+    EXPECT_LE(pixel(*rendering.ids, 50, 45), 101u);
+    EXPECT_NEAR(pixel(rendering.image, 50, 45).g, 128, 1);
+    // A part behind the eye is cut off.
+    pane.meshes.clear();
+    pane.segments.clear();
+    pane.camera.orthographic = false;
+    pane.camera.position = Vec3(0, -1, 0);
+    pane.camera.near_distance = 0.1;
+    pane.camera.far_distance = 10;
+    pane.areas[0].corners = {Vec3(-1, 3, -0.2), Vec3(1, 3, -0.2), Vec3(1, -3, -0.2),
+                             Vec3(-1, -3, -0.2)};
+    rendering = drawing.renderer.draw(picture, nullptr, true);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 95), 300u);
+    EXPECT_EQ(pixel(*rendering.ids, 50, 40), 0u);
 }
 
 TEST(Renderer, ABackdropHidesNothing) {
