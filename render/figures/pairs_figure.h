@@ -32,8 +32,8 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
                 std::vector<Segment> contact, const PairsStyle& style, std::uint32_t first_pair_id);
 
 /// For seeing_direction: where the bodies meet, hidden where a body is in front. The score is the
-/// number of visible pixels of lines, areas and volumes, times those of the body of whose triangles
-/// in pairs less is visible: so both are to be seen.
+/// number of visible pixels of lines, areas and volumes, times the smaller number of visible pixels
+/// of a body's triangles in pairs. So both bodies are to be seen.
 Subject contact_subject(const QueryBodies& bodies, const TraceHeader& header,
                         const QueryTrace& frame, std::vector<Segment> contact);
 

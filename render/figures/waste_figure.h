@@ -35,7 +35,7 @@ Waste waste_of(const QueryBodies& bodies, const TraceHeader& header, const Query
 Pane waste_pane(const QueryBodies& bodies, const Waste& waste, const Theme& theme);
 
 /// For seeing_direction: the triangles of each body with the most waste. The score is the product
-/// of the numbers of their visible pixels, so that those of both bodies are to be seen.
+/// of the numbers of their visible pixels, so that both bodies are to be seen.
 Subject waste_subject(const QueryBodies& bodies, const Waste& waste);
 
 /// The corners of the triangles of each body with the most waste, in the world.
