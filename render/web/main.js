@@ -576,9 +576,8 @@ export class App {
   }
 }
 
-const app = new App();
-app.start().catch((error) => {
+new App().start().catch((error) => {
   // What cannot be drawn is said, beside the still picture.
-  document.documentElement.classList.remove('draws');
+  document.documentElement.className = 'fails';
   /** @type {HTMLElement} */ (document.querySelector('#instead p')).textContent = `This browser cannot draw the scene (${error.message}). This is the still picture.`;
 });

@@ -832,6 +832,7 @@ test('without script, or without WebGL2, the still picture is shown', async () =
   await onPage(page_of('cone', '--level', '4'), { javaScriptEnabled: false }, async (page) => {
     assert.ok(await page.locator('#instead img').isVisible());
     assert.ok(await page.locator('#instead p').isVisible());
+    assert.ok(!(await page.locator('#loading').isVisible()));
     await shot(page, 'still');
   });
   const context = await browser.newContext({ viewport: { width: 900, height: 600 } }), page = await context.newPage();
@@ -841,6 +842,28 @@ test('without script, or without WebGL2, the still picture is shown', async () =
   await page.goto(pathToFileURL(page_of('cone', '--level', '4')).href);
   await page.waitForFunction(() => document.querySelector('#instead p').textContent.includes('no WebGL2'));
   assert.ok(await page.locator('#instead img').isVisible());
+  assert.ok(!(await page.locator('#loading').isVisible()));
+  await context.close();
+});
+
+test('it says that it loads, until the scene is drawn', async () => {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 } }), page = await context.newPage();
+  await page.addInitScript(() => {
+    const { arrayBuffer } = Response.prototype, held = new Promise((go) => Object.assign(window, { go }));
+    Response.prototype.arrayBuffer = async function () {
+      await held;
+      return arrayBuffer.call(this);
+    };
+  });
+  await page.goto(pathToFileURL(page_of('cone', '--level', '4')).href);
+  const loading = page.getByText('Loading', { exact: true });
+  assert.ok(await loading.isVisible());
+  assert.ok(!(await page.locator('#instead').isVisible()), 'nothing says that the browser cannot draw');
+  await shot(page, 'loading');
+  await page.evaluate(() => window.go());
+  await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+  assert.ok(!(await loading.isVisible()));
+  assert.ok(await page.locator('#canvas').isVisible());
   await context.close();
 });
 
