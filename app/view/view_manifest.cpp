@@ -263,10 +263,7 @@ Json view_manifest(const ViewSubject& subject, const ViewStart& start, render::B
           {"at", at - subject.frames.begin()},
           {"opacity", start.style.opacity},
           {"mesh", start.style.mesh},
-          {"edges", start.style.mesh_edges},
-          {"theme", !start.has_theme                           ? Json(nullptr)
-                    : start.style.theme == &render::dark_theme ? Json("dark")
-                                                               : Json("light")}}}};
+          {"edges", start.style.mesh_edges}}}};
 }
 
 }  // namespace scb::app

@@ -16,7 +16,6 @@ namespace scb::app {
 struct ViewStart {
     int level = 0;
     render::LevelStyle style;
-    bool has_theme = true;  ///< whether the user set the style's theme; else the reader's is taken
     render::Camera camera;
     double aspect = 1;           ///< of the view that the camera is fitted to: width / height
     Vec3 center = Vec3::Zero();  ///< of the scene

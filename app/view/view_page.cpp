@@ -20,6 +20,7 @@
 #include "render/figures/level_figure.h"
 #include "render/files/image_file.h"
 #include "render/overlay/overlay.h"
+#include "render/view/palette.h"
 #include "render/web/web_page.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
@@ -129,7 +130,6 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     ViewStart start;
     start.level = first_level(subject, asked.levels);
     start.style = level_style(asked, first, subject.deepest);
-    start.has_theme = options.has_theme;
     std::vector<render::LevelBody> bodies = level_bodies(first, {});
     const scenes::CameraView wish = camera_view_for(asked.camera, first_scene);
     std::vector<render::LevelBody> held = bodies;
@@ -164,6 +164,7 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     page.description = counted(first.size(), "body", "bodies") + ", " +
                        counted(static_cast<std::uint64_t>(subject.deepest + 1), "level", "levels") +
                        ", scb " SCB_VERSION;
+    if (options.has_theme) page.theme = start.style.theme == &render::dark_theme ? "dark" : "light";
     nlohmann::ordered_json manifest = view_manifest(subject, start, store);
     const auto queries =
         static_cast<std::size_t>(std::count_if(subject.columns.begin(), subject.columns.end(),

@@ -68,7 +68,7 @@ export class App {
     const { manifest } = this;
     /** @type {State} */
     this.state = {
-      ...manifest.start, theme: manifest.start.theme ?? (window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'), mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
+      ...manifest.start, theme: /** @type {ThemeName} */ (document.documentElement.dataset.theme || (window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')), mode: 'levels', hidden: [], without: [], focus: 0.5, differences: true, column: 0, levels: {}, orthographic: manifest.camera.orthographic, clip: manifest.camera.clip ?? null,
       selected: null, isolated: false, pair: null,  // a node or triangle; two triangles that meet, and the column that found them
       test: -1, hover: -1, root: 0, cell: null, by: 'ending',  // of the traversal
     };

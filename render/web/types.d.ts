@@ -50,7 +50,7 @@ interface Manifest {
   viridis: Color[];
   camera: ManifestCamera;
   themes: Record<ThemeName, Theme>;
-  start: { level: number; at: number; opacity: number; mesh: boolean; edges: boolean; theme: ThemeName | null };
+  start: { level: number; at: number; opacity: number; mesh: boolean; edges: boolean };
 }
 /** A place on a scale from 0 to 1, and its label. */
 type Tick = [at: number, text: string];

@@ -103,6 +103,7 @@ std::string web_page(const WebPage& page, const BlockStore& store) {
     const std::pair<std::string_view, std::string> parts[] = {
         {"@STYLE_HASH@", hash_source(style)},
         {"@SCRIPT_HASH@", hash_source(code)},
+        {"@THEME@", escaped(page.theme)},
         {"@TITLE@", escaped(page.title)},
         {"@DESCRIPTION@", escaped(page.description)},
         {"@STYLE@", style},

@@ -13,6 +13,7 @@ struct WebPage {
     std::string title, description;   ///< UTF-8, any text
     std::string manifest;             ///< a JSON object: what blocks mean, see web/main.js
     std::vector<std::uint8_t> still;  ///< a PNG file: what a browser shows that cannot draw
+    std::string theme{};              ///< "light", "dark"; empty: the reader's
 };
 
 /// One HTML file that fetches nothing: data, shaders, script and style are in it. Its content

@@ -867,6 +867,20 @@ test('it says that it loads, until the scene is drawn', async () => {
   await context.close();
 });
 
+test('it is dark from the start where the reader prefers that, unless the button or --background says otherwise', async () => {
+  const background = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor), dark = 'rgb(22, 25, 30)', light = 'rgb(255, 255, 255)';
+  for (const [options, colorScheme, expected] of [[[], 'dark', dark], [['--background', 'light'], 'dark', light], [['--background', 'dark'], 'light', dark]]) {
+    const file = page_of('cone', '--level', '4', ...options);
+    // What is painted before the script has started.
+    await onPage(file, { colorScheme, javaScriptEnabled: false }, async (page) => assert.equal(await background(page), expected));
+    await onPage(file, { colorScheme }, async (page) => {
+      assert.equal(await background(page), expected);
+      await press(page, 't');
+      assert.equal(await background(page), expected === dark ? light : dark);
+    });
+  }
+});
+
 test('names from files are text', async () => {
   const name = '<img src=x onerror=alert(1)>', mesh = join(folder, 'plain.off');
   writeFileSync(mesh, 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n');

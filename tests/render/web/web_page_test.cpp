@@ -33,6 +33,13 @@ TEST(WebPage, TakesNamesForText) {
     EXPECT_EQ(plain.find('@' + std::string("MANIFEST@")), std::string::npos);
 }
 
+TEST(WebPage, HasTheThemeThatWasGiven) {
+    const BlockStore store;
+    EXPECT_NE(web_page({"a", "b", "{}", {}, "dark"}, store).find("data-theme=\"dark\""),
+              std::string::npos);
+    EXPECT_NE(web_page({"a", "b", "{}", {}}, store).find("data-theme=\"\""), std::string::npos);
+}
+
 TEST(BlockStore, TakesBlocksOfOtherStoresOnce) {
     BlockStore one, other;
     one.add(std::vector<std::uint8_t>{1, 2, 3});
