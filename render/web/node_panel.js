@@ -11,7 +11,7 @@ export class NodePanel {
   constructor(app) {
     this.app = app;
     this.body = element('div', { 'aria-live': 'polite' });
-    this.heading = element('h2', { textContent: app.longest.bodies.length > 1 ? 'Node, triangle or pair' : 'Node or triangle' });
+    this.title = app.longest.bodies.length > 1 ? 'Node, triangle or pair' : 'Node or triangle';
     this.search = element('input', { type: 'search', placeholder: app.hasQueries ? 'node, A:node, or two: 5,7' : 'node, or body:node', spellcheck: false });
     this.search.setAttribute('aria-label', 'Search a node by its number');
     this.search.addEventListener('keydown', (event) => {
@@ -22,7 +22,7 @@ export class NodePanel {
   }
 
   parts() {
-    return [this.heading, element('label', {}, element('span', { textContent: 'Search' }), this.search), this.body];
+    return [element('label', {}, element('span', { textContent: 'Search' }), this.search), this.body];
   }
 
   update() {

@@ -1,10 +1,12 @@
 import { dot } from './linear.js';
-import { modes, terms, concepts, keys } from './words.js';
+import { terms, concepts, keys } from './words.js';
 import { element, counted, short, faint, row, table, button, slider, swatch, colorScale } from './elements.js';
 import { ballAbout } from './camera.js';
 import { FrameChart } from './frames.js';
 import { QueryPanel } from './query_panel.js';
 import { NodePanel } from './node_panel.js';
+import { section } from './sections.js';
+import { tabsOf } from './tabs.js';
 
 // What is beside the scene.
 export class Panel {
@@ -18,7 +20,6 @@ export class Panel {
   ofLevels = [];
   numbers = element('div');
   commands = element('div');
-  legend = element('div');
   query = element('div');
   clip = element('div');
   /** @type {HTMLDetailsElement | null} */
@@ -41,33 +42,36 @@ export class Panel {
     const ofLevels = (/** @type {HTMLElement[]} */ ...elements) => (this.ofLevels.push(...elements), elements);
     /** @type {(text: string, key: 'mesh' | 'edges' | 'orthographic' | 'differences', title: string) => HTMLButtonElement} */
     const toggle = (text, key, title) => this.toggle(text, title, () => app.set({ [key]: !state[key] }), () => state[key]);
-    const shown = modes.filter(({ name }) => name === 'levels' || app.hasQueries);
     this.meshes = toggle('Meshes', 'mesh', 'M');
+    this.tabs = tabsOf(app);
+    if (app.hasQueries) {
+      document.querySelector('header')?.after(this.tabs.root);
+      this.root.setAttribute('role', 'tabpanel');
+      this.updates.push(() => this.tabs.update());
+    }
+    const { legend } = manifest;
+    this.node = section(this.nodePanel.title, true, ...this.nodePanel.parts());
     this.root.append(
-      ...(shown.length > 1 ? [element('div', { className: 'row modes', role: 'group', 'aria-label': 'What is shown' },
-        ...shown.map(({ name, text, about }, i) => this.toggle(text, `${about} (key ${i + 1})`, () => app.set({ mode: name }), () => state.mode === name)))] : []),
-      ...(frame ? [frame, ...this.chart.parts(), row(this.toggle('Play', 'Space', () => app.play(), () => app.playing), button('\u2039', 'One frame back (,)', () => app.step(-1)), button('\u203a', 'One frame on (.)', () => app.step(1)))] : []),
       ...app.columns.flatMap(({ title, verdict }) => verdict.map((line, i) => element('p', { className: 'verdict', textContent: (i === 0 && app.columns.length > 1 ? `${title}: ` : '') + line }))),
+      ...(frame ? [section('Frame', true, frame, ...this.chart.parts(), row(this.toggle('Play', 'Space', () => app.play(), () => app.playing), button('\u2039', 'One frame back (,)', () => app.step(-1)), button('\u203a', 'One frame on (.)', () => app.step(1))))] : []),
       this.query,
-      ...ofLevels(element('h2', { textContent: 'Levels' }), this.level),
-      ...(bodyLevels.length ? ofLevels(element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...bodyLevels)) : []),
-      ...ofLevels(this.numbers),
-      ...this.nodePanel.parts(),
-      element('h2', { textContent: 'Look' }), ...ofLevels(opacity),
-      ...(several ? [row(...bodies.slice(0, 24).map((body, b) => this.toggle(body.name, 'Show or hide this body', () => app.set({ without: state.without.includes(b) ? state.without.filter((one) => one !== b) : [...state.without, b] }), () => !state.without.includes(b))))] : []),
-      row(this.meshes, toggle('Edges', 'edges', 'E'), toggle('Orthographic', 'orthographic', 'O'),
-        this.toggle('Dark', 'T', () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }), () => state.theme === 'dark'),
-        this.toggle('Clip', 'A plane that cuts (K)', () => this.toggleClip(), () => state.clip !== null),
-        ...(app.columns.length === 2 && manifest.same_nodes ? [toggle('Differences', 'differences', 'Outline what differs (D)')] : [])),
-      this.clip,
-      row(button('Fit', 'All of it (F)', () => app.fit()), button('Go to', 'Go to the node that is chosen, or to what is marked (A)', () => app.approach()), ...['x', 'y', 'z'].map((axis, i) => button(axis.toUpperCase(), `Look along ${axis}`, () => app.along(i, 1))),
-        button('PNG', 'Save what is seen (S)', () => app.save()), button('GLB', 'Save the volumes that are shown, or the one that is chosen (G)', () => app.saveGlb()), button('Keys', 'H', () => app.help())),
-      ...ofLevels(element('h2', { textContent: 'Color' }), this.legend),
-      element('h2', { textContent: 'The same without a browser' }), this.commands,
+      ...ofLevels(section('Levels', true, this.level,
+        ...(bodyLevels.length ? [element('details', {}, element('summary', { textContent: 'Each body by itself' }), ...bodyLevels)] : []), this.numbers,
+        ...(legend ? colorScale(manifest.viridis, legend.title, legend.ticks) : bodies.map((body) => element('div', {}, swatch(body.color), body.name))))),
+      this.node,
+      section('View', true,
+        row(button('Fit', 'All of it (F)', () => app.fit()), button('Go to', 'Go to the node that is chosen, or to what is marked (A)', () => app.approach()), ...['x', 'y', 'z'].map((axis, i) => button(axis.toUpperCase(), `Look along ${axis}`, () => app.along(i, 1))), button('Keys', 'H', () => app.help())),
+        ...(several ? [row(...bodies.slice(0, 24).map((body, b) => this.toggle(body.name, 'Show or hide this body', () => app.set({ without: state.without.includes(b) ? state.without.filter((one) => one !== b) : [...state.without, b] }), () => !state.without.includes(b))))] : []),
+        this.clip),
+      section('Look, and save', false, ...ofLevels(opacity),
+        row(this.meshes, toggle('Edges', 'edges', 'E'), toggle('Orthographic', 'orthographic', 'O'),
+          this.toggle('Dark', 'T', () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }), () => state.theme === 'dark'),
+          this.toggle('Clip', 'A plane that cuts (K)', () => this.toggleClip(), () => state.clip !== null),
+          ...(app.columns.length === 2 && manifest.same_nodes ? [toggle('Differences', 'differences', 'Outline what differs (D)')] : [])),
+        row(button('PNG', 'Save what is seen (S)', () => app.save()), button('GLB', 'Save the volumes that are shown, or the one that is chosen (G)', () => app.saveGlb()))),
+      section('The same without a browser', false, this.commands),
     );
     this.fillHelp();
-    const { legend } = manifest;
-    this.legend.append(...(legend ? colorScale(manifest.viridis, legend.title, legend.ticks) : bodies.map((body) => element('div', {}, swatch(body.color), body.name))));
   }
 
   fillHelp() {
@@ -99,7 +103,7 @@ export class Panel {
     this.clip.replaceChildren(...(state.clip ? this.clipParts(state.clip) : []));
     this.showCommands();
     this.nodePanel.update();
-    this.show('node', this.nodePanel.heading, state.pair ?? state.selected);
+    this.show('node', this.node, state.pair ?? state.selected);
     if (!levels) this.show('test', this.query.querySelector('.test'), state.hover < 0 && state.test >= 0 ? `${state.column} ${state.at} ${state.test}` : null);
   }
 
@@ -109,9 +113,10 @@ export class Panel {
     const last = this.chosen.get(of);
     this.chosen.set(of, chosen);
     if (!part || !chosen || chosen === last) return;
+    const folded = part.closest('details');
+    if (folded) folded.open = true;
     const [box, all] = [part, this.root].map((one) => one.getBoundingClientRect());
-    const modesHeight = /** @type {HTMLElement | null} */ (this.root.querySelector('.modes'))?.offsetHeight ?? 0;
-    if (box.top < all.top + modesHeight || box.top > all.top + 0.6 * all.height) this.root.scrollTop += box.top - all.top - modesHeight - 4;
+    if (box.top < all.top || box.top > all.top + 0.6 * all.height) this.root.scrollTop += box.top - all.top - 4;
   }
 
   showCommands() {

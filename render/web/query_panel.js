@@ -1,6 +1,7 @@
 import { element, counted, short, percent, faint, word, row, table, button, swatch, colorScale } from './elements.js';
 import { worth } from './query.js';
 import { passedOn } from './icicle.js';
+import { section } from './sections.js';
 
 // The part of the panel about the queries: numbers, endings and verdicts of tests, and one test step by step.
 export class QueryPanel {
@@ -14,22 +15,23 @@ export class QueryPanel {
     const { app } = this, { columns, state } = app, { selected } = state;
     /** @type {HTMLElement[]} */
     const parts = [];
-    if (columns.length > 1) parts.push(...this.comparison());
+    if (columns.length > 1) parts.push(section('Counts of the frame', true, ...this.comparison()));
     columns.forEach(({ title, query }, k) => {
-      const { frame, heat, meeting, classes } = app.scenes[k];
+      const { frame, heat, meeting, classes } = app.scenes[k], judged = frame?.stored.judged || !['wasted', 'verdicts'].includes(state.mode);
       if (columns.length > 1) parts.push(element('h2', { textContent: title }));
       if (!query) return parts.push(faint('No query of it is in the page.'));
       if (!frame) return parts.push(...this.otherFrames(query));
-      if (columns.length === 1) parts.push(table(this.counts(k)));
-      if (!frame.stored.judged && ['wasted', 'verdicts'].includes(state.mode)) return parts.push(faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
-      if (heat) return parts.push(...this.heatParts(k, query, heat));
-      if (state.mode === 'traversal') return parts.push(...(k === state.column ? this.testParts(k, frame) : [button('Its traversal', '', () => app.set({ column: k }))]));
-      if (meeting) return parts.push(...this.pairParts(k, frame, meeting));
-      if (classes) parts.push(...this.classParts(k, query, classes), ...this.mostParts(k, query, classes), ...this.differingParts(k, query));
+      const costly = (/** @type {HTMLElement[]} */ ...shown) => (shown.length ? [section('What cost the most', true, ...shown)] : []);
+      if (!judged) parts.push(faint('What these tests were worth is not known: the recording tells no results, or its poses are not rigid.'));
+      else if (heat) parts.push(...costly(...(state.mode === 'wasted' ? this.worstParts(k, query) : [])), section('What is shown', true, ...this.heatParts(k, heat)));
+      else if (state.mode === 'traversal') parts.push(...(k === state.column ? [section('Test', true, ...this.testParts(k, frame)), ...costly(...this.worstParts(k, query))] : [button('Its traversal', '', () => app.set({ column: k }))]));
+      else if (meeting) parts.push(section('What is shown', true, ...this.pairParts(k, frame, meeting)));
+      else if (classes) parts.push(...costly(...(state.mode === 'verdicts' ? this.worstParts(k, query) : []), ...this.mostParts(k, query, classes)), section('What is shown', true, ...this.classParts(k, query, classes), ...this.differingParts(k, query)));
+      if (columns.length === 1) parts.push(section('Counts of the frame', true, table(this.counts(k))));
     });
     if (state.mode === 'rejections' || state.mode === 'verdicts')
       parts.push(row(button('Large volumes too', 'Also those that are large for the few tests that ended at them', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
-    return state.isolated && selected ? [faint(`Only tests of what is below node ${app.treeOf(selected.column, selected.body).numberOf(selected.slot)} are shown and listed; counts at the top are of all.`), ...parts] : parts;
+    return state.isolated && selected ? [faint(`Only tests of what is below node ${app.treeOf(selected.column, selected.body).numberOf(selected.slot)} are shown and listed; counts of the frame are of all.`), ...parts] : parts;
   }
 
   /**
@@ -68,11 +70,11 @@ export class QueryPanel {
       ...(have.length ? [row(button(`Frame ${nearest}`, 'The nearest with a query', () => app.set({ at: frames.indexOf(nearest) })))] : [])];
   }
 
-  /** @type {(k: number, query: Query, heat: Heat) => HTMLElement[]} */
-  heatParts(k, query, heat) {
+  /** @type {(k: number, heat: Heat) => HTMLElement[]} */
+  heatParts(k, heat) {
     const { app } = this, { bodies } = app.columns[k], scale = this.heatScale(heat), wasted = app.state.mode === 'wasted', what = wasted ? 'wasted tests' : 'volume tests';
     return [...bodies.map((body, side) => table([[`${body.name}, most ${what} of a triangle`, counted(heat.counts[side].reduce((most, n) => Math.max(most, n), 0))]])),
-      ...colorScale(app.manifest.viridis, scale.title, scale.ticks), ...(wasted ? this.worstParts(k, query) : [])];
+      ...colorScale(app.manifest.viridis, scale.title, scale.ticks)];
   }
 
   // Its title and its ticks.
@@ -114,7 +116,7 @@ export class QueryPanel {
         button('only', `Only ${group.label}`, () => app.set({ hidden: names.filter((label) => label !== group.label) }))));
     });
     parts.push(row(button('All', 'Show all of them', () => app.set({ hidden: [] })), button('None', 'Show none of them', () => app.set({ hidden: names }))));
-    return verdicts ? [...parts, ...this.worstParts(k, query)] : parts;
+    return parts;
   }
 
   // The nodes with the most rejections, or false passes. Nodes with equal counts are sorted by their numbers.
@@ -176,7 +178,7 @@ export class QueryPanel {
     const legend = (/** @type {Color} */ color, /** @type {(Node | string)[]} */ ...words) => element('div', {}, swatch(color), ...words);
     if (state.by === 'ending') parts.push(legend(passedOn(app.theme), word('passed on')), ...query.stored.groups.flatMap((g, n) => (frame.ended.counts[n] ? [legend(g[state.theme], `${g.label}: ${counted(frame.ended.counts[n])}`)] : [])));
     else parts.push(legend(passedOn(app.theme, 0.5), 'triangles below meet'), legend(passedOn(app.theme, 0.12), 'rejected'), ...query.stored.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
-    return [...parts, ...this.worstParts(k, query)];
+    return parts;
   }
 
   // What the other column made of the same nodes.

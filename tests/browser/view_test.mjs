@@ -35,6 +35,8 @@ async function press(page, ...keys) {
   for (const key of keys) await page.locator('#canvas').press(key);
   await settled(page);
 }
+// All sections of the panel.
+const unfold = (page) => page.evaluate(() => document.querySelectorAll('details.section').forEach((one) => (one.open = true)));
 // The canvas itself, with outlines.
 const seen_on_canvas = (page) => page.evaluate(() => {
   const { app } = document.getElementById('canvas');
@@ -79,6 +81,7 @@ test('levels, opacity, meshes, theme and frames change what is shown, and the ad
     await page.getByLabel('B', { exact: true }).fill('2');
     await changes('the level of one body');
     assert.equal((await address(page)).level1, '2');
+    await unfold(page);
     await page.getByLabel('Opacity').fill('40');
     await changes('opacity');
     await page.getByRole('button', { name: 'Meshes' }).click();
@@ -466,7 +469,7 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
       assert.ok(!before.has(now), `${what} changes the picture`);
       before.add(now);
     };
-    await page.getByRole('button', { name: 'Rejections' }).click();
+    await page.getByRole('tab', { name: 'Rejections' }).click();
     await changes('rejections');
     assert.equal((await address(page)).show, 'rejections');
     assert.ok(!(await page.getByLabel('Level', { exact: true }).isVisible()));
@@ -498,7 +501,7 @@ test('rejections and pairs change what is shown, filter, and answer', async () =
     await page.mouse.click(box.x + x, box.y + y);
     await settled(page);
     assert.match(await page.locator('#panel').innerText(), /Tests: [\d,]+/);
-    await page.getByRole('button', { name: 'Pairs', exact: true }).click();
+    await page.getByRole('tab', { name: 'Pairs', exact: true }).click();
     await changes('pairs');
     assert.match(await page.locator('#panel').innerText(), /A: [\d,]+ triangles meet others/);
     await shot(page, 'pairs');
@@ -620,6 +623,7 @@ test('another engine\'s nodes have its numbers', async () => {
     await page.keyboard.press('Enter');
     await settled(page);
     assert.equal((await address(page)).node, String(b));
+    await unfold(page);
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'GLB' }).click()]);
     await download.saveAs(join(folder, 'numbers.glb'));
     const bytes = readFileSync(join(folder, 'numbers.glb')), glb = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)));
@@ -713,6 +717,7 @@ test('a click names the node, and what hangs on it', async () => {
 });
 
 async function saved_png(page) {
+  await unfold(page);
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);
   assert.equal(download.suggestedFilename(), 'cone.png');
   const file = join(folder, 'saved.png');
@@ -741,6 +746,7 @@ test('at a frame without a query, a PNG has the colors of the bodies and no scal
 
 test('volumes are saved as GLB, which scb reads', async () => {
   await onPage(page_of('cone', '--volume', 'scb2', '--level', '3'), {}, async (page) => {
+    await unfold(page);
     const saved = async () => {
       const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'GLB' }).click()]);
       const file = join(folder, 'saved.glb');
@@ -816,6 +822,34 @@ test('it turns by dragging, moves, zooms, and follows its size', async () => {
   });
 });
 
+test('the modes are tabs in a row, and what is folded stays folded', async () => {
+  await onPage(page_of('cone', '--frames', '100'), {}, async (page) => {
+    const tab = (name) => page.getByRole('tab', { name }), chosen = () => page.locator('[role=tab][aria-selected=true]').allInnerTexts();
+    assert.equal(new Set(await page.getByRole('tab').evaluateAll((tabs) => tabs.map((one) => one.offsetTop))).size, 1, 'in one row');
+    await tab('Levels').focus();
+    for (const [key, name] of [['ArrowRight', 'Rejections'], ['Home', 'Levels'], ['ArrowLeft', 'Verdicts'], ['ArrowRight', 'Levels'], ['End', 'Verdicts']]) {
+      await page.keyboard.press(key);
+      await settled(page);
+      assert.deepEqual([(await state(page)).mode, await chosen(), await page.evaluate(() => document.activeElement.textContent)], [name.toLowerCase(), [name], name]);
+    }
+    assert.equal(await page.locator('[role=tab][tabindex="0"]').count(), 1, 'Tab leads to one of them');
+    // What cost the most is above, tools are below and folded.
+    const titles = await page.locator('.section:visible > summary').allInnerTexts();
+    assert.deepEqual([...titles.slice(0, 2), ...titles.slice(-2)], ['Frame', 'What cost the most', 'Look, and save', 'The same without a browser']);
+    assert.ok(!(await page.getByRole('button', { name: 'PNG' }).isVisible()));
+    const counts = page.getByText('wasted share');
+    assert.ok(await counts.isVisible());
+    await page.getByText('Counts of the frame').click();
+    await page.getByText('Look, and save').click();
+    await press(page, '2');
+    assert.ok(!(await counts.isVisible()), 'folded in another mode too');
+    await page.reload();
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+    assert.ok(!(await counts.isVisible()), 'folded after it is loaded again');
+    assert.ok(await page.getByRole('button', { name: 'PNG' }).isVisible());
+  });
+});
+
 test('it fits a phone, and is touched', async () => {
   await onPage(page_of('spheres-l1', '--level', '5'), { viewport: { width: 400, height: 800 }, hasTouch: true, deviceScaleFactor: 2 }, async (page) => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), 'nothing sticks out');
@@ -825,6 +859,9 @@ test('it fits a phone, and is touched', async () => {
     await settled(page);
     assert.match(await page.locator('#panel').innerText(), /depth\s+5/);
     await shot(page, 'phone');
+    await page.getByRole('tab', { name: 'Verdicts' }).tap();
+    await settled(page);
+    assert.equal((await state(page)).mode, 'verdicts');
   });
 });
 
