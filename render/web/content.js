@@ -327,7 +327,7 @@ export class Content {
       let drawn = 0;
       for (const part of scene.parts ?? []) {
         if (part.side !== b) continue;
-        meshes.push({ mesh: part.mesh, color: body.color, placement, first_id: (first_ids.marked[b] + drawn) | (part.differs ? outlined.together : 0), edges: app.isHeat && state.edges, shading: app.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && b === 1 });
+        meshes.push({ mesh: part.mesh, color: body.color, placement, first_id: (first_ids.marked[b] + drawn) | (part.differs ? outlined.together : 0), edges: app.isHeat && state.edges, shading: app.isHeat ? 0.5 : 0.3, hatched: state.mode === 'rejections' && b === 1, shine_through: pairs ? 0.45 : 0 });
         drawn += part.triangles.length;
       }
       if (!scene.heat) meshes.push({ mesh: this.uploaded[body.mesh], color: body.dimmed[state.theme], edges: state.edges, placement, first_id: pairs ? first_ids.whole[b] : 0, backdrop: !pairs, fade: pairs ? 0 : 0.5 });
@@ -336,7 +336,7 @@ export class Content {
     const ofLines = placed(0, bodies[0].tree.stored.center);  // see contactsOf
     if (scene.lines) {
       const line = { segments: scene.lines, placement: ofLines };
-      if (pairs) segments.push({ ...line, color: app.theme.faint, width: 1.5, on_top: true }, { ...line, color: app.theme.text, width: 3, on_top: false });
+      if (pairs) segments.push({ ...line, color: app.theme.text, width: 2, on_top: true, dashed: true }, { ...line, color: app.theme.text, width: 3, on_top: false, lift: 3 });
       else if (meet && !state.hidden.includes(meet.label)) segments.push({ ...line, color: meet[state.theme], width: 1.5, on_top: true });
     }
     if (scene.chosenLine) {

@@ -41,6 +41,7 @@ export class Painter {
     this.programs.rounded = new Program(gl, ['eye.glsl', 'rounded.vert'], [...volume, 'rounded.frag'], ['instance', 'direction']);
     this.meshProgram = new Program(gl, ['eye.glsl', 'mesh.vert'], ['eye.glsl', 'light.glsl', 'mesh.frag'], []);
     this.segmentProgram = new Program(gl, ['eye.glsl', 'segment.vert'], ['eye.glsl', 'segment.frag'], ['from', 'to']);
+    this.dashedProgram = new Program(gl, ['eye.glsl', 'segment.vert'], ['eye.glsl', 'before_dashes', 'segment.frag', 'dashes'], ['from', 'to']);
     this.resolveProgram = new Program(gl, ['resolve.vert'], ['resolve.frag'], []);
     this.instances = gl.createBuffer();
     this.array = gl.createVertexArray();
@@ -103,6 +104,7 @@ export class Painter {
       if (pane.meshes.some((mesh) => mesh.backdrop)) gl.clearBufferfv(gl.DEPTH, 0, [1]);
       for (const mesh of pane.meshes) if (!mesh.backdrop) this.drawMesh(pane, mesh);
       this.drawVolumes(pane, pane.opaque, 1);
+      this.drawHidden(pane, pane.meshes.filter(({ shine_through }) => shine_through));
       if (pane.translucent.count > 0) this.drawTranslucent(pane);
       for (const segments of pane.segments) this.drawSegments(pane, segments);
     }
@@ -119,6 +121,28 @@ export class Painter {
     gl.bindVertexArray(this.array);
     gl.disableVertexAttribArray(0);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  // What something hides is drawn over it, which so looks translucent; then the visible parts once more. Ids do not change, so a click finds what is in front.
+  /** @type {(pane: Pane, meshes: DrawnMesh[]) => void} */
+  drawHidden(pane, meshes) {
+    const { gl } = this;
+    if (meshes.length === 0) return;
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
+    gl.depthMask(false);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA, gl.ZERO, gl.ONE);
+    gl.depthFunc(gl.GREATER);
+    for (const mesh of meshes) {
+      gl.blendColor(0, 0, 0, mesh.shine_through ?? 0);
+      this.drawMesh(pane, { ...mesh, placement: nearer(mesh.placement, pane.eye.uniforms.orthographic !== 0) });
+    }
+    gl.disable(gl.BLEND);
+    gl.depthFunc(gl.LEQUAL);
+    for (const mesh of meshes) this.drawMesh(pane, mesh);
+    gl.depthFunc(gl.LESS);
+    gl.depthMask(true);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
   }
 
   /** @param {Pane} pane */
@@ -212,9 +236,9 @@ export class Painter {
   }
 
   /** @type {(pane: Pane, drawn: DrawnSegments) => void} */
-  drawSegments(pane, { segments, placement, color, width, on_top }) {
+  drawSegments(pane, { segments, placement, color, width, on_top, dashed = false, lift = 0 }) {
     const { gl } = this;
-    this.segmentProgram.use({ ...pane.eye.uniforms, to_eye: placement.to_eye, origin: placement.origin, scale: placement.scale, color: [...color.map((c) => c / 255), 1], width: width * this.samples });
+    (dashed ? this.dashedProgram : this.segmentProgram).use({ ...pane.eye.uniforms, to_eye: placement.to_eye, origin: placement.origin, scale: placement.scale, color: [...color.map((c) => c / 255), 1], width: width * this.samples, lift });
     if (on_top) gl.disable(gl.DEPTH_TEST);
     gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
     gl.bindVertexArray(segments.array);
@@ -302,4 +326,11 @@ export class Painter {
       }
     }
   }
+}
+
+// So much nearer to the eye, at the same place of the picture, that surfaces that coincide do not hide each other.
+/** @type {(placement: Placement, orthographic: boolean) => Placement} */
+function nearer({ origin: [x, y, z], scale, ...rest }, orthographic) {
+  const by = 1 - 2e-4;
+  return orthographic ? { ...rest, origin: [x, y, by * z], scale } : { ...rest, origin: [by * x, by * y, by * z], scale: by * scale };
 }

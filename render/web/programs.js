@@ -40,6 +40,15 @@ void main() {
         }
     out_color = sum / float(per_pixel * per_pixel);
 }`,
+  // Around segment.frag. Dashes are places of the picture, so that they go on from segment to segment.
+  'before_dashes': '#define main draw_segment',
+  'dashes': `
+#undef main
+flat in int v_steep;
+void main() {
+    if (fract((v_steep != 0 ? gl_FragCoord.y : gl_FragCoord.x) / (8.0 * line_scale)) > 0.625) discard;
+    draw_segment();
+}`,
 };
 // Planes of polytopes are in the frame of their tree here.
 const planes = `

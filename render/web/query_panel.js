@@ -92,6 +92,7 @@ export class QueryPanel {
   pairParts(k, frame, meeting) {
     const { app } = this, { bodies } = app.columns[k], { query } = frame, { objects } = query.stored, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
     const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} ${what} meet others`));
+    if (!objects) parts.push(faint('Dashed, or pale: behind a body'));
     if (only.length === 0) return parts;
     const link = (/** @type {number[]} */ pair) => {
       if (!objects) return button(pair.join(), 'Choose this pair, and see where the other lost it', () => app.selectPair(k, pair));

@@ -227,6 +227,7 @@ interface DrawnMesh {
   shading?: number;
   first_id?: number; // of its first triangle
   backdrop?: boolean; // behind all else
+  shine_through?: number; // opacity of what something hides
 }
 interface DrawnSegments {
   segments: Upload;
@@ -234,6 +235,8 @@ interface DrawnSegments {
   color: Color;
   width: number;
   on_top: boolean;
+  dashed?: boolean;
+  lift?: number; // pixels by which it is drawn nearer
 }
 interface PaintedNode {
   slot: number;

@@ -355,6 +355,45 @@ test('two scenes stand beside each other', async () => {
   });
 });
 
+test('what hides a contact is translucent, and hidden lines are dashed', async () => {
+  for (const options of [[], ['--ortho']])
+    await onPage(page_of('cone', '--frames', '100', ...options), { width: 500, height: 400, hash: '#show=pairs' }, async (page) => {
+      await press(page, 'a');
+      await shot(page, `ghost${options.join('')}`);
+      const found = await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), { painter } = app, { gl } = painter, { drawHidden, drawSegments } = painter, read = () => {
+          app.draw();
+          const [width, height] = painter.size, colors = new Uint8Array(4 * width * height), ids = new Uint32Array(width * height);
+          painter.idAt(0, 0);
+          gl.readPixels(0, 0, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, ids);
+          gl.readBuffer(gl.COLOR_ATTACHMENT0);
+          gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, colors);
+          return { colors, ids };
+        };
+        const black = ({ colors }) => colors.reduce((sum, c, i) => sum + (i % 4 === 0 && app.theme.text.every((x, k) => colors[i + k] === x) ? 1 : 0), 0);
+        const whole = read();
+        painter.drawSegments = () => {};
+        const shining = read();
+        painter.drawHidden = () => {};
+        const plain = read();
+        painter.drawHidden = drawHidden;
+        painter.drawSegments = (pane, drawn) => drawn.dashed || drawSegments.call(painter, pane, drawn);
+        const seen = read();
+        painter.drawSegments = (pane, drawn) => drawSegments.call(painter, pane, { ...drawn, dashed: false });
+        const solid = read();
+        // Where something shines through, what is in front is not in a pair.
+        const { whole: firsts, marked } = app.triangleIds[0], changed = [...plain.ids.keys()].filter((i) => [0, 1, 2].some((k) => plain.colors[4 * i + k] !== shining.colors[4 * i + k]));
+        const behind = changed.filter((i) => plain.ids[i] >= firsts[0] && plain.ids[i] < marked[0]).length;
+        return { changed: changed.length, behind, ids: whole.ids.every((id, i) => id === plain.ids[i]), black: [seen, whole, solid].map(black) };
+      });
+      assert.ok(found.changed > 300, `${found.changed} pixels`);
+      assert.equal(found.behind, found.changed);
+      assert.ok(found.ids, 'a click finds what is in front');
+      const [seen, dashed, solid] = found.black, share = (dashed - seen) / (solid - seen);
+      assert.ok(solid > seen + 200 && share > 0.5 && share < 0.75, `${found.black}`);
+    });
+});
+
 test('a line of contact names its pair, and two numbers their test', async () => {
   await onPage(page_of('cone', '--frames', '100'), { hash: '#show=pairs' }, async (page) => {
     await press(page, 'a');
