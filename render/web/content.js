@@ -299,10 +299,11 @@ export class Content {
   // What a pane of the column shows.
   /** @type {(k: number, eye: Eye) => PaneContent} */
   pane(k, eye) {
-    return this.app.state.mode === 'levels' ? this.levelPane(k, eye) : this.queryPane(k, eye);
+    const shining = this.app.state.isolated ? [] : this.chosenVolume(k, 255);
+    return { ...(this.app.state.mode === 'levels' ? this.levelPane(k, eye) : this.queryPane(k, eye)), shining };
   }
 
-  /** @type {(k: number, eye: Eye) => PaneContent} */
+  /** @type {(k: number, eye: Eye) => Omit<PaneContent, 'shining'>} */
   levelPane(k, eye) {
     const { app } = this, { state, view } = app, { bodies } = app.columns[k], groups = bodies.flatMap((_, b) => this.level(k, b));
     const meshes = !state.mesh && !state.edges ? [] : bodies.flatMap((body, b) => (body.mesh === null || state.without.includes(b) ? [] : [{
@@ -313,7 +314,7 @@ export class Content {
     return { meshes, opaque, translucent, segments: [] };
   }
 
-  /** @type {(k: number, eye: Eye) => PaneContent} */
+  /** @type {(k: number, eye: Eye) => Omit<PaneContent, 'shining'>} */
   queryPane(k, eye) {
     const { app } = this, { state, view } = app, { query, bodies } = app.columns[k], scene = app.scenes[k], pairs = state.mode === 'pairs';
     /** @type {DrawnMesh[]} */
@@ -345,18 +346,16 @@ export class Content {
     }
     const volumes = (scene.nodes ?? []).length === 0 ? [] : [0, 1].filter((b) => !state.without.includes(b)).flatMap((b) => this.runs(k, b, this.nodesShown(k, b)));
     const translucent = state.mode === 'traversal' ? volumes : [];
-    return { meshes, segments, opaque: state.mode === 'traversal' ? [] : volumes, translucent: [...translucent, ...this.chosenVolume(k)] };
+    const { selected } = state, isDrawn = (scene.nodes ?? []).some((node) => node.side === selected?.body && node.slot === app.selectedSlot(k));
+    return { meshes, segments, opaque: state.mode === 'traversal' ? [] : volumes, translucent: [...translucent, ...(isDrawn ? [] : this.chosenVolume(k, 64))] };
   }
 
-  // The node that is chosen, where the query does not draw it.
-  /**
-   * @param {number} k
-   * @returns {VolumeGroup[]}
-   */
-  chosenVolume(k) {
+  // The node that is chosen.
+  /** @type {(k: number, opacity: number) => VolumeGroup[]} */
+  chosenVolume(k, opacity) {
     const { app } = this, { selected, without } = app.state, slot = app.selectedSlot(k);
-    if (!selected || slot < 0 || selected.triangle !== null || without.includes(selected.body) || (app.scenes[k].nodes ?? []).some((node) => node.side === selected.body && node.slot === slot)) return [];
-    return this.runs(k, selected.body, [{ slot, color: app.theme.text, opacity: 64, bits: 0 }]);
+    if (!selected || slot < 0 || selected.triangle !== null || without.includes(selected.body)) return [];
+    return this.runs(k, selected.body, [{ slot, color: app.theme.text, opacity, bits: 0 }]);
   }
 
   // The volumes of one side of a query. Volumes of B are hatched. Volumes of tests have the bodies' colors.

@@ -1,7 +1,7 @@
 import { add, subtract, scaled, length, times, clamp } from './linear.js';
 import { element, counted, short } from './elements.js';
 import { Blocks } from './blocks.js';
-import { Tree, radiusOf } from './tree.js';
+import { Tree } from './tree.js';
 import { ballAbout, View } from './camera.js';
 import { Painter } from './painter.js';
 import { Query } from './query.js';
@@ -14,6 +14,7 @@ import { Panel } from './panel.js';
 import { snapshotOf } from './snapshot.js';
 import { Address } from './address.js';
 import { Controls } from './controls.js';
+import { approach } from './approach.js';
 
 // The page: its state, and the parts that follow the state.
 export class App {
@@ -295,9 +296,16 @@ export class App {
   }
 
   draw(coarse = false) {
-    const { canvas, columns, view } = this, ratio = window.devicePixelRatio || 1;
+    const { canvas } = this, ratio = window.devicePixelRatio || 1;
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    this.painter.resize(width, height, width * height <= 2.2e6 && !coarse ? 2 : 1);
+    this.drawAt(width, height, width * height <= 2.2e6 && !coarse ? 2 : 1);
+    this.drawLabels(ratio);
+  }
+
+  /** @type {(width: number, height: number, perPixel: number) => void} */
+  drawAt(width, height, perPixel) {
+    const { columns, view } = this;
+    this.painter.resize(width, height, perPixel);
     const { samples } = this.painter, many = columns.length, across = width >= height;
     const balls = columns.map((_, k) => this.ballsOf(k)), middle = balls.flat().reduce((most, ball) => Math.max(most, length(subtract(ball.center, view.target)) + ball.radius), 0);
     view.standBack = 2 * middle + view.distance;
@@ -320,10 +328,9 @@ export class App {
         return { ...group, pose, placement: view.placement(pose, group.tree.stored.center, eye.far) };
       };
       const content = this.content.pane(k, eye);
-      return { ...content, rectangle, background: this.theme.background, view, eye, opaque: list(content.opaque.map(placed)), translucent: list(content.translucent.map(placed)) };
+      return { ...content, rectangle, background: this.theme.background, view, eye, opaque: list(content.opaque.map(placed)), translucent: list(content.translucent.map(placed)), shining: list(content.shining.map(placed)) };
     });
     this.painter.draw(this.panes, this.theme.text);
-    this.drawLabels(ratio);
   }
 
   /** @param {number} ratio */
@@ -505,21 +512,8 @@ export class App {
     this.view.fit({ center, radius: room * Math.max(radius, 1e-9 * length(center)) || 1 }, width / height);
     this.moved();
   }
-  // Goes to the node that is chosen, else to what the query marks.
   approach() {
-    const { selected, pair, column } = this.state;
-    /** @type {(k: number, b: number, center: Vector) => Vector} */
-    const place = (k, b, center) => add(times(this.poseOf(k, b).rotation, center), this.poseOf(k, b).translation);
-    /** @type {(k: number, b: number, slot: number) => Ball} */
-    const ballOf = (k, b, slot) => {
-      const tree = this.treeOf(k, b), volume = tree.volume(slot);
-      return { center: place(k, b, add(tree.stored.center, volume.numbers)), radius: radiusOf(volume) };
-    };
-    const { nodes, contacts: all } = this.scenes[column], isChosen = (/** @type {Contact} */ { pair: [a, b] }) => pair !== null && a === pair[0] && b === pair[1], contacts = pair ? all?.filter(isChosen) : all;
-    const balls = selected ? [ballOf(selected.column, selected.body, selected.slot)] : nodes?.length && !pair ? nodes.map(({ side, slot }) => ballOf(column, side, slot))
-      : (contacts ?? []).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)].map((point) => ({ center: place(column, 0, add(this.treeOf(column, 0).stored.center, point)), radius: 0 })));
-    const finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
-    if (finite.length > 0) this.fit(finite, pair ? 20 : 1.2);
+    approach(this);
   }
   /** @type {(axis: number, sign: number) => void} */
   along(axis, sign) {

@@ -104,7 +104,7 @@ export class Painter {
       if (pane.meshes.some((mesh) => mesh.backdrop)) gl.clearBufferfv(gl.DEPTH, 0, [1]);
       for (const mesh of pane.meshes) if (!mesh.backdrop) this.drawMesh(pane, mesh);
       this.drawVolumes(pane, pane.opaque, 1);
-      this.drawHidden(pane, pane.meshes.filter(({ shine_through }) => shine_through));
+      this.drawHidden(pane);
       if (pane.translucent.count > 0) this.drawTranslucent(pane);
       for (const segments of pane.segments) this.drawSegments(pane, segments);
     }
@@ -124,10 +124,10 @@ export class Painter {
   }
 
   // What something hides is drawn over it, which so looks translucent; then the visible parts once more. Ids do not change, so a click finds what is in front.
-  /** @type {(pane: Pane, meshes: DrawnMesh[]) => void} */
-  drawHidden(pane, meshes) {
-    const { gl } = this;
-    if (meshes.length === 0) return;
+  /** @param {Pane} pane */
+  drawHidden(pane) {
+    const { gl } = this, meshes = pane.meshes.filter(({ shine_through }) => shine_through);
+    if (meshes.length === 0 && pane.shining.count === 0) return;
     gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.NONE]);
     gl.depthMask(false);
     gl.enable(gl.BLEND);
@@ -140,6 +140,11 @@ export class Painter {
     gl.disable(gl.BLEND);
     gl.depthFunc(gl.LEQUAL);
     for (const mesh of meshes) this.drawMesh(pane, mesh);
+    gl.enable(gl.BLEND);
+    gl.depthFunc(gl.GREATER);
+    gl.blendColor(0, 0, 0, 0.45);
+    this.drawVolumes(pane, pane.shining, 1);
+    gl.disable(gl.BLEND);
     gl.depthFunc(gl.LESS);
     gl.depthMask(true);
     gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
@@ -161,15 +166,21 @@ export class Painter {
     gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
   }
 
+  // The ids in a rectangle of the target.
+  /** @type {(rectangle: Rectangle) => Uint32Array} */
+  idsIn([x, y, width, height]) {
+    const { gl } = this, ids = new Uint32Array(width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+    gl.readBuffer(gl.COLOR_ATTACHMENT1);
+    gl.readPixels(x, y, width, height, gl.RED_INTEGER, gl.UNSIGNED_INT, ids);
+    return ids.map((id) => id & ~(outlined.alone | outlined.together));
+  }
+
   // The id at a pixel of the canvas, from the top left.
   /** @type {(x: number, y: number) => number} */
   idAt(x, y) {
-    const { gl, samples } = this;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
-    gl.readBuffer(gl.COLOR_ATTACHMENT1);
-    const id = new Uint32Array(1);
-    gl.readPixels(x * samples, this.size[1] - 1 - y * samples, 1, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, id);
-    return id[0] & ~(outlined.alone | outlined.together);
+    const { samples } = this;
+    return this.idsIn([x * samples, this.size[1] - 1 - y * samples, 1, 1])[0];
   }
 
   // Triangles of their own, so that each is flat; of a mesh all, or some, which have colors then.

@@ -269,12 +269,14 @@ interface PaneContent {
   segments: DrawnSegments[];
   opaque: VolumeGroup[];
   translucent: VolumeGroup[];
+  shining: VolumeGroup[]; // seen through what hides them
 }
 interface Pane {
   meshes: DrawnMesh[];
   segments: DrawnSegments[];
   opaque: VolumeList;
   translucent: VolumeList;
+  shining: VolumeList;
   rectangle: Rectangle; // of the target, from the bottom left
   background: Color;
   view: View;

@@ -358,7 +358,13 @@ test('two scenes stand beside each other', async () => {
 test('what hides a contact is translucent, and hidden lines are dashed', async () => {
   for (const options of [[], ['--ortho']])
     await onPage(page_of('cone', '--frames', '100', ...options), { width: 500, height: 400, hash: '#show=pairs' }, async (page) => {
-      await press(page, 'a');
+      await page.evaluate(() => {
+        const { app } = document.getElementById('canvas'), { axes } = app.view;
+        app.approach();
+        app.view.axes = axes;  // from where a part of the lines is hidden
+        app.moved();
+      });
+      await settled(page);
       await shot(page, `ghost${options.join('')}`);
       const found = await page.evaluate(() => {
         const { app } = document.getElementById('canvas'), { painter } = app, { gl } = painter, { drawHidden, drawSegments } = painter, read = () => {
@@ -392,6 +398,44 @@ test('what hides a contact is translucent, and hidden lines are dashed', async (
       const [seen, dashed, solid] = found.black, share = (dashed - seen) / (solid - seen);
       assert.ok(solid > seen + 200 && share > 0.5 && share < 0.75, `${found.black}`);
     });
+});
+
+test('a hidden node is seen through what hides it, and one goes to where it is visible', async () => {
+  await onPage(page_of('cone', '--level', '6'), { width: 700, height: 400 }, async (page) => {
+    const { hidden, shining, same } = await page.evaluate(async () => {
+      const { app } = document.getElementById('canvas'), { painter, content } = app, { first_id, tree } = app.columns[0].bodies[0];
+      const ids = () => (app.draw(), painter.idsIn([0, 0, ...painter.size]));
+      const seen = new Set(ids()), slot = app.content.coverOf(0, 0).find((slot) => !seen.has(first_id + tree.order[slot]));
+      await app.select(0, 0, slot);
+      const hidden = !ids().includes(first_id + tree.order[slot]), colors = () => {
+        const before = ids(), pixels = new Uint8Array(4 * before.length);
+        painter.gl.readBuffer(painter.gl.COLOR_ATTACHMENT0);
+        painter.gl.readPixels(0, 0, ...painter.size, painter.gl.RGBA, painter.gl.UNSIGNED_BYTE, pixels);
+        return { before, pixels };
+      };
+      const through = colors(), pane = content.pane.bind(content);
+      content.pane = (k, eye) => ({ ...pane(k, eye), shining: [] });
+      const plain = colors();
+      content.pane = pane;
+      return { hidden, shining: through.pixels.filter((c, i) => c !== plain.pixels[i]).length, same: through.before.every((id, i) => id === plain.before[i]) };
+    });
+    assert.ok(hidden && same && shining > 200, `${shining}`);
+    await shot(page, 'through');
+    await press(page, 'a');
+    const [there, others] = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { first_id, tree } = app.columns[0].bodies[0], id = first_id + tree.order[app.state.selected.slot], { axes } = app.view;
+      const count = () => (app.draw(), app.painter.idsIn([0, 0, ...app.painter.size]).filter((one) => one === id).length);
+      const there = count(), others = [0, 1, 2].flatMap((axis) => [1, -1].map((sign) => (app.view.along([0, 1, 2].map((i) => (i === axis ? sign : 0))), count())));
+      app.view.axes = axes;
+      return [there, others];
+    });
+    assert.ok(there > 1000 && others.every((n) => n < 1.1 * there) && others.some((n) => n < 0.5 * there), `${there}; ${others}`);
+    await shot(page, 'approached');
+    // Where no direction shows more, it stays.
+    const { backward } = await address(page);
+    await press(page, 'a');
+    assert.equal((await address(page)).backward, backward);
+  });
 });
 
 test('a line of contact names its pair, and two numbers their test', async () => {
