@@ -110,6 +110,7 @@ int run(CollideCommandOptions& options, const Console& console) {
     note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
 
     CollideReport report(options, query, recorded ? &*recorded : nullptr);
+    if (const std::string note = report.note(); !note.empty()) console.note("scb: " + note);
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     const InterruptWatch watch;
     Progress progress(console, query.frames.size());

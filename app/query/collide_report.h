@@ -68,6 +68,9 @@ class CollideReport {
     /// Whether all pairs so far are the expected ones; true if no pairs are expected.
     bool agrees() const { return !comparison_ || comparison_->agrees(); }
 
+    /// Rows of the expected pairs that are not compared; empty: none.
+    std::string note() const { return comparison_ ? comparison_->note() : ""; }
+
     /// The text of all frames so far; to be called once.
     std::string text();
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/query/contact_intervals.h"
 #include "core/base/text_format.h"
 #include "core/geometry/triangle_segment.h"
 #include "core/platform/input_files.h"
@@ -45,7 +46,7 @@ class PairFile::Reader {
     Reader(const std::string& path, const SceneQuery& query)
         : path_(path), lines_(path), query_(query) {}
 
-    std::vector<Row> read() {
+    std::vector<Row> read(NotCompared& not_compared) {
         while (const std::optional<std::string_view> line = lines_.next()) {
             const std::vector<std::string> cells = csv_cells(*line);
             if (cells.size() == 1 && cells[0].empty()) continue;
@@ -57,6 +58,7 @@ class PairFile::Reader {
         if (columns_.empty()) throw InputError(path_ + ": it has no lines; " + header_words);
         std::sort(rows_.begin(), rows_.end());
         rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+        not_compared = not_compared_;
         return std::move(rows_);
     }
 
@@ -83,6 +85,10 @@ class PairFile::Reader {
         if (frame_ == none || triangles_[0] == none || triangles_[1] == none ||
             (bodies_[0] == none) != (bodies_[1] == none))
             refuse(header_words);
+        for (const char* name : {"frame", "body_a", "body_b", "triangle_a", "triangle_b"})
+            if (std::ranges::count(columns_, name) > 1)
+                refuse("the column " + std::string(name) +
+                       " is there twice; leave one of them out.");
         if (bodies_[0] == none && query_.pairs.size() > 1)
             refuse(sentence("the queries are of ", query_.pairs.size(),
                             " pairs of bodies; add the columns body_a and body_b, or choose two "
@@ -102,9 +108,13 @@ class PairFile::Reader {
         row.frame = static_cast<int>(frame);
         BodyPair bodies = query_.pairs.front();
         if (bodies_[0] != none) bodies = {body(cells[bodies_[0]]), body(cells[bodies_[1]])};
-        row.triangles = {triangle(cells, 0, bodies[0]), triangle(cells, 1, bodies[1])};
+        row.triangles = {triangle(cells, 0, bodies), triangle(cells, 1, bodies)};
         const std::optional<std::size_t> queried = index_of(bodies, row.triangles);
-        if (queried && std::binary_search(query_.frames.begin(), query_.frames.end(), row.frame)) {
+        if (!std::ranges::binary_search(query_.frames, row.frame)) {
+            ++not_compared_.of_frames;
+        } else if (!queried) {
+            ++not_compared_.of_bodies;
+        } else {
             row.bodies = static_cast<std::uint32_t>(*queried);
             rows_.push_back(row);
         }
@@ -135,14 +145,17 @@ class PairFile::Reader {
     }
 
     std::uint32_t triangle(const std::vector<std::string>& cells, std::size_t side,
-                           std::size_t body) const {
+                           const BodyPair& bodies) const {
         const char* const name = side == 0 ? "triangle_a" : "triangle_b";
         const std::uint32_t value = number(cells, triangles_[side], name);
-        const std::size_t count = query_.mesh(body).triangles.size();
+        const std::size_t count = query_.mesh(bodies[side]).triangles.size();
         if (value >= count)
-            refuse(sentence(name, " is ", value, ", and ", query_.scene.bodies[body].name,
+            refuse(sentence(name, " is ", value, ", and ", query_.scene.bodies[bodies[side]].name,
                             " has the triangles 0 to ", count - 1,
-                            "; number them in the order of the mesh file."));
+                            "; number them in the order of the mesh file",
+                            value < query_.mesh(bodies[1 - side]).triangles.size()
+                                ? ", and see whether triangle_a and triangle_b are exchanged."
+                                : "."));
         return value;
     }
 
@@ -161,11 +174,24 @@ class PairFile::Reader {
     std::size_t frame_ = none;
     std::array<std::size_t, 2> triangles_{}, bodies_{};
     std::vector<Row> rows_;
+    NotCompared not_compared_;
 };
 
 PairFile::PairFile(const std::string& path, const SceneQuery& query) : path_(path) {
     note_input(path);
-    rows_ = Reader(path, query).read();
+    rows_ = Reader(path, query).read(not_compared_);
+}
+
+std::string PairFile::note() const {
+    std::string reasons;
+    for (const auto& [count, words] :
+         {std::pair(not_compared_.of_frames, " of frames that are not queried"),
+          std::pair(not_compared_.of_bodies, " of bodies that are not queried")})
+        if (count > 0) reasons += (reasons.empty() ? "" : ", ") + count_text(count) + words;
+    if (reasons.empty()) return "";
+    return path_ + ": " +
+           counted(not_compared_.of_frames + not_compared_.of_bodies, "row is", "rows are") +
+           " not compared: " + reasons + ".";
 }
 
 std::vector<IndexPair> PairFile::pairs(std::size_t i, int frame) const {
@@ -210,6 +236,9 @@ PairComparison::Difference PairComparison::add(std::size_t i, int frame,
              : pair.contact == TriangleContact::touching
                  ? "left out here, but the triangles touch"
                  : "left out here, but the triangles cross");
+    for (const IndexPair pair : only_found)
+        exchanged_ += std::ranges::binary_search(expected, IndexPair{pair.b, pair.a});
+    if (!only_found.empty()) missing_frames_.insert(frame);
     found_ += found.size();
     missing_ += difference.missing.size();
     false_ += difference.not_found.size();
@@ -241,7 +270,17 @@ std::string PairComparison::text(std::size_t frames) const {
     if (missing_ > 0) text += format(", at most %.6g deep", most_depth_);
     text += "; " + counted(false_, "pair is", "pairs are") + " false in the file";
     if (most_distance_ > 0) text += format(", at most %.6g apart", most_distance_);
-    text += ".\n" + list_;
+    text += ".\n";
+    if (missing_ > 0 && frames > 1) {
+        ContactIntervals missing;
+        for (const int frame : query_.frames) missing.add(frame, missing_frames_.contains(frame));
+        text += "Pairs are missing in " + missing.words() + ".\n";
+    }
+    if (exchanged_ > 0 && exchanged_ * 10 >= missing_ * 9)
+        text += counted(exchanged_, "missing pair is", "missing pairs are") +
+                " in the file with the two triangles exchanged; see whether its columns "
+                "triangle_a and triangle_b are exchanged.\n";
+    text += list_;
     const std::size_t rest = missing_ + false_ - listed_;
     if (rest > 0) text += "  and " + count_text(rest) + " more\n";
     return text;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ class PairFile {
     std::vector<IndexPair> pairs(std::size_t i, int frame) const;
 
     const std::string& path() const { return path_; }
+    /// How many rows are of other frames and bodies; empty: none.
+    std::string note() const;
 
   private:
     struct Row {
@@ -32,10 +35,15 @@ class PairFile {
 
         friend auto operator<=>(const Row&, const Row&) = default;
     };
+    /// Rows of frames that are not queried, and rows of the others whose bodies are not.
+    struct NotCompared {
+        std::size_t of_frames = 0, of_bodies = 0;
+    };
     class Reader;
 
     std::string path_;
     std::vector<Row> rows_;
+    NotCompared not_compared_;
 };
 
 /// Compares the pairs that queries find with those in a file, frame by frame.
@@ -65,6 +73,7 @@ class PairComparison {
     /// The pairs that the query of the bodies SceneQuery::pairs[i] has found.
     Difference add(std::size_t i, int frame, std::span<const IndexPair> found);
 
+    std::string note() const { return file_.note(); }
     bool agrees() const { return missing_ + false_ == 0; }
     /// Sentences about all frames so far, `frames` of them, and the first pairs that differ.
     std::string text(std::size_t frames) const;
@@ -78,6 +87,8 @@ class PairComparison {
     const SceneQuery& query_;
     PairFile file_;
     std::size_t found_ = 0, missing_ = 0, false_ = 0;
+    std::size_t exchanged_ = 0;     ///< missing pairs that the file has in the other order
+    std::set<int> missing_frames_;  ///< frames of missing pairs
     double most_depth_ = 0, most_distance_ = 0;
     std::size_t listed_ = 0;
     std::string list_;

@@ -52,7 +52,11 @@ TEST(ExpectedPairs, AgreeWithWhatPairsOutHasWritten) {
             run.out);
     }
     // Frames that are not queried are not compared, and a frame without rows has no pairs.
-    EXPECT_EQ(run_scb(of_bracket + "--frames 85 --expect " + file).status, 0);
+    const ProgramRun one = run_scb(of_bracket + "--frames 85 --expect " + file);
+    EXPECT_EQ(one.status, 0);
+    EXPECT_EQ(one.err, "scb: " + file + ": " + std::to_string(pairs - 133) +
+                           " rows are not compared: " + std::to_string(pairs - 133) +
+                           " of frames that are not queried.\n");
     EXPECT_EQ(run_scb(of_bracket + "--frames 75 --expect " + file).status, 0);
     const ProgramRun more = run_scb(of_bracket + "--frames 85,86 --expect " + file);
     EXPECT_EQ(more.status, 1);
@@ -69,6 +73,7 @@ TEST(ExpectedPairs, NameMissingAndFalsePairsWithDepthAndDistance) {
     expect_in(
         "p.csv: 2 frames have 2 pairs. 1 pair is missing in the file, at most 0.25 deep; "
         "2 pairs are false in the file, at most 8.75 apart.\n"
+        "Pairs are missing in frame 0.\n"
         "  frame 0, triangles (0, 0): missing, depth 0.25\n"
         "  frame 0, triangles (0, 1): false, distance 1\n"
         "  frame 1, triangles (0, 0): false, distance 8.75\n",
@@ -101,6 +106,27 @@ TEST(ExpectedPairs, AreOfTheChosenContacts) {
             scene.expecting("0,0,0\n", "--contacts touching --json").out)["frames"][0]["expected"],
         json::parse(R"({"pairs": 1, "missing": [{"triangles": [0, 2], "depth": 0.0}],
                               "false": [{"triangles": [0, 0], "contact": "crossing"}]})"));
+}
+
+TEST(ExpectedPairs, HintAtExchangedColumns) {
+    const Triangles scene;
+    // The triangle that is refused is one of the other body.
+    expect_in("a has the triangles 0 to 0; number them in the order of the mesh file, and see",
+              scene.expecting("0,2,0\n").err);
+    const TemporaryFolder folder;
+    const std::string file = folder / "pairs.csv", spheres = "collide spheres-l1 --frame 240 ";
+    ASSERT_EQ(run_scb(spheres + "--pairs-out " + file).status, 0);
+    std::string text = file_text(file);
+    const std::size_t pairs = lines_of(text) - 1;
+    ASSERT_GT(pairs, 10u);
+    text.replace(0, text.find('\n'), "frame,triangle_b,triangle_a");
+    const ProgramRun run = run_scb(spheres + "--expect " + folder.write("exchanged.csv", text));
+    EXPECT_EQ(run.status, 1);
+    expect_in(" missing pairs are in the file with the two triangles exchanged; see", run.out);
+    EXPECT_EQ(
+        run_scb(spheres + "--expect " + folder.write("none.csv", "frame,triangle_a,triangle_b\n"))
+            .out.find("exchanged"),
+        std::string::npos);
 }
 
 TEST(ExpectedPairs, ListTheFirstAndCountTheRest) {
@@ -137,7 +163,9 @@ TEST(ExpectedPairs, NameTheBodiesOfSeveral) {
     const std::string text = file_text(file);
     expect_in("0,base,\"nut, M3\",", text);
     EXPECT_EQ(run_scb(command + "--expect " + file).status, 0);
-    EXPECT_EQ(run_scb(command + "--bodies 'tool,nut, M3' --expect " + file).status, 0);
+    const ProgramRun of_two = run_scb(command + "--bodies 'tool,nut, M3' --expect " + file);
+    EXPECT_EQ(of_two.status, 0);
+    expect_in(" of bodies that are not queried.\n", of_two.err);
     // A file may have the bodies in the other order, and one pair of them needs no names.
     std::string swapped = "frame,body_a,body_b,triangle_b,triangle_a\n",
                 one = "frame,triangle_a,triangle_b\n";
@@ -187,6 +215,8 @@ TEST(ExpectedPairs, AreRefusedWithASentence) {
              {"85,0,0\n", "line 1: the first line must name the columns"},
              {"frame,node_a,node_b\n", "line 1: the first line must name the columns"},
              {"frame,body_a,triangle_a,triangle_b\n", "line 1: the first line must name"},
+             {"frame,triangle_a,triangle_b,triangle_a\n",
+              "line 1: the column triangle_a is there tw"},
              {header + "85,0\n", "line 2: it has 2 cells, and the first line 3"},
              {header + "85,0,0,0\n", "line 2: it has 4 cells, and the first line 3"},
              {header + "100,0,0\n", "line 2: there is no frame 100; the scene 'bracket' has the "},
