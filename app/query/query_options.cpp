@@ -54,7 +54,8 @@ void add_scene_options(const Command& command, SceneOptions& options, bool with_
     command
         .add_option("--poses", options.poses,
                     "File with the poses of the second of two meshes, one row per frame: 12 "
-                    "numbers, or [TIME] tx ty tz qx qy qz qw; A=FILE,B=FILE: of both")
+                    "numbers, or [TIME] tx ty tz qx qy qz qw; A=FILE,B=FILE: of both; "
+                    "the names of the bodies are taken, too")
         .file({".csv", ".txt"})
         .type_name("FILE")
         .shareable();

@@ -57,17 +57,34 @@ scenes::Scene SceneOptions::load(const std::string& list_of_frames) const {
 }
 
 std::array<std::string, 2> SceneOptions::pose_logs() const {
-    if (!poses.starts_with("A=") && !poses.starts_with("B=")) return {"", poses};
+    // Names of bodies come before A and B, as in --bodies.
+    std::vector<std::string> known = {"A", "B"};
+    if (names.size() == 2) {
+        const std::array<std::string, 2> bodies = scenes::body_names(names[0], names[1]);
+        known.insert(known.begin(), bodies.begin(), bodies.end());
+    }
+    // The place of the name, with "=", at the beginning of a text.
+    const auto named_at = [&known](const std::string& text) {
+        return static_cast<std::size_t>(
+            std::ranges::find_if(
+                known, [&](const std::string& name) { return text.starts_with(name + "="); }) -
+            known.begin());
+    };
+    if (named_at(poses) == known.size()) return {"", poses};
     std::array<std::string, 2> logs;
     for (std::string rest = poses; !rest.empty();) {
-        std::string& log = logs[rest[0] == 'A' ? 0 : 1];
+        const std::size_t place = named_at(rest);
+        std::string& log = logs[place % 2];
         if (!log.empty())
-            throw InputError("--poses " + poses + ": " + rest[0] +
+            throw InputError("--poses " + poses + ": " + known[place] +
                              " is named twice; give A=FILE,B=FILE.");
-        const std::size_t end = std::min(rest.find(",A="), rest.find(",B="));
-        log = rest.substr(0, end).substr(2);
+        rest.erase(0, known[place].size() + 1);
+        std::size_t end = rest.find(',');
+        while (end != rest.npos && named_at(rest.substr(end + 1)) == known.size())
+            end = rest.find(',', end + 1);
+        log = rest.substr(0, end);
         if (log.empty())
-            throw InputError("--poses " + poses + ": the file of " + rest[0] +
+            throw InputError("--poses " + poses + ": the file of " + known[place] +
                              " has no name; give A=FILE,B=FILE.");
         rest = end == rest.npos ? "" : rest.substr(end + 1);
     }

@@ -35,7 +35,8 @@ struct SceneOptions {
     /// Whether the one name is a trace.
     bool is_trace() const;
     /// The logs in `poses`, of the first and the second mesh: "FILE" is of the second, "A=FILE" and
-    /// "B=FILE" name the mesh, and a comma is between the two. Throws InputError.
+    /// "B=FILE" name the mesh, and a comma is between the two. In place of A and B, a body may have
+    /// its name. Throws InputError.
     std::array<std::string, 2> pose_logs() const;
     /// The beginning of file names for a scene of this name. If a recording is among the names, it
     /// is the stems of the files, since a scene may have many recordings, and the selected queries;

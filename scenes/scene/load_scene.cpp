@@ -79,12 +79,9 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
     if (!same_file) scene.meshes.push_back({stem(second), load_mesh(second_file), second_file});
     scene.name = file_name_of(stem(first) + "-" + stem(second));
     scene.file.clear();
-    scene.bodies.push_back({stem(second), scene.meshes.size() - 1, {}});
-    // Bodies need different names.
-    if (scene.bodies[0].name == scene.bodies[1].name) {
-        scene.bodies[0].name += "-A";
-        scene.bodies[1].name += "-B";
-    }
+    const std::array<std::string, 2> bodies = body_names(first, second);
+    scene.bodies[0].name = bodies[0];
+    scene.bodies.push_back({bodies[1], scene.meshes.size() - 1, {}});
     if (options.pose)
         scene.bodies[1].motion = resting_at(*options.pose, options.exact_poses, "--pose");
     PoseLogs logs(options.exact_poses);
@@ -95,6 +92,12 @@ Scene two_meshes(const std::string& first, const std::string& second, const Load
 }
 
 }  // namespace
+
+std::array<std::string, 2> body_names(const std::string& first, const std::string& second) {
+    // Bodies need different names.
+    if (stem(first) == stem(second)) return {stem(first) + "-A", stem(second) + "-B"};
+    return {stem(first), stem(second)};
+}
 
 bool names_scene(const std::string& name) { return find_builtin(name) || is_scene_file(name); }
 

@@ -38,6 +38,9 @@ struct LoadOptions {
 /// does.
 Scene load_scene(const std::vector<std::string>& names, const LoadOptions& options = {});
 
+/// The names of the bodies of two mesh files.
+std::array<std::string, 2> body_names(const std::string& first, const std::string& second);
+
 /// Whether a name means a scene, built-in or in a file, and not a mesh.
 bool names_scene(const std::string& name);
 

@@ -65,6 +65,8 @@ TEST(PoseLogs, MoveBothMeshes) {
     EXPECT_GT(pairs[0], 0u);
     EXPECT_EQ(pairs[1], 0u);
     EXPECT_EQ(pairs_of(run_scb(both + "'B=" + in + ",A=" + away + "'")), pairs);
+    EXPECT_EQ(pairs_of(run_scb(both + "'pin=" + in + ",bracket=" + away + "'")), pairs);
+    EXPECT_EQ(pairs_of(run_scb(both + "'A=" + away + ",pin=" + in + "'")), pairs);
     EXPECT_EQ(pairs_of(run_scb(both + in)), (std::vector<std::size_t>{0, pairs[0]}));
     EXPECT_EQ(pairs_of(run_scb(both + "B=" + in)), (std::vector<std::size_t>{0, pairs[0]}));
 }
@@ -110,6 +112,7 @@ TEST(PoseLogs, AreRefusedWithASentence) {
     const ProgramRun run =
         run_scb("collide " + bracket_and_pin + "--poses " + log + " --pairs-out " + log);
     EXPECT_EQ(run.status, 2);
+             {bracket_and_pin + "--poses B=" + log + ",pin=" + log, "pin is named twice"},
     EXPECT_EQ(file_text(log), slide_rows);
 }
 
