@@ -1,6 +1,8 @@
 #include "app/pictures/picture_options.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <thread>
 
 #include "app/cli/choice.h"
@@ -27,6 +29,16 @@ int side_of(const std::string& size, std::size_t side) {
     return whole_number(parts[side], "--size " + size);
 }
 
+/// Whether the name ends like a picture in a format that is not written here, or in capitals.
+bool names_other_picture(const std::string& name) {
+    std::string ending = std::filesystem::path(name).extension().string();
+    if (ending == ".png") return false;
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::array endings = {".png",  ".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
+                                    ".tiff", ".webp", ".svg",  ".pdf", ".ppm"};
+    return std::ranges::find(endings, ending) != endings.end();
+}
+
 }  // namespace
 
 void PictureOptions::check() const {
@@ -50,6 +62,9 @@ void PictureOptions::check() const {
         throw InputError("--gl " + gl + ": give osmesa or egl.");
     if (job_count < 0 || job_count > 256)
         throw InputError("--jobs " + std::to_string(job_count) + ": give 1 to 256.");
+    if (names_other_picture(output))
+        throw InputError("-o " + output + ": pictures are PNG files; name " +
+                         (takes_file ? "a file .png, or a folder." : "a folder."));
     if (open && output.empty())
         throw InputError("--open: there is nothing to open; say where pictures go with -o DIR.");
     if (names_file() && !takes_file)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -50,6 +51,9 @@ int record(const TraceOptions& options, const Console& console) {
     if (options.output.ends_with(".scbtrace"))
         throw InputError("-o " + options.output +
                          ": only scb 1.0 wrote such files; name a file .scbrec.");
+    if (const std::filesystem::path output = options.output;
+        output.has_extension() && output.extension() != ".scbrec")
+        throw InputError("-o " + options.output + ": a trace is a .scbrec file; name it so.");
     // A trace names its recording, which is opened again without a selection.
     if (!options.records && !options.scene.selection.empty())
         throw InputError(options.scene.selection.words() +

@@ -96,15 +96,15 @@ bool ViewOptions::has_two_scenes() const {
 }
 
 void ViewOptions::check() const {
+    if (!level.picture.output.ends_with(".html"))
+        throw InputError("-o " + level.picture.output +
+                         ": the page is one HTML file; give a "
+                         "name that ends in .html.");
     level.check();
     if (level.color_by == render::ColorBy::surface)
         throw InputError(
             "--color-by surface: these colors are of one level, and the page has all; give "
             "another, or draw pictures with `scb render levels`.");
-    if (!level.picture.output.ends_with(".html"))
-        throw InputError("-o " + level.picture.output +
-                         ": the page is one HTML file; give a "
-                         "name that ends in .html.");
     check_output(level.picture.output, "-o");
     if (steps < 0) throw InputError("--steps " + std::to_string(steps) + ": give 0 or more tests.");
 }

@@ -216,7 +216,8 @@ TEST_F(RenderQueries, StopBetweenTwoStepsAtASignal) {
 TEST_F(RenderQueries, DoNotReplaceWhatTheyRead) {
     std::filesystem::create_directory(out);
     const std::string input = out + "/index.json";
-    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + input).status, 0);
+    ASSERT_EQ(run_scb("trace spheres-l1 --frames 100 -o " + trace_file).status, 0);
+    std::filesystem::rename(trace_file, input);
     const std::string before = file_text(input);
     for (const char* command : {"pairs ", "rejections ", "traversal "}) {
         const ProgramRun run = run_scb("render " + std::string(command) + input + " -o " + out);

@@ -539,7 +539,7 @@ TEST(CollideCommand, DoesNotOverwriteWhatItReads) {
         "bodies": [{"name": "A", "model": "m"}, {"name": "B", "model": "m"}]})");
     for (const std::string& arguments :
          {"collide " + mesh + " " + mesh + " --pairs-out ", "collide " + scene + " --pairs-out ",
-          "trace " + scene + " -o ", "export " + scene + " --level 0 -o "}) {
+          "export " + scene + " --level 0 -o "}) {
         const ProgramRun run = run_scb(arguments + mesh);
         EXPECT_EQ(run.status, 2) << arguments;
         EXPECT_NE(run.err.find("which this command reads"), std::string::npos) << run.err;

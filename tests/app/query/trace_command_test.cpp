@@ -189,6 +189,7 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     std::string newer = bytes;
     newer[8] = 2;
     write_text(folder / "newer", newer);
+    write_text(folder / "log", "0 0 0 0 0 0 1\n");
     write_text(folder / "one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     const std::size_t files = files_in(folder.path);
     const std::string out = " -o " + (folder / "new");
@@ -215,9 +216,11 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
         {"trace spheres-l1 --max-pairs 99999999999999999999" + out, "--max-pairs"},
         {"trace spheres-l1 --level ''" + out, "--levels: the value is empty"},
         {"trace spheres-l1 --threshold 0x1p-1 --test corrected" + out, "--threshold: '0x1p-1'"},
-        {"trace " + (folder / "one.off") + " " + (folder / "one.off") + " -o " +
-             (folder / "one.off"),
+        {"trace " + (folder / "one.off") + " " + (folder / "one.off") + " --poses " +
+             (folder / "log") + " -o " + (folder / "log"),
          "which this command reads"},
+        {"trace spheres-l1 -o " + (folder / "t.png"), "a trace is a .scbrec file; name it so."},
+        {"trace spheres-l1 --records -o " + (folder / "t.jsonl"), "a trace is a .scbrec file"},
         {"collide " + corrected, "this is a trace"},
         {"trace spheres-l1", "-o FILE"},
         {"trace spheres-l1 --events" + out, "--events"},
