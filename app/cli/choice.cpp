@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/platform/near_word.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -27,9 +28,12 @@ Option add_word_option(const Command& command, const std::string& names,
         names,
         [words, name, use](const std::string& text) {
             const auto found = std::find(words.begin(), words.end(), text);
-            if (found == words.end())
-                throw InputError(name + " " + (text.empty() ? "''" : text) + ": give " +
+            if (found == words.end()) {
+                const std::string near = did_you_mean(text, words);
+                throw InputError(name + " " + (text.empty() ? "''" : text) + ": " +
+                                 (near.empty() ? "" : "unknown" + near + "; ") + "give " +
                                  offered(words) + ".");
+            }
             use(static_cast<std::size_t>(found - words.begin()));
         },
         help);

@@ -4,6 +4,7 @@
 
 #include "app/cli/validators.h"
 #include "app/query/query_options.h"
+#include "core/platform/near_word.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scb/packed_hierarchy.h"
@@ -29,8 +30,9 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
     for (const std::string& name : names) {
         std::optional<PackedLayout> layout = packed_layout_of(name);
         if (!layout && name != "reference")
-            throw InputError("--layout " + list + ": '" + name +
-                             "' is not a layout; give some of reference, " + layout_names() + ".");
+            throw InputError("--layout " + list + ": '" + name + "' is not a layout" +
+                             did_you_mean(name, layout_words()) + "; give some of reference, " +
+                             layout_names() + ".");
         if (!known.insert(name).second)
             throw InputError("--layout " + list + ": '" + name +
                              "' is there twice; give each layout once.");

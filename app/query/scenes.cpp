@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/query/query_options.h"
 #include "core/base/exit_status.h"
+#include "core/platform/near_word.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
 
@@ -36,7 +37,8 @@ int list() {
 int show(const std::string& name) {
     const scenes::BuiltinScene* scene = scenes::find_builtin(name);
     if (scene == nullptr)
-        throw InputError("'" + name + "' is not a built-in scene; `scb scenes` lists them.");
+        throw InputError("'" + name + "' is not a built-in scene" +
+                         did_you_mean(name, builtin_names()) + "; `scb scenes` lists them.");
     print_result(scene->json);
     return exit_done;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/text_format.h"
+#include "core/platform/near_word.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 
@@ -10,12 +11,13 @@ namespace scb::app {
 
 std::vector<OverlapTest> QueryOptions::tests() const {
     std::vector<OverlapTest> tests;
+    std::vector<std::string> known;
+    for (const OverlapTest one : all_overlap_tests()) known.emplace_back(overlap_test_name(one));
     for (const std::string& name : split_list(test)) {
         const std::optional<OverlapTest> found = overlap_test_of(name);
         if (!found)
-            throw InputError("--test " + test + ": '" + name +
-                             "' is not an overlap test; give one of " +
-                             name_list(all_overlap_tests(), overlap_test_name) + ".");
+            throw InputError("--test " + test + ": '" + name + "' is not an overlap test" +
+                             did_you_mean(name, known) + "; give one of " + name_list(known) + ".");
         if (std::find(tests.begin(), tests.end(), *found) == tests.end()) tests.push_back(*found);
     }
     return tests;

@@ -210,8 +210,9 @@ std::vector<SplitMethod> splits_of(const std::string& list) {
     for (const std::string& name : split_list(list)) {
         const std::optional<SplitMethod> split = split_method_of(name);
         if (!split)
-            throw InputError("--split " + list + ": '" + name +
-                             "' is not a way to divide nodes; give paper, cost, or both.");
+            throw InputError("--split " + list + ": '" + name + "' is not a way to divide nodes" +
+                             did_you_mean(name, {"paper", "cost"}) +
+                             "; give paper, cost, or both.");
         if (std::find(splits.begin(), splits.end(), *split) == splits.end())
             splits.push_back(*split);
     }
