@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -58,6 +59,36 @@ std::string options_like(const std::string& word, const CLI::App& command) {
     return alike.empty() ? did_you_mean(word, names) : alike;
 }
 
+// The word is no command of this one; empty: a command is needed.
+std::string command_sentence(const std::string& word, const CLI::App& command,
+                             const std::string& path) {
+    std::vector<std::string> names;
+    for (const CLI::App* sub :
+         command.get_subcommands([](const CLI::App* app) { return !app->get_group().empty(); }))
+        names.push_back(sub->get_name());
+    return (word.empty()
+                ? "`" + path + "` needs a command"
+                : "unknown command '" + word + "' of `" + path + "`" + did_you_mean(word, names)) +
+           "; give one of " + CLI::detail::join(names, ", ");
+}
+
+// Throws InputError if a word before the options names no command, though there are commands.
+void check_topic(const CLI::App& program, const std::vector<std::string>& words) {
+    const CLI::App* command = &program;
+    std::string path = program.get_name();
+    for (const std::string& word : words) {
+        const std::vector<const CLI::App*> subs =
+            command->get_subcommands([](const CLI::App*) { return true; });
+        if (word.starts_with('-') || subs.empty()) return;
+        const auto next = std::ranges::find(subs, word, &CLI::App::get_name);
+        if (next == subs.end())
+            throw InputError(command_sentence(word, *command, path) + "; see `" + path +
+                             " --help`.");
+        command = *next;
+        path += " " + word;
+    }
+}
+
 // One sentence that names the unknown word, unlike the parser's message.
 std::string usage_sentence(const CLI::App& program, const std::vector<std::string>& words,
                            const CLI::ParseError& error) {
@@ -68,20 +99,13 @@ std::string usage_sentence(const CLI::App& program, const std::vector<std::strin
         !named.command->get_subcommands([](const CLI::App*) { return true; }).empty();
     std::string sentence = error.what();
     if (wants_command && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-        std::vector<std::string> names;
-        for (const CLI::App* sub : named.command->get_subcommands(
-                 [](const CLI::App* app) { return !app->get_group().empty(); }))
-            names.push_back(sub->get_name());
         // The word after the command's own name, if any.
         std::string word;
         for (auto it = words.rbegin(); it != words.rend(); ++it) {
             if (*it == named.command->get_name()) break;
             if (!it->starts_with('-')) word = *it;
         }
-        sentence = (word.empty() ? "`" + command + "` needs a command"
-                                 : "unknown command '" + word + "' of `" + command + "`" +
-                                       did_you_mean(word, names)) +
-                   "; give one of " + CLI::detail::join(names, ", ");
+        sentence = command_sentence(word, *named.command, command);
     }
     // The parser does not name hidden options.
     if (sentence.starts_with(": "))
@@ -201,6 +225,7 @@ std::optional<int> parse(CLI::App& program, const std::vector<std::string>& word
         program.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));
         return std::nullopt;
     } catch (const CLI::CallForHelp&) {
+        check_topic(program, words);
         // Help of the last named command.
         const Named named = named_command(program);
         print_result(named.command->help(named.parents));
@@ -220,6 +245,7 @@ std::optional<int> parse(CLI::App& program, const std::vector<std::string>& word
 std::vector<std::string> without_help_word(std::vector<std::string> words) {
     if (words.empty() || words[0] != "help") return words;
     words.erase(words.begin());
+    if (!words.empty() && words[0] == "help") words.clear();
     words.emplace_back("--help");
     return words;
 }

@@ -331,6 +331,17 @@ TEST(CommandLine, HelpOfACommandHasTwoSpellings) {
     EXPECT_EQ(run_scb("help").out, run_scb("--help").out);
     EXPECT_EQ(run_scb("help render levels").out, run_scb("render levels --help").out);
     EXPECT_EQ(run_scb("help diff").status, 0);
+    EXPECT_EQ(run_scb("help help").out, run_scb("--help").out);
+    for (const auto& [words, sentence] : std::vector<std::pair<std::string, std::string>>{
+             {"help nope", "unknown command 'nope' of `scb`; give one of "},
+             {"help clolide", "unknown command 'clolide' of `scb`, did you mean collide?; give"},
+             {"help render level", "'level' of `scb render`, did you mean levels?; give one"},
+             {"nope --help", "unknown command 'nope' of `scb`"}}) {
+        const ProgramRun run = run_scb(words);
+        EXPECT_EQ(run.status, 2) << words;
+        EXPECT_EQ(run.out, "");
+        EXPECT_NE(run.err.find(sentence), std::string::npos) << run.err;
+    }
 }
 
 TEST(CommandLine, SuggestsTheNearestWord) {
