@@ -63,11 +63,10 @@ std::vector<int> some_levels(const scenes::Scene& scene) {
 /// The options that the scene needs besides its name.
 std::vector<std::string> pose_words(const SceneOptions& options, const fs::path& folder) {
     const auto [of_a, of_b] = options.pose_logs();
+    const std::string b = of_b.empty() ? "" : name_from(of_b, folder);
     if (!of_a.empty())
-        throw InputError("--poses " + options.poses +
-                         ": a suite moves both bodies by a scene file; write one, as "
-                         "scenes/README.md says.");
-    if (!of_b.empty()) return {"--poses", name_from(of_b, folder)};
+        return {"--poses", "A=" + name_from(of_a, folder) + (b.empty() ? "" : ",B=" + b)};
+    if (!b.empty()) return {"--poses", b};
     if (options.pose.empty()) return {};
     std::string numbers;
     for (const double number : options.pose)

@@ -141,14 +141,20 @@ TEST(PoseLogs, AreInSuites) {
     ASSERT_EQ(init.status, 0) << init.err;
     const std::string cases = file_text(folder.path / "suite/cases.json");
     EXPECT_NE(cases.find(R"("--poses", "../logs/slide.csv")"), std::string::npos) << cases;
-    const ProgramRun both = run_scb("golden init --ci none " + bracket_and_pin +
-                                    "--poses A=" + log + " -o " + (folder / "suite2"));
-    EXPECT_EQ(both.status, 2);
-    EXPECT_NE(both.err.find("moves both bodies by a scene file"), std::string::npos) << both.err;
-    const ProgramRun checked =
-        run_scb("golden update counts --suite " + (folder / "suite/cases.json") + " --baselines " +
-                (folder / "baselines"));
-    EXPECT_EQ(checked.status, 0) << checked.err << checked.out;
+    const ProgramRun both =
+        run_scb("golden init --ci none " + bracket_and_pin + "--poses A=" + log + ",B=" + log +
+                " -o " + (folder / "suite2"));
+    ASSERT_EQ(both.status, 0) << both.err;
+    const std::string of_both = file_text(folder.path / "suite2/cases.json");
+    EXPECT_NE(of_both.find(R"("--poses", "A=../logs/slide.csv,B=../logs/slide.csv")"),
+              std::string::npos)
+        << of_both;
+    for (const char* suite : {"suite", "suite2"}) {
+        const ProgramRun checked =
+            run_scb("golden update counts --suite " + (folder / suite) + "/cases.json" +
+                    " --baselines " + (folder / "baselines"));
+        EXPECT_EQ(checked.status, 0) << checked.err << checked.out;
+    }
 }
 
 }  // namespace
