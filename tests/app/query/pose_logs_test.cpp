@@ -99,6 +99,7 @@ TEST(PoseLogs, AreRefusedWithASentence) {
               "--pose and --poses exclude each other"},
              {bracket_and_pin + "--poses A=" + log + ",B=" + one, ": it has 6 poses, and "},
              {bracket_and_pin + "--poses A=" + log + ",A=" + log, "A is named twice"},
+             {bracket_and_pin + "--poses B=" + log + ",pin=" + log, "pin is named twice"},
              {bracket_and_pin + "--poses A=,B=" + log, "the file of A has no name"},
              {bracket_and_pin + "--poses " + log + " --frames 3", "there is no frame 3"},
              {bracket_and_pin + "--poses gone.csv", "gone.csv: there is no such file"},
@@ -112,7 +113,6 @@ TEST(PoseLogs, AreRefusedWithASentence) {
     const ProgramRun run =
         run_scb("collide " + bracket_and_pin + "--poses " + log + " --pairs-out " + log);
     EXPECT_EQ(run.status, 2);
-             {bracket_and_pin + "--poses B=" + log + ",pin=" + log, "pin is named twice"},
     EXPECT_EQ(file_text(log), slide_rows);
 }
 

@@ -361,9 +361,9 @@ TEST_F(OwnNumbers, PicturesNameTheirNodesByThem) {
     record_both("cone --frames 100 --volume obb");
     const std::string out = folder / "out";
     const auto picked = [&](const std::string& source) {
-        const ProgramRun run =
-            run_scb("render rejections " + source +
-                    " --focus 1 --size 640x480 --no-panel --pick 320,240 -o " + out);
+        const ProgramRun run = run_scb(
+            "render rejections " + source +
+            " --focus 1 --size 640x480 --no-panel --usual-direction --pick 320,240 -o " + out);
         EXPECT_EQ(run.status, 0) << run.err;
         const std::size_t at = run.out.find("node ");
         return at == std::string::npos ? "" : run.out.substr(at, run.out.find(" of ", at) - at);
