@@ -97,6 +97,17 @@ std::vector<Work> work_below(const TraceHeader& header, const QueryTrace& frame)
     return below;
 }
 
+/// For each test, whether neighbors are below it: triangles of one body with a common vertex. They
+/// are no pair, but no volumes and no test could keep them apart.
+std::vector<char> neighbors_below(const QueryTrace& frame) {
+    std::vector<char> below(frame.steps.volumes.size());
+    for (const ItemStep& item : frame.steps.items)
+        for (std::uint32_t i = item.neighbors ? item.step : none; i != none && below[i] == 0;
+             i = frame.steps.volumes[i].parent)
+            below[i] = 1;
+    return below;
+}
+
 template <class V>
 std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& b,
                                      const QueryTrace& frame,
@@ -130,12 +141,12 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
 }
 
 /// A passed pair, without `below` and the members that depend on other tests.
-PassedPair passed_pair(std::uint32_t test, const TestedPair& of) {
+PassedPair passed_pair(std::uint32_t test, const TestedPair& of, bool meets) {
     PassedPair pair;
     pair.test = test;
     pair.exact = of.exact;
     pair.leaves = of.leaves;
-    if (of.contacts > 0) {
+    if (meets) {
         pair.reason = PassReason::triangles_meet;
     } else if (of.exact == Contact::disjoint) {
         pair.reason = PassReason::weak_test;
@@ -160,6 +171,8 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
                                          header.options.descent, frame.found);
     // Parents come before their children.
     std::vector<char> weak_so_far(tests.size());
+    const std::vector<char> neighbors = neighbors_below(frame);
+    const auto meets = [&](std::uint32_t i) { return pairs[i].contacts > 0 || neighbors[i] != 0; };
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const TestedPair& of = pairs[i];
         if (!of.known) continue;
@@ -170,10 +183,10 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
             counts.missed += of.contacts;
             continue;
         }
-        PassedPair pair = passed_pair(i, of);
+        PassedPair pair = passed_pair(i, of, meets(i));
         pair.below = below[i];
         if (const std::uint32_t parent = tests[i].parent; parent != none) {
-            pair.within_false_pair = pairs[parent].known && pairs[parent].contacts == 0;
+            pair.within_false_pair = pairs[parent].known && !meets(parent);
             pair.within_weak_test = weak_so_far[parent] != 0;
         }
         const bool weak = pair.reason == PassReason::weak_test;

@@ -167,6 +167,19 @@ TEST(InspectAdvice, MeasuresSettingsAgainstTestsThatMissNoPairs) {
     EXPECT_EQ(best, counted["settings"][counted["best"]["cost"].get<std::size_t>()]);
 }
 
+TEST(InspectAdvice, DoesNotTakeNeighborsForWaste) {
+    const TemporaryFolder folder;
+    const json found = inspect(folder.write("ball.json",
+                                            R"({"scb_scene": 1, "name": "ball", "models": [
+        {"name": "ball", "icosphere": {"subdivisions": 2}}],
+        "bodies": [{"name": "ball", "model": "ball"}]})") +
+                               " --bodies ball,ball --no-advice"),
+               sum = found["sum"];
+    EXPECT_EQ(sum["pairs"], 0u);
+    EXPECT_GT(sum["leaves"]["true"], 100u) << sum;
+    EXPECT_LT(sum["wasted"]["n_v"].get<double>(), 0.8 * sum["n_v"].get<double>()) << sum;
+}
+
 TEST(InspectAdvice, TriesNoSettingsIfNoAdviceIsAskedFor) {
     const json without = inspect("knots-l1 --frames 0 --no-advice");
     EXPECT_FALSE(without.contains("settings"));
