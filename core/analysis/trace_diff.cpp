@@ -19,6 +19,13 @@ const std::string* value_of(const std::vector<TraceField>& fields, const std::st
     return nullptr;
 }
 
+/// Recordings have names of volumes in capitals.
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 std::vector<FieldDifference> asked_differently(const TraceHeader& a, const TraceHeader& b) {
     std::vector<FieldDifference> result;
     std::vector<TraceField> fields_a = fields_of(a), fields_b = fields_of(b);
@@ -40,7 +47,9 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
     }
     for (const TraceField& field : fields_a) {
         const std::string* other = value_of(fields_b, field.name);
-        if (other == nullptr || *other != field.value)
+        if (other == nullptr ||
+            (field.name == "volume" ? lower_case(*other) != lower_case(field.value)
+                                    : *other != field.value))
             result.push_back({field.name, field.value, other ? *other : "-"});
     }
     for (const TraceField& field : fields_b)

@@ -244,6 +244,17 @@ TEST_F(TraceCommand, BadInputIsOneSentenceAndStatus2) {
     EXPECT_EQ(files_in(folder.path), files);
 }
 
+TEST_F(TraceCommand, DiffKnowsTheVolumesOfItsOwnRecords) {
+    for (const char* volume : {"scb", "obb", "ball"}) {
+        const std::string query = std::string("trace cone --frames 80 --volume ") + volume + " -o ";
+        ASSERT_EQ(run_scb(query + (folder / "t.scbrec")).status, 0);
+        ASSERT_EQ(run_scb(query + (folder / "r.scbrec") + " --records").status, 0);
+        const ProgramRun run =
+            run_scb("diff " + (folder / "t.scbrec") + " " + (folder / "r.scbrec"));
+        EXPECT_EQ(run.out.find("volume "), std::string::npos) << run.out;
+    }
+}
+
 TEST_F(TraceCommand, RecordsOfABodyAgainstItselfHaveOneBody) {
     const std::string file = folder / "self.scbrec";
     for (const char* volume : {"scb", "obb"}) {
