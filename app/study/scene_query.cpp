@@ -1,5 +1,6 @@
 #include "app/study/scene_query.h"
 
+#include <cmath>
 #include <optional>
 
 #include "app/study/query_timing.h"
@@ -183,7 +184,44 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     return header;
 }
 
+namespace {
+
+/// The largest coordinate of a body's position.
+double farthest(const scenes::Scene& scene, const scenes::Motion& motion) {
+    double most = 0;
+    const auto add = [&most](const Pose& pose) {
+        most = std::max(most, pose.translation.cwiseAbs().maxCoeff());
+    };
+    for (const scenes::PoseKey& key : motion.told) add(key.pose);
+    // Other paths are straight.
+    if (motion.told.empty())
+        for (const int frame : {0, scene.frames - 1}) add(scenes::pose_at(motion, frame));
+    return most;
+}
+
+/// Notes the body whose positions lose the most by rounding, if they lose much.
+void note_far_poses(const scenes::Scene& scene, const Note& note) {
+    constexpr double far = 1e7;
+    const scenes::Body* worst = nullptr;
+    double most = 0;
+    for (const scenes::Body& body : scene.bodies) {
+        const Box box = bounding_box(scene.meshes[body.mesh].mesh);
+        const double coordinate = farthest(scene, body.motion);
+        if (coordinate <= far * (box.upper - box.lower).norm() || coordinate <= most) continue;
+        most = coordinate;
+        worst = &body;
+    }
+    if (worst != nullptr)
+        note("scb: " + worst->name +
+             format(" is up to %.2g units from the origin; positions there "
+                    "are exact only to %.1g units.",
+                    most, std::nextafter(most, HUGE_VAL) - most));
+}
+
+}  // namespace
+
 void note_poses(const SceneOptions& options, const scenes::Scene& scene, const Note& note) {
+    note_far_poses(scene, note);
     if (options.names.size() == 2 && options.pose.empty() && options.poses.empty())
         note("scb: both bodies are at the same pose; --pose moves the second.");
     for (const scenes::Body& body : scene.bodies) {

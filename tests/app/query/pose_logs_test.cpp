@@ -90,6 +90,18 @@ TEST(PoseLogs, AreCorrectedWithANoteThatNamesTheLine) {
         << exact.err;
 }
 
+TEST(PoseLogs, AreNotedWherePositionsLosePrecision) {
+    const TemporaryFolder folder;
+    for (const auto& [x, note] : std::vector<std::pair<std::string, std::string>>{
+             {"1e12",
+              "scb: pin is up to 1e+12 units from the origin; positions there are exact "
+              "only to 0.0001 units.\n"},
+             {"1e6", ""}}) {
+        const std::string log = folder.write("log.csv", "0 0 0 0 0 0 1\n" + x + " 0 0 0 0 0 1\n");
+        EXPECT_EQ(run_scb("collide " + bracket_and_pin + "--poses " + log).err, note);
+    }
+}
+
 TEST(PoseLogs, AreRefusedWithASentence) {
     const TemporaryFolder folder;
     const std::string log = folder.write("log.csv", slide_rows),
@@ -101,6 +113,7 @@ TEST(PoseLogs, AreRefusedWithASentence) {
              {bracket_and_pin + "--poses A=" + log + ",A=" + log, "A is named twice"},
              {bracket_and_pin + "--poses B=" + log + ",pin=" + log, "pin is named twice"},
              {bracket_and_pin + "--poses A=,B=" + log, "the file of A has no name"},
+             {bracket_and_pin + "--poses B=" + log + ",pin=" + log, "pin is named twice"},
              {bracket_and_pin + "--poses " + log + " --frames 3", "there is no frame 3"},
              {bracket_and_pin + "--poses gone.csv", "gone.csv: there is no such file"},
              {sample_folder + "bracket.json --poses " + log, "--poses: it moves two mesh files"}}) {
