@@ -134,11 +134,26 @@ std::vector<std::string> alarm_findings(const InspectReport& report) {
     return {alarm};
 }
 
+bool has_advice(const InspectReport& report) {
+    // Of fewer tests, the next pose may say the opposite.
+    constexpr std::uint64_t least_tests = 100;
+    const Work& all = report.sum.counts.all;
+    return report.settings &&
+           (report.settings->recorded || all.volume_tests + all.triangle_tests >= least_tests);
+}
+
 std::vector<std::string> advice_findings(const InspectReport& report) {
     if (!report.settings) return {};
     const SceneTuning& tuning = report.settings->tuning;
     if (report.settings->recorded) return {recorded_advice(*report.settings)};
+    if (!has_advice(report))
+        return {"Too few tests to advise: " +
+                render::counted(report.sum.counts.all.volume_tests, "volume test", "volume tests") +
+                "."};
     std::string best = best_sentences(tuning, "the present setting").front();
+    const std::size_t frames = report.frames.size();
+    best.insert(best.find(": "),
+                (frames == 1 ? " in " : " ") + settings_words(tuning, frames, "over"));
     if (!tuning.timed()) best += " Cost: assumed time of the tests.";
     return {best};
 }

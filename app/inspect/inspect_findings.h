@@ -10,7 +10,11 @@ namespace scb::app {
 /// A sentence if the test rejected volumes that meet.
 std::vector<std::string> alarm_findings(const InspectReport& report);
 
-/// The setting that would have helped most. The table of settings has the others.
+/// Whether other settings were tried, in enough tests to advise one.
+bool has_advice(const InspectReport& report);
+
+/// The setting that would have helped most; with too few tests, a sentence on that. The table
+/// of settings has the others.
 std::vector<std::string> advice_findings(const InspectReport& report);
 
 /// How much was wasted and why, and which triangles took the most tests.

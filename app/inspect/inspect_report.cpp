@@ -123,7 +123,7 @@ std::string others_text(const InspectReport& report) {
 
 std::string triangles_text(const InspectReport& report) {
     const Table table = triangles_table(report);
-    return table.size() == 0 ? "" : table.text() + "\n";
+    return table.size() == 0 ? "" : triangles_heading + table.text() + "\n";
 }
 
 Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
@@ -283,7 +283,8 @@ std::string inspect_rejections_text(const InspectReport& report, std::size_t mos
 }
 
 std::string inspect_frames_text(const InspectReport& report, std::size_t most) {
-    std::string text =
+    std::string text = report.frames.size() == 1 ? "" : "frames, the most wasted N_v first\n";
+    text +=
         "frame    pairs       N_v    passed     true      fit     test     wasted    share    "
         "wasted    share\n"
         "                                                                    N_v   of N_v       "
@@ -308,7 +309,7 @@ std::string inspect_text(const InspectReport& report, bool full) {
                     first_words(report) + "\n";
         text += full ? waste_text(report) : inspect_summary(report);
     }
-    if (report.settings && full) text += settings_text(*report.settings, report.frames.size());
+    if (has_advice(report) && full) text += settings_text(*report.settings, report.frames.size());
     if (!report.recording || report.recording->pictures.empty()) return text;
     text += "\nPictures\n";
     for (const ProblemPicture& picture : report.recording->pictures)
@@ -327,7 +328,8 @@ Json inspect_json(const InspectReport& report) {
     }
     if (report.settings) {
         json["settings"] = settings_json(*report.settings);
-        if (report.settings->cuts) json["settings"]["cuts"] = cuts_json(report);
+        if (has_advice(report) && report.settings->cuts)
+            json["settings"]["cuts"] = cuts_json(report);
     }
     return json;
 }

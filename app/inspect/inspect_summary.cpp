@@ -29,10 +29,18 @@ std::string command_lines(const std::string& command) {
     for (std::size_t begin = 0; begin < command.size();) {
         std::size_t end = is_quoted ? std::string::npos : command.find(" --", begin + 1);
         end = std::min(end, command.size());
-        const std::string part = command.substr(begin, end - begin);
+        std::string part = command.substr(begin, end - begin);
         if (begin > 0 && width + part.size() + 2 > report_width) {
             text += " \\\n     ";
             width = 5;
+        }
+        // A list goes on at the beginning of a line: blanks there would end the word.
+        while (!is_quoted && width + part.size() > report_width) {
+            const std::size_t comma = part.rfind(',', report_width - width - 2);
+            if (comma == std::string::npos) break;
+            text += part.substr(0, comma + 1) + "\\\n";
+            part.erase(0, comma + 1);
+            width = 0;
         }
         text += part;
         width += part.size();
@@ -43,11 +51,14 @@ std::string command_lines(const std::string& command) {
 
 std::string advice_text(const InspectReport& report) {
     std::string text = sentences_text(advice_findings(report));
-    if (report.settings) {
+    if (has_advice(report)) {
         const SceneTuning& tuning = report.settings->tuning;
         const TuneLayout* const layout = tuning.cheapest_layout();
         text += command_lines(layout ? report.settings->layout_command : report.settings->command);
-        if (layout) text += "  C++: " + layout_code(tuning, *layout) + "\n";
+        text += "  C++: " +
+                (layout ? layout_code(tuning, *layout)
+                        : setting_code(tuning, tuning.rows[tuning.recommended()].setting)) +
+                "\n";
     }
     text += sentences_text(cut_sentences(report));
     for (const std::string& command : cut_commands(report)) text += command_lines(command);
@@ -57,8 +68,7 @@ std::string advice_text(const InspectReport& report) {
 std::string costly_text(const InspectReport& report) {
     const Table table = triangles_table(report, most_triangles);
     if (table.size() == 0) return "";
-    return "triangles in the most tests; N_v: tests of nodes that hold the triangle\n" +
-           table.text() + "\n";
+    return triangles_heading + table.text() + "\n";
 }
 
 std::string pairs_text(const InspectReport& report) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_text.h"
+#include "app/inspect/inspect_findings.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -80,7 +81,7 @@ std::vector<std::string> triangle_sentences(const InspectReport& report) {
 }
 
 std::vector<std::string> cut_sentences(const InspectReport& report) {
-    if (!report.settings || !report.settings->cuts) return {};
+    if (!has_advice(report) || !report.settings->cuts) return {};
     const CutTrial& cuts = *report.settings->cuts;
     const SceneTuning& tuning = report.settings->tuning;
     std::string what;
@@ -108,7 +109,7 @@ std::vector<std::string> cut_sentences(const InspectReport& report) {
 }
 
 std::vector<std::string> cut_commands(const InspectReport& report) {
-    if (!report.settings || !report.settings->cuts) return {};
+    if (!has_advice(report) || !report.settings->cuts) return {};
     std::vector<std::string> commands;
     for (const MeshCut& cut : report.settings->cuts->meshes) {
         std::string numbers;

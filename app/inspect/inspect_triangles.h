@@ -9,6 +9,9 @@
 
 namespace scb::app {
 
+inline constexpr const char* triangles_heading =
+    "triangles in the most tests; N_v: tests of nodes that hold the triangle\n";
+
 /// The triangles of both bodies that take part in the most tests, at most `most` of each: number,
 /// tests, share, size.
 Table triangles_table(const InspectReport& report, std::size_t most = most_costly);

@@ -22,6 +22,21 @@ std::string packed_text(const TuneSetting& s) {
                                              : "");
 }
 
+/// "{.fit = {.margin = 0.1}, .split = scb::SplitMethod::cost}": the BuildOptions of the setting.
+/// Empty if they are the default ones with the split `usual`.
+std::string build_code(const SceneTuning& tuning, const TuneSetting& setting, SplitMethod usual) {
+    const double margin = tuning.build.fit.margin;
+    std::string fit;
+    const auto add = [&fit](const std::string& field) { fit += (fit.empty() ? "" : ", ") + field; };
+    if (has_growth(setting.volume) && setting.growth != TuneSetting{}.growth)
+        add(".growth = scb::BallGrowth::radius");
+    if (setting.volume == VolumeKind::ritter) add(".ball_method = scb::BallMethod::ritter");
+    if (has_margin(setting.volume) && margin != 0) add(".margin = " + Json(margin).dump());
+    if (setting.split == usual && fit.empty()) return "";
+    return "{" + (fit.empty() ? "" : ".fit = {" + fit + "}, ") + ".split = scb::SplitMethod::" +
+           (setting.split == SplitMethod::cost ? "cost}" : "section_3}");
+}
+
 std::string row_text(const SceneTuning& tuning, const TuneLayout& layout) {
     const Work& unpacked = tuning.rows[layout.row].counts;
     const auto mean = [&](std::uint64_t sum) {
@@ -74,27 +89,48 @@ std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
     const bool is_quantized = layout.layout.numbers == PackedLayout::Numbers::quantized,
                is_indexed = layout.layout.corners == LeafCorners::in_mesh;
     const bool gives_leaf = is_indexed || layout.layout.leaf_triangles != most_leaf_triangles;
-    const double margin = tuning.build.fit.margin;
-    std::string fit;
-    if (setting.growth != TuneSetting{}.growth) fit = ".growth = scb::BallGrowth::radius";
-    if (margin != 0) fit += (fit.empty() ? ".margin = " : ", .margin = ") + Json(margin).dump();
+    const std::string build = build_code(tuning, setting, packed_build.split);
     std::string code =
         "scb::build_packed<scb::" + std::string(is_quantized ? "QuantizedCodec" : "FloatCodec") +
         "<" + std::to_string(layout.layout.width) +
         (setting.volume == VolumeKind::scb2 ? ", scb::Scb2" : "") + ">>(mesh";
-    if (setting.split != packed_build.split || !fit.empty())
-        code += ", {" + (fit.empty() ? "" : ".fit = {" + fit + "}, ") +
-                ".split = scb::SplitMethod::" +
-                (setting.split == SplitMethod::cost ? "cost}" : "section_3}");
+    if (!build.empty())
+        code += ", " + build;
     else if (gives_leaf)
         code += ", scb::packed_build";
     if (gives_leaf) code += ", " + std::to_string(layout.layout.leaf_triangles);
     return code + (is_indexed ? ", scb::LeafCorners::in_mesh)" : ")");
 }
 
+std::string setting_code(const SceneTuning& tuning, const TuneSetting& setting) {
+    const std::string build = build_code(tuning, setting, BuildOptions{}.split);
+    std::string code, options;
+    switch (setting.volume) {
+#define SCB_TYPE(kind, V, name)                          \
+    case VolumeKind::kind:                               \
+        code = "scb::build_hierarchy<scb::" #V ">(mesh"; \
+        break;
+        SCB_FOR_EACH_VOLUME_KIND(SCB_TYPE)
+#undef SCB_TYPE
+    }
+    code += (build.empty() ? "" : ", " + build) + ")";
+    const OverlapOptions& overlap = setting.overlap;
+    if (setting.volume == VolumeKind::scb && overlap.test != OverlapOptions{}.test)
+        options = ".overlap = {scb::OverlapTest::" + std::string(overlap_test_name(overlap.test)) +
+                  (has_threshold(overlap.test) ? ", " + Json(overlap.threshold).dump() : "") + "}";
+    if (setting.descent != CollideOptions{}.descent)
+        options += (options.empty() ? ".descent = scb::DescentRule::"
+                                    : ", .descent = scb::DescentRule::") +
+                   std::string(descent_rule_name(setting.descent));
+    return options.empty() ? code : code + "; scb::collide(a, b, b_to_a, {" + options + "})";
+}
+
 std::string use_text(const SceneTuning& tuning, const std::string& command,
                      const std::string& layout_command) {
-    if (layout_command.empty()) return "To use it: " + command + "\n";
+    if (layout_command.empty())
+        return "To use it: " + command +
+               "\n  in C++: " + setting_code(tuning, tuning.rows[tuning.recommended()].setting) +
+               "\n";
     const std::string code = layout_code(tuning, tuning.layouts[*tuning.quicker_layout]);
     return tuning.timed() ? "To use it: " + command + "\nQuicker, packed: " + layout_command +
                                 "\n  in C++: " + code + "\n"

@@ -20,6 +20,10 @@ std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 /// The call of the library that builds such a hierarchy of `mesh`.
 std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout);
 
+/// The calls of the library that build such an unpacked hierarchy of `mesh` and, if the overlap
+/// test or the descent are others than the default, make a query.
+std::string setting_code(const SceneTuning& tuning, const TuneSetting& setting);
+
 /// How to make the best queries: `command`, `layout_command` (empty if no layout is quicker), and
 /// the call of the library.
 std::string use_text(const SceneTuning& tuning, const std::string& command,

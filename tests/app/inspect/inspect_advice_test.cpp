@@ -37,13 +37,26 @@ TEST(InspectAdvice, NamesTheSettingThatWouldHaveHelpedMost) {
     EXPECT_LT(text.find("\n  " + command + "\n"), text.find("volume tests")) << text;
     const std::string full = run_scb("inspect --full " + asked).out;
     EXPECT_NE(full.find(" of the cost of the present setting ("), std::string::npos) << full;
-    EXPECT_TRUE(full.ends_with("To use it: " + command + "\n")) << full;
+    const std::string code = "C++: scb::build_hierarchy<scb::Capsule>(mesh)\n";
+    EXPECT_TRUE(full.ends_with("To use it: " + command + "\n  in " + code)) << full;
+    EXPECT_NE(text.find("\n  " + code), std::string::npos) << text;
+    for (const char* part : {"\ntriangles in the most tests; N_v: ",
+                             "\nframes, the most wasted N_v first\nframe    pairs"}) {
+        EXPECT_NE(full.find(part), std::string::npos) << full;
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+    EXPECT_NE(text.find("settings over 2 frames: "), std::string::npos) << text;
     EXPECT_NE(text.find(" are slender"), std::string::npos) << text;
 }
 
 TEST(InspectAdvice, FitsOnAScreen) {
-    for (const char* queries : {"spheres-l1 --frames 0:499:100", "knots-l1 --frames 0,200"}) {
-        std::istringstream text(run_scb("inspect " + std::string(queries)).out);
+    std::string many = "cone --frames 60";
+    for (int frame = 61; frame < 100; ++frame) many += "," + std::to_string(frame);
+    for (const std::string& queries : {std::string("spheres-l1 --frames 0:499:100"),
+                                       std::string("knots-l1 --frames 0,200"), many}) {
+        const std::string out = run_scb("inspect " + queries).out;
+        EXPECT_EQ(out.find(",\\\n") != std::string::npos, queries == many) << out;
+        std::istringstream text(out);
         std::string line, last;
         std::size_t lines = 0;
         for (; std::getline(text, line); ++lines) {
@@ -165,6 +178,20 @@ TEST(InspectAdvice, MeasuresSettingsAgainstTestsThatMissNoPairs) {
                    run_scb("tune " + file + " --test printed --frames 0:2 --no-time --json").out),
                counted = all.is_array() ? all[0] : all;
     EXPECT_EQ(best, counted["settings"][counted["best"]["cost"].get<std::size_t>()]);
+}
+
+TEST(InspectAdvice, NeedsAHundredTests) {
+    for (const char* more : {"", " --full"}) {
+        const std::string text = run_scb(std::string("inspect spheres-l1 --frame 0") + more).out;
+        EXPECT_NE(text.find("\nToo few tests to advise: 1 volume test.\n"), std::string::npos);
+        for (const char* advice : {"Best of ", "scb collide", "C++"})
+            EXPECT_EQ(text.find(advice), std::string::npos) << text;
+    }
+}
+
+TEST(InspectAdvice, NamesTheFrameOfItsCounts) {
+    const std::string text = run_scb("inspect spheres-l1 --frames 100").out;
+    EXPECT_NE(text.find(" in frame 100: "), std::string::npos) << text;
 }
 
 TEST(InspectAdvice, DoesNotTakeNeighborsForWaste) {
