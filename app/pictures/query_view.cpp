@@ -227,7 +227,7 @@ double QueryView::least_radius() const {
 std::vector<AnyVolume> QueryView::near_contact(std::vector<AnyVolume> region) const {
     if (region.empty()) return region;
     const Ball contact = render::ball_about_centers(region);
-    region.emplace_back(Ball{contact.center, std::max(contact.radius, least_radius())});
+    region.emplace_back(Ball{contact.center, std::max(2 * contact.radius, least_radius())});
     return region;
 }
 

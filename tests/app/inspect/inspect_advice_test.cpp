@@ -59,8 +59,10 @@ TEST(InspectAdvice, FitsOnAScreen) {
         std::istringstream text(out);
         std::string line, last;
         std::size_t lines = 0;
-        for (; std::getline(text, line); ++lines) {
+        while (std::getline(text, line)) {
             last = line;
+            // A line of a list that goes on is no line of its own.
+            lines += !line.ends_with(",\\");
             if (!line.starts_with("  C++: ")) {
                 EXPECT_LE(character_count(line), 100u) << line;
             }
