@@ -36,9 +36,9 @@ bool same_size(const render::Image& a, const render::Image& b) {
 
 /// The part of the picture with the scene: without the title and the panel of numbers, since its
 /// digits change with every change. The whole picture for plots.
-PixelBox scene_part(GoldenRun run, const render::Image& image) {
-    if (!has_ids(run)) return {0, 0, image.width, image.height};
-    const render::PixelRect view = render::figure_layout(image.width, image.height).view;
+PixelBox scene_part(const GoldenCase& golden, const render::Image& image) {
+    const bool has_panel = golden.panel && has_ids(golden.run);
+    const render::PixelRect view = render::figure_layout(image.width, image.height, has_panel).view;
     return {view.x, view.y, view.x + view.width, view.y + view.height};
 }
 
@@ -194,7 +194,7 @@ class Comparison {
         said_.push_back("the colors of " + pixels_words(closest->pixels, closest->box) +
                         ", by up to " + std::to_string(closest->largest) + " of 255");
         result_.colors = closest;
-        result_.focus = changed_box(closest_image, after, scene_part(golden_.run, after));
+        result_.focus = changed_box(closest_image, after, scene_part(golden_, after));
         if (result_.focus.empty()) result_.focus = closest->box;
         copy_pictures(&closest_image, after);
     }

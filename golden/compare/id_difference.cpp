@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "golden/compare/image_difference.h"
+
 namespace scb::golden {
 namespace {
 
@@ -109,7 +111,7 @@ render::Image shown_id_difference(const render::IdImage& before, const render::I
             const auto pale = static_cast<std::uint8_t>(id == 0 ? 250 : 205 + color_of(id).g / 8);
             render::set_pixel(image, x, y,
                               id == render::pixel(before, x, y) ? render::Rgba8{pale, pale, pale}
-                                                                : render::Rgba8{213, 0, 70});
+                                                                : changed_color);
         }
     return image;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace scb::golden {
 namespace {
@@ -17,11 +18,8 @@ int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
     return largest;
 }
 
-/// Okabe and Ito's vermillion, which differs from all pale or grey colors.
-constexpr render::Rgba8 accent{0xD5, 0x5E, 0x00};
-
-/// A share of the accent on white, in 255ths: a difference of 1 has more than a third.
-int accent_share(int difference) { return 95 + 160 * difference / 255; }
+/// A share of the changed color on white, in 255ths: even a difference of 1 is a strong color.
+int changed_share(int difference) { return 200 + 55 * difference / 255; }
 
 std::uint8_t between(int from, int to, int share) {
     return static_cast<std::uint8_t>(from + (to - from) * share / 255);
@@ -95,12 +93,60 @@ render::Image difference_picture(const render::Image& a, const render::Image& b)
                 render::set_pixel(picture, x, y, pale_grey(render::pixel(b, x, y)));
                 continue;
             }
-            const int share = accent_share(by);
-            render::set_pixel(picture, x, y,
-                              {between(255, accent.r, share), between(255, accent.g, share),
-                               between(255, accent.b, share), 255});
+            const int share = changed_share(by);
+            render::set_pixel(
+                picture, x, y,
+                {between(255, changed_color.r, share), between(255, changed_color.g, share),
+                 between(255, changed_color.b, share), 255});
         }
     return picture;
+}
+
+namespace {
+
+bool is_changed(render::Rgba8 color) { return color.r != color.g || color.g != color.b; }
+
+/// The clusters of pixels of square cells that touch.
+std::vector<PixelBox> clusters_of_cells(const render::Image& difference, int cell) {
+    const int columns = (difference.width + cell - 1) / cell,
+              rows = (difference.height + cell - 1) / cell;
+    std::vector<PixelBox> cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    const auto at = [&](int column, int row) -> PixelBox& {
+        return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                     static_cast<std::size_t>(column)];
+    };
+    for (int y = 0; y < difference.height; ++y)
+        for (int x = 0; x < difference.width; ++x)
+            if (is_changed(render::pixel(difference, x, y))) at(x / cell, y / cell).add(x, y);
+    std::vector<PixelBox> clusters;
+    std::vector<std::pair<int, int>> open;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            if (at(column, row).empty()) continue;
+            PixelBox cluster;
+            open.emplace_back(column, row);
+            while (!open.empty()) {
+                const auto [i, j] = open.back();
+                open.pop_back();
+                if (i < 0 || j < 0 || i >= columns || j >= rows || at(i, j).empty()) continue;
+                const PixelBox part = std::exchange(at(i, j), {});
+                cluster.add(part.left, part.top);
+                cluster.add(part.right - 1, part.bottom - 1);
+                for (int side = 0; side < 9; ++side)
+                    open.emplace_back(i + side % 3 - 1, j + side / 3 - 1);
+            }
+            clusters.push_back(cluster);
+        }
+    return clusters;
+}
+
+}  // namespace
+
+std::vector<PixelBox> changed_clusters(const render::Image& difference, std::size_t most) {
+    for (int cell = 8;; cell *= 2) {
+        std::vector<PixelBox> clusters = clusters_of_cells(difference, cell);
+        if (clusters.size() <= std::max<std::size_t>(most, 1)) return clusters;
+    }
 }
 
 std::array<int, 4> PixelChange::by() const {

@@ -32,9 +32,16 @@ PixelBox changed_box(const render::Image& a, const render::Image& b, const Pixel
 
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 
-/// A picture of the difference: equal pixels are `b` in pale grey; other pixels have the accent
-/// color, stronger for larger differences, but always visible. The sizes must be equal.
+/// A strong magenta, for pixels that changed: few of them are seen on pale grey.
+inline constexpr render::Rgba8 changed_color{0xD6, 0x00, 0x6E};
+
+/// A picture of the difference: equal pixels are `b` in pale grey; other pixels have the changed
+/// color, a little stronger for larger differences. The sizes must be equal.
 render::Image difference_picture(const render::Image& a, const render::Image& b);
+
+/// The boxes about the clusters of changed pixels in a picture of a difference, those which are not
+/// grey: at most `most`, and at least one. Where there are more, near ones are joined.
+std::vector<PixelBox> changed_clusters(const render::Image& difference, std::size_t most);
 
 /// A pixel that has another color than before.
 struct PixelChange {

@@ -39,6 +39,8 @@
    * @property {number} at of the slider, in percent
    * @property {{ x: number, y: number, scale: number } | null} zoom null: the whole picture; else
    * the pixel in the middle, and how large a pixel is
+   * @property {number[] | null} fitted the box that is zoomed to, however wide the page is; null:
+   * the reader has zoomed or moved since
    * @property {number} blinking the timer, or 0
    */
   /** @type {Map<HTMLElement | null, Viewer>} */
@@ -59,6 +61,7 @@
       shown: 'candidate',
       at: 50,
       zoom: null,
+      fitted: boxOf(sets[0].dataset.box),
       blinking: 0,
     };
     sets.forEach((set, i) => (set.hidden = i > 0));
@@ -74,7 +77,7 @@
     const slider = sliderOf(root);
     slider.addEventListener('input', () => slide(viewer, Number(slider.value)));
     sets.forEach((set) => dragIn(viewer, set));
-    new ResizeObserver(() => place(viewer)).observe(root);
+    new ResizeObserver(() => update(viewer)).observe(root);
     update(viewer);
     return viewer;
   }
@@ -138,22 +141,25 @@
     update(viewer);
   }
 
-  // The largest whole number of screen pixels a pixel at which the box, with room around it, fits.
-  /** @type {(viewer: Viewer, box: number[] | null) => void} */
-  function zoomTo(viewer, box) {
-    if (!box) return;
-    const frame = find('.frame', viewer.set);
-    if (!frame) return;
-    const [left, top, right, bottom] = box;
+  // The largest whole number of screen pixels a pixel at which the box, with room around it, fits;
+  // null: only the whole picture has it. `least`: the least width to show, in pixels.
+  /** @type {(viewer: Viewer, box: number[], least: number) => Viewer['zoom']} */
+  function zoomOn(viewer, [left, top, right, bottom], least) {
+    const frame = one('.frame', viewer.set);
+    const [width, height] = sizeOf(viewer.set);
     /** @type {(from: number, to: number) => number} */
     const room = (from, to) => to - from + 2 * Math.max(3, Math.round((to - from) * 0.2));
-    const scale = Math.min(
-      frame.clientWidth / room(left, right), frame.clientHeight / room(top, bottom), mostZoom);
-    viewer.zoom = {
-      x: (left + right) / 2,
-      y: (top + bottom) / 2,
-      scale: Math.max(1, Math.floor(scale)),
-    };
+    const scale = Math.floor(Math.min(
+      frame.clientWidth / Math.max(room(left, right), least),
+      frame.clientHeight / Math.max(room(top, bottom), (least * height) / width), mostZoom));
+    return scale <= frame.clientWidth / width
+      ? null : { x: (left + right) / 2, y: (top + bottom) / 2, scale };
+  }
+
+  /** @type {(viewer: Viewer, zoom: Viewer['zoom'], fitted?: number[] | null) => void} */
+  function setZoom(viewer, zoom, fitted = null) {
+    viewer.fitted = fitted;
+    viewer.zoom = zoom;
     update(viewer);
   }
 
@@ -163,8 +169,8 @@
     if (!frame) return;
     const [width, height] = sizeOf(viewer.set);
     const box = boxOf(viewer.set.dataset.box);
-    if (how === 'whole') viewer.zoom = null;
-    else if (how === 'box') return zoomTo(viewer, box);
+    if (how === 'whole') setZoom(viewer, null);
+    else if (how === 'box') setZoom(viewer, null, box);
     else {
       const fitting = frame.clientWidth / width;
       const zoom = viewer.zoom ?? {
@@ -173,9 +179,8 @@
         scale: fitting,
       };
       const scale = how === 'in' ? Math.floor(zoom.scale * 1.5) + 1 : Math.floor(zoom.scale / 1.5);
-      viewer.zoom = scale <= fitting ? null : { ...zoom, scale: Math.min(scale, mostZoom) };
+      setZoom(viewer, scale <= fitting ? null : { ...zoom, scale: Math.min(scale, mostZoom) });
     }
-    update(viewer);
   }
 
   // By screen pixels; what is moved out of sight stays there only as far as it can.
@@ -190,9 +195,11 @@
       const half = extent / 2 / scale;
       return half * 2 >= size ? size / 2 : Math.min(size - half, Math.max(half, at));
     };
-    viewer.zoom.x = within(x - dx / scale, width, frame.clientWidth);
-    viewer.zoom.y = within(y - dy / scale, height, frame.clientHeight);
-    update(viewer);
+    setZoom(viewer, {
+      x: within(x - dx / scale, width, frame.clientWidth),
+      y: within(y - dy / scale, height, frame.clientHeight),
+      scale,
+    });
   }
 
   /** @type {(viewer: Viewer, set: HTMLElement) => void} */
@@ -224,7 +231,7 @@
   // some pixels larger than others.
   /** @param {Viewer} viewer */
   function place(viewer) {
-    const { set, zoom, mode } = viewer;
+    const { set, mode } = viewer;
     const [width, height] = sizeOf(set);
     const figure = all('figure', set).find((f) => f.clientWidth > 0);
     if (!figure) return;
@@ -235,6 +242,9 @@
       Math.floor(room / width),
       Math.max(1, Math.floor((0.75 * innerHeight) / height)));
     set.style.setProperty('--frame', times >= 1 ? `${times * width}px` : '100%');
+    // With so much around the change that a reader sees where it is.
+    if (viewer.fitted) viewer.zoom = zoomOn(viewer, viewer.fitted, width / 8);
+    const { zoom } = viewer;
     let scale = 1;
     for (const frame of all('.frame', set)) {
       const layer = one('.layer', frame);
@@ -267,14 +277,15 @@
       s.dataset.shown = viewer.shown;
       s.style.setProperty('--at', `${viewer.at}%`);
     }
+    one('.slide', root).hidden = mode !== 'slider';
+    one('.flips', root).hidden = mode !== 'flip';
+    place(viewer);
     const press = (/** @type {HTMLElement} */ button, /** @type {boolean} */ pressed) =>
       button.setAttribute('aria-pressed', String(pressed));
     all('[data-show-set]', root).forEach((b) => press(b, b.dataset.showSet === set.dataset.set));
     all('[data-set-mode]', root).forEach((b) => press(b, b.dataset.setMode === mode));
     one('.modes', root).hidden = !comparable;
-    one('.slide', root).hidden = mode !== 'slider';
     sliderOf(root).value = String(viewer.at);
-    one('.flips', root).hidden = mode !== 'flip';
     const blinker = /** @type {HTMLButtonElement} */ (one('[data-blink]', root));
     press(blinker, viewer.blinking !== 0);
     blinker.disabled = stillness.matches;
@@ -292,7 +303,6 @@
     const text = words.join(', ');
     const state = one('.state', root);
     if (state.textContent !== text) state.textContent = text;
-    place(viewer);
   }
 
   cases.forEach((article) => {
@@ -303,7 +313,8 @@
       if (!viewer || !button.dataset.go) return;
       button.addEventListener('click', () => {
         showSet(viewer, button.dataset.goSet);
-        zoomTo(viewer, boxOf(button.dataset.go));
+        const box = boxOf(button.dataset.go);
+        if (box) setZoom(viewer, zoomOn(viewer, box, 0));
         viewer.root.scrollIntoView({ block: 'nearest' });
       });
     });

@@ -55,7 +55,19 @@ struct Pane {
     const char* title;  ///< for people
     std::string path;   ///< empty: there is none
     std::optional<Png> png;
+    std::vector<PixelBox> small_changes{};  ///< of a difference, to be ringed
 };
+
+/// The clusters of changed pixels that are easily overlooked.
+std::vector<PixelBox> small_changes(const render::Image& difference) {
+    constexpr std::size_t most_clusters = 16;
+    constexpr int small = 8;  // a part of the picture's width
+    std::vector<PixelBox> clusters = changed_clusters(difference, most_clusters);
+    std::erase_if(clusters, [&](const PixelBox& box) {
+        return small * std::max(box.right - box.left, box.bottom - box.top) > difference.width;
+    });
+    return clusters;
+}
 
 std::vector<Pane> panes_of(const ResultPictures& pictures, const fs::path& folder, bool ids) {
     std::vector<Pane> panes{{"baseline", "baseline", pictures.baseline, {}},
@@ -63,7 +75,15 @@ std::vector<Pane> panes_of(const ResultPictures& pictures, const fs::path& folde
                             {"difference", "difference", pictures.difference, {}}};
     for (Pane& pane : panes)
         if (!pane.path.empty()) pane.png = png_file(folder / pane.path);
-    if (!ids) return panes;
+    if (!ids) {
+        if (panes[2].png) try {
+                panes[2].small_changes =
+                    small_changes(render::read_png(folder / pictures.difference));
+            } catch (const InputError&) {
+                panes[2].png.reset();
+            }
+        return panes;
+    }
     std::array<std::optional<render::IdImage>, 2> owners;
     for (std::size_t i = 0; i < 2; ++i) {
         if (!panes[i].png) continue;
@@ -75,8 +95,11 @@ std::vector<Pane> panes_of(const ResultPictures& pictures, const fs::path& folde
         }
     }
     if (panes[2].path.empty() && owners[0] && owners[1] && owners[0]->width == owners[1]->width &&
-        owners[0]->height == owners[1]->height)
-        panes[2].png = png_of(shown_id_difference(*owners[0], *owners[1]));
+        owners[0]->height == owners[1]->height) {
+        const render::Image difference = shown_id_difference(*owners[0], *owners[1]);
+        panes[2].png = png_of(difference);
+        panes[2].small_changes = small_changes(difference);
+    }
     return panes;
 }
 
@@ -119,6 +142,15 @@ void append_pictures(data& sets, const PictureSet& set, const CaseResult& result
                 std::to_string(pane.png->width) + " × " + std::to_string(pane.png->height);
             figure["share"] = percent(pane.png->width, width);
         }
+        data rings(data::type::list);
+        for (const PixelBox& box : pane.small_changes) {
+            data ring;
+            ring["x"] = percent(box.left + box.right, 2 * width);
+            ring["y"] = percent(box.top + box.bottom, 2 * height);
+            ring["size"] = percent(std::max(box.right - box.left, box.bottom - box.top), width);
+            rings << ring;
+        }
+        figure.set("rings", rings);
         figures << figure;
     }
     if (!any) return;

@@ -194,11 +194,13 @@ test('a key flips between baseline and new, and blinking does it by itself', () 
     const scrolled = await page.evaluate(() => scrollY);
     await page.keyboard.press('Space');
     assert.equal(await visible(), 'baseline');
-    assert.equal(await root.locator('.state').textContent(), 'baseline');
+    assert.match(await root.locator('.state').textContent(), /^baseline, \d+ ×$/);
     await page.keyboard.press('Space');
     assert.equal(await visible(), 'candidate');
     await page.keyboard.press('f');
     assert.equal(await visible(), 'baseline');
+    await page.keyboard.press('z');
+    assert.equal(await root.locator('.state').textContent(), 'baseline');
     assert.equal(await page.evaluate(() => scrollY), scrolled);
     await shot(page, 'flip-light');
     await page.keyboard.press('b');
@@ -225,10 +227,42 @@ test('with less motion asked for, nothing blinks; flipping stays', () =>
     assert.equal(await root.locator('.pictures:visible').getAttribute('data-shown'), 'baseline');
   }));
 
-test('the zoom fills the frames with the change, its pixels square', () =>
+test('the page opens on the change with its surroundings, and a key shows the whole', () =>
   onPage({ hash: '#case-one-pixel' }, async (page) => {
     const root = article(page, 'one-pixel');
+    // The part of the picture that a frame shows, and whether the changed pixel is in it.
+    const seen = () => root.locator('.pictures:visible .frame').evaluateAll((frames) =>
+      frames.map((frame) => {
+        const outer = frame.getBoundingClientRect();
+        const box = frame.querySelector('.box').getBoundingClientRect();
+        const drawn = frame.querySelector('img').getBoundingClientRect();
+        return [outer.width / drawn.width,
+          box.left > outer.left && box.right < outer.right && box.top > outer.top &&
+            box.bottom < outer.bottom];
+      }));
+    await shot(page, 'opening-light');
+    for (const size of [{ width: 1280, height: 800 }, { width: 640, height: 400 }]) {
+      await page.setViewportSize(size);
+      for (const [part, inside] of await seen())
+        assert.ok(inside && part >= 0.12 && part < 0.25, `${size.width}: ${part}`);
+    }
+    assert.equal(await pressed(root.locator('[data-zoom=box]')), 'true');
     await page.keyboard.press('z');
+    for (const [part] of await seen()) assert.ok(Math.abs(part - 1) < 0.01, `${part}`);
+    // The ring is as large as a finger, however small the change; only the difference has it.
+    const rings = await root.locator('.pictures:visible .ring').evaluateAll((found) =>
+      found.map((ring) => [ring.closest('figure').className, ring.getBoundingClientRect().width]));
+    assert.deepEqual(rings, [['difference', 28]]);
+    await page.keyboard.press('z');
+    assert.ok((await seen()).every(([part]) => part < 0.25));
+    // Where nothing is compared, the whole is shown.
+    assert.equal(await pressed(article(page, 'spheres-fresh').locator('[data-zoom=whole]')), 'true');
+  }));
+
+test('a pixel of the table fills the frames, its pixels square', () =>
+  onPage({ hash: '#case-one-pixel' }, async (page) => {
+    const root = article(page, 'one-pixel');
+    await root.locator('[data-go-set=colors]').click();
     const frames = await root.locator('.pictures:visible .frame').evaluateAll((found) =>
       found.map((frame) => {
         const image = frame.querySelector('img');

@@ -97,6 +97,9 @@ TEST_F(CaseComparison, LooksAtTheSceneAndNotAtThePanelUnlessOnlyThatChanged) {
     const CaseResult result = compare();
     EXPECT_EQ(result.focus, (PixelBox{60, 100, 61, 101}));
     EXPECT_EQ(result.colors->pixels, 2u);
+    golden.panel = false;
+    EXPECT_EQ(compare().focus, compare().colors->box);
+    golden.panel = true;
     // A plot is all of its picture.
     golden.run = GoldenRun::traversal;
     EXPECT_EQ(compare().focus, compare().colors->box);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
 namespace scb::golden {
 namespace {
@@ -137,7 +138,7 @@ TEST(DifferencePicture, ColorsEveryPixelThatDiffersAndNoOther) {
             const render::Rgba8 color = render::pixel(picture, x, y);
             EXPECT_EQ(color.a, 255);
             if (difference_at(a, b, x, y) > 0)
-                EXPECT_GE(saturation(color), 80);
+                EXPECT_GE(saturation(color), 160);
             else
                 EXPECT_TRUE(saturation(color) == 0 && color.r >= 190);
         }
@@ -151,7 +152,19 @@ TEST(DifferencePicture, IsStrongerWhereTheyDifferMore) {
     for (int x = 2; x < 256; ++x)
         EXPECT_GE(saturation(render::pixel(picture, x, 0)),
                   saturation(render::pixel(picture, x - 1, 0)));
-    EXPECT_EQ(render::pixel(picture, 255, 0), (render::Rgba8{0xD5, 0x5E, 0x00, 255}));
+    EXPECT_EQ(render::pixel(picture, 255, 0), changed_color);
+}
+
+TEST(ChangedClusters, AreBoxesOfNearPixels) {
+    const render::Image before = filled(200, 100, {9, 9, 9, 255});
+    EXPECT_TRUE(changed_clusters(difference_picture(before, before), 16).empty());
+    render::Image after = before;
+    for (const auto& [x, y] : {std::pair{0, 0}, {199, 99}, {192, 96}})
+        render::set_pixel(after, x, y, {10, 9, 9, 255});
+    const render::Image difference = difference_picture(before, after);
+    EXPECT_EQ(changed_clusters(difference, 16),
+              (std::vector<PixelBox>{{0, 0, 1, 1}, {192, 96, 200, 100}}));
+    EXPECT_EQ(changed_clusters(difference, 1), (std::vector<PixelBox>{{0, 0, 200, 100}}));
 }
 
 render::Image black(int width, int height) {

@@ -72,6 +72,24 @@ TEST_F(HtmlReport, ZoomsToTheSceneAndListsItsPixels) {
     EXPECT_EQ(all.find(">(0, 1)<"), std::string::npos) << "in the panel";
 }
 
+TEST_F(HtmlReport, RingsSmallChangesInTheDifferenceAlone) {
+    const render::Image before{100, 50, std::vector<std::uint8_t>(4 * 100 * 50, 200)};
+    render::Image after = before;
+    render::set_pixel(after, 9, 4, {0, 0, 0, 255});
+    for (int x = 50; x < 90; ++x) render::set_pixel(after, x, 40, {0, 0, 0, 255});
+    write_file_whole(folder.path / "before.png", render::encode_png(before));
+    write_file_whole(folder.path / "after.png", render::encode_png(after));
+    write_file_whole(folder.path / "difference.png",
+                     render::encode_png(difference_picture(before, after)));
+    failed.picture.difference = "difference.png";
+    const std::string all = page();
+    const std::size_t ring = place_of(all, "<span class=\"ring\"");
+    EXPECT_EQ(ring,
+              place_of(all, "<span class=\"ring\" style=\"left: 9.5%; top: 9%; --size: 1%\">"));
+    EXPECT_GT(ring, place_of(all, "<figure class=\"difference\""));
+    EXPECT_EQ(all.find("class=\"ring\"", ring + 20), std::string::npos) << "a long line is seen";
+}
+
 TEST_F(HtmlReport, SaysOfAHashOnlyThatItChanged) {
     failed.counts = {{"frames/0/pairs_hash", 3726636963351340, 8635169824371806}};
     const std::string all = page();
