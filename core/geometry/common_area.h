@@ -7,7 +7,7 @@
 namespace scb {
 
 /// The common part of two triangles that lie on each other, for drawing: a convex polygon with 3 to
-/// 6 corners of which each lies in `a`, in order. Empty if a corner of one triangle is farther from
+/// 6 corners in order, each in `a`. Empty if a corner of one triangle is farther from
 /// the plane of the larger triangle than a millionth of the longest edge, or if the common part is
 /// narrower than that. Rounded, unlike triangles_overlap. The polygon is `a` clipped by the edges
 /// of `b` (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).

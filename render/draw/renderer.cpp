@@ -155,7 +155,7 @@ struct Renderer::Parts {
         clear_depth();
     }
 
-    /// Draws the hidden parts of what shines through, then its visible parts once more over them.
+    /// Draws the hidden parts of things that shine through, then their visible parts over these.
     void draw_hidden(const Pane& pane, const EyeView& view, Rgba8 background) {
         std::vector<const MeshDraw*> shining;
         for (const MeshDraw& mesh : pane.meshes)

@@ -10,7 +10,7 @@
 
 namespace scb::render {
 
-/// A corner of what is drawn, for shaders/segment.vert.
+/// A corner of a triangle on the screen, for shaders/segment.vert.
 struct SegmentCorner {
     std::array<float, 3> position;
     Rgba8 color;
@@ -44,7 +44,7 @@ class SegmentPainter {
     GlProgram program_;
     GlVertexArray attributes_;
     GlBuffer buffer_;
-    std::vector<SegmentCorner> corners_;  // of what is drawn next
+    std::vector<SegmentCorner> corners_;  // for the next call of OpenGL
 };
 
 }  // namespace scb::render

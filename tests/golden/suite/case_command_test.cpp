@@ -48,6 +48,7 @@ TEST(CaseCommand, DrawsOnePictureWithIdsOrPrintsJson) {
                                                 "--samples",
                                                 "1",
                                                 "--ids",
+                                                "--usual-direction",
                                                 "--jobs",
                                                 "1",
                                                 "-o",
