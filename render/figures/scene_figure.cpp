@@ -94,12 +94,15 @@ void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& fig
     std::vector<PixelRect> drawn;
     for (const SceneLabel& label : figure.labels) {
         const Vec3 at = project(figure.pane.camera, label.at, view.width, view.height);
+        const bool is_in_view =
+            at[2] > 0 && at[0] >= 0 && at[0] <= view.width && at[1] >= 0 && at[1] <= view.height;
+        if (!is_in_view) continue;
         const TextSize size = overlay.measure(label.text, style);
         const int x = view.x + static_cast<int>(at[0]), y = view.y + static_cast<int>(at[1]);
         const PixelRect box{x - size.width / 2 - pad, y - size.height / 2, size.width + 2 * pad,
                             size.height};
-        if (!(at[2] > 0) || box.x < view.x || box.y < view.y ||
-            box.x + box.width > view.x + view.width || box.y + box.height > view.y + view.height)
+        if (box.x < view.x || box.y < view.y || box.x + box.width > view.x + view.width ||
+            box.y + box.height > view.y + view.height)
             continue;
         if (std::any_of(drawn.begin(), drawn.end(),
                         [&box](const PixelRect& other) { return meet(box, other); }))
