@@ -159,11 +159,13 @@ TEST(ChangedClusters, AreBoxesOfNearPixels) {
     const render::Image before = filled(200, 100, {9, 9, 9, 255});
     EXPECT_TRUE(changed_clusters(difference_picture(before, before), 16).empty());
     render::Image after = before;
-    for (const auto& [x, y] : {std::pair{0, 0}, {199, 99}, {192, 96}})
+    for (const auto& [x, y] : {std::pair{0, 0}, {150, 99}, {199, 99}, {192, 96}})
         render::set_pixel(after, x, y, {10, 9, 9, 255});
     const render::Image difference = difference_picture(before, after);
     EXPECT_EQ(changed_clusters(difference, 16),
-              (std::vector<PixelBox>{{0, 0, 1, 1}, {192, 96, 200, 100}}));
+              (std::vector<PixelBox>{{0, 0, 1, 1}, {150, 99, 151, 100}, {192, 96, 200, 100}}));
+    EXPECT_EQ(changed_clusters(difference, 2),
+              (std::vector<PixelBox>{{0, 0, 1, 1}, {150, 96, 200, 100}}));
     EXPECT_EQ(changed_clusters(difference, 1), (std::vector<PixelBox>{{0, 0, 200, 100}}));
 }
 
