@@ -35,10 +35,11 @@ struct QueryViewOptions {
     Shown shown = Shown::meshes;
     /// Share of the parts outside of the meshes that the camera includes, see support_between.
     double held_part = 1;
-    /// Whether the camera looks from where most of the contact is visible, if its direction is open.
+    /// Whether the camera looks from where most of the contact is visible, if its direction is
+    /// open.
     bool seeks_contact = true;
     bool one_picture = false;  ///< of the frames, only one is drawn
-    NamedOptions named;  ///< the command's own options that affect its pictures
+    NamedOptions named;        ///< the command's own options that affect its pictures
 
     /// Refuses invalid options before any work is done, and reads `pick`; throws InputError.
     void check();

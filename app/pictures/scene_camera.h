@@ -13,8 +13,8 @@ namespace scb::app {
 struct CameraOptions {
     std::string camera;  ///< as parse_camera reads it; empty: the scene's own wish
     bool orthographic = false;
-    std::string up;    ///< x, y or z; empty: the camera's own, or z
-    std::string clip;  ///< X,Y,Z,D; empty: the camera's own, or none
+    std::string up;                ///< x, y or z; empty: the camera's own, or z
+    std::string clip;              ///< X,Y,Z,D; empty: the camera's own, or none
     bool usual_direction = false;  ///< no direction is sought, see QueryView::seek
 
     /// Whether the camera is to follow the contact: `--camera contact`.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scb/vec.h"
 
@@ -30,6 +31,24 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& at, cons
     return kept;
 }
 
+/// The unit normal of the larger of two triangles in one plane; none if they are not.
+std::optional<Vec3> common_normal(const TriangleCorners& a, const TriangleCorners& b, double size) {
+    const Vec3 of_a = normal_of(a), of_b = normal_of(b);
+    const double length_a = of_a.stableNorm(), length_b = of_b.stableNorm(),
+                 larger = std::max(length_a, length_b);
+    if (!(std::min(length_a, length_b) > 0) || !(larger > thin * size * size)) return std::nullopt;
+    const bool is_a = length_a == larger;
+    const Vec3 normal = (is_a ? of_a : of_b) / larger;
+    for (const Vec3& corner : is_a ? b : a)
+        if (!(std::abs(dot(normal, Vec3(corner - (is_a ? a : b)[0]))) <= thin * size))
+            return std::nullopt;
+    return normal;
+}
+
+double longest_edge(const TriangleCorners& a, const TriangleCorners& b) {
+    return std::max(longest_edge(a), longest_edge(b));
+}
+
 }  // namespace
 
 Vec3 area_normal(const std::vector<Vec3>& polygon) {
@@ -39,22 +58,20 @@ Vec3 area_normal(const std::vector<Vec3>& polygon) {
     return sum;
 }
 
+bool in_one_plane(const TriangleCorners& a, const TriangleCorners& b) {
+    return common_normal(a, b, longest_edge(a, b)).has_value();
+}
+
 std::vector<Vec3> common_area(const TriangleCorners& a, const TriangleCorners& b) {
-    const double size = std::max(longest_edge(a), longest_edge(b)), narrow = thin * size;
-    const Vec3 of_a = normal_of(a), of_b = normal_of(b);
-    const double length_a = of_a.stableNorm(), length_b = of_b.stableNorm(),
-                 larger = std::max(length_a, length_b);
-    if (!(std::min(length_a, length_b) > 0) || !(larger > narrow * size)) return {};
-    const bool is_a = length_a == larger;
-    const Vec3 normal = (is_a ? of_a : of_b) / larger;
-    for (const Vec3& corner : is_a ? b : a)
-        if (!(std::abs(dot(normal, Vec3(corner - (is_a ? a : b)[0]))) <= narrow)) return {};
+    const double size = longest_edge(a, b), narrow = thin * size;
+    const std::optional<Vec3> normal = common_normal(a, b, size);
+    if (!normal) return {};
     // Inside is on the left of each edge of b, as seen from its front.
-    const double turn = dot(normal, of_b) < 0 ? -1 : 1;
+    const double turn = dot(*normal, normal_of(b)) < 0 ? -1 : 1;
     std::vector<Vec3> polygon(a.begin(), a.end());
     for (std::size_t i = 0; i < 3 && !polygon.empty(); ++i) {
         const Vec3 edge = b[(i + 1) % 3] - b[i];
-        polygon = clipped(polygon, b[i], turn * cross(normal, edge));
+        polygon = clipped(polygon, b[i], turn * cross(*normal, edge));
     }
     if (polygon.size() < 3) return {};
     double extent = 0;

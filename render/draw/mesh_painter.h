@@ -27,8 +27,8 @@ class MeshPainter {
     /// this painter.
     void draw(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
-    /// Draws the parts of a mesh that shine through what was drawn, with blending on. Depths are
-    /// compared the other way round, and do not change.
+    /// Draws a mesh that shines through, with its own opacity. The caller has blending on, compares
+    /// depths the other way round, and does not write them, so that only hidden parts are drawn.
     void draw_hidden(const MeshDraw& mesh, const EyeView& view, Rgba8 background);
 
   private:

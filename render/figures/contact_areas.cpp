@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel_for.h"
 #include "core/geometry/common_area.h"
 
 namespace scb::render {
@@ -36,20 +35,9 @@ bool is_same(const Edge& e, const Edge& f, double near) {
 }  // namespace
 
 std::vector<Area> contact_areas(const QueryBodies& bodies, const QueryTrace& frame) {
-    const std::vector<IndexPair>& pairs = frame.found.pairs;
-    constexpr std::size_t pairs_in_block = 256;
-    std::vector<std::vector<Vec3>> common(pairs.size());
-    parallel_blocks(
-        processor_count(), pairs.size(),
-        [&](std::size_t first, std::size_t end) {
-            for (std::size_t i = first; i < end; ++i)
-                common[i] = common_area(
-                    corners(*bodies[0].mesh, pairs[i].a),
-                    transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
-        },
-        pairs_in_block);
+    auto common = of_pairs<std::vector<Vec3>>(bodies, frame, common_area);
     std::vector<Area> areas;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t i = 0; i < common.size(); ++i) {
         if (common[i].empty()) continue;
         for (Vec3& corner : common[i]) corner = transform_point(bodies[0].pose, corner);
         areas.push_back({std::move(common[i]), Rgba8{}, static_cast<std::uint32_t>(i)});

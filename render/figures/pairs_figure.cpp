@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/base/parallel_for.h"
+#include "core/geometry/common_area.h"
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/contact_areas.h"
 #include "render/figures/figure_words.h"
@@ -105,26 +105,21 @@ std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHead
                                       const QueryTrace& frame) {
     if (pairs_are_nodes(header)) return {};
     const std::vector<IndexPair>& pairs = frame.found.pairs;
-    constexpr std::size_t pairs_in_block = 256;
-    std::vector<std::optional<LineSegment>> meet(pairs.size());
-    parallel_blocks(
-        processor_count(), pairs.size(),
-        [&](std::size_t first, std::size_t end) {
-            // In A's frame, where the triangles were tested.
-            for (std::size_t i = first; i < end; ++i)
-                meet[i] = triangles_intersection(
-                    corners(*bodies[0].mesh, pairs[i].a),
-                    transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
-        },
-        pairs_in_block);
+    const auto meet = of_pairs<std::optional<LineSegment>>(bodies, frame, triangles_intersection);
     const std::vector<Area> areas = contact_areas(bodies, frame);
     std::vector<bool> in_area(pairs.size()), of_a(bodies[0].mesh->triangles.size()),
         of_b(bodies[1].mesh->triangles.size());
     for (const Area& area : areas)
         in_area[area.id] = of_a[pairs[area.id].a] = of_b[pairs[area.id].b] = true;
+    // Triangles in one plane that only touch are neighbors of triangles that have an area there.
+    const auto is_beside_area = [&](std::size_t i) {
+        return of_a[pairs[i].a] && of_b[pairs[i].b] &&
+               in_one_plane(corners(*bodies[0].mesh, pairs[i].a),
+                            transform_corners(frame.b_to_a, corners(*bodies[1].mesh, pairs[i].b)));
+    };
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (meet[i] && !in_area[i] && !(of_a[pairs[i].a] && of_b[pairs[i].b]))
+        if (meet[i] && !in_area[i] && !is_beside_area(i))
             segments.push_back({transform_point(bodies[0].pose, meet[i]->a),
                                 transform_point(bodies[0].pose, meet[i]->b), Rgba8{},
                                 static_cast<std::uint32_t>(i)});

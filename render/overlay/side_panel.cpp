@@ -222,8 +222,8 @@ struct PanelPainter {
         std::vector<Tick> ticks;
         for (const auto& [at, label] : scale.ticks) ticks.push_back({at, label});
         const PixelRect covered =
-            draw_color_bar(overlay, {box.x, y + line_height(), box.width, unit * 3 / 4}, scale.color,
-                           scale.title, ticks, {theme, unit});
+            draw_color_bar(overlay, {box.x, y + line_height(), box.width, unit * 3 / 4},
+                           scale.color, scale.title, ticks, {theme, unit});
         y = covered.y + covered.height + unit / 4;
     }
 

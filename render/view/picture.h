@@ -100,11 +100,11 @@ struct Outline {
 };
 
 /// A view within a picture: one camera, clipped to its rectangle. The order of drawing: meshes that
-/// are a backdrop; opaque meshes, volumes, areas and segments by depth, at equal depth the first in this
-/// order; then what shines through; then translucent volumes from far to near (by the distance of their centers along the
-/// view axis, ties by id, then by position in the list), their back sides before their fronts; then
-/// the segments that have a color where they are hidden; then those that are on top; then the
-/// outline.
+/// are a backdrop; opaque meshes, volumes, areas and segments by depth, at equal depth the first in
+/// this order; then what shines through; then translucent volumes from far to near (by the distance
+/// of their centers along the view axis, ties by id, then by position in the list), their back
+/// sides before their fronts; then the segments that have a color where they are hidden; then those
+/// that are on top; then the outline.
 struct Pane {
     PixelRect viewport;
     Camera camera;

@@ -319,6 +319,13 @@ Camera from_the_front(double height) {
                       {1, 0.04, true, 30});
 }
 
+Picture empty_picture() {
+    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    picture.panes[0].volumes.clear();
+    picture.panes[0].camera = from_the_front(4);
+    return picture;
+}
+
 MeshDraw quad_at(MeshHandle handle, double y, Rgba8 color, std::uint32_t first_id) {
     MeshDraw mesh;
     mesh.mesh = handle;
@@ -331,10 +338,8 @@ MeshDraw quad_at(MeshHandle handle, double y, Rgba8 color, std::uint32_t first_i
 
 TEST(Renderer, AMeshShinesThroughWhatHidesItAndStaysAsItIsElsewhere) {
     Drawing drawing;
-    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Picture picture = empty_picture();
     Pane& pane = picture.panes[0];
-    pane.volumes.clear();
-    pane.camera = from_the_front(4);
     const MeshHandle handle = drawing.renderer.upload(quad());
     const Rgba8 blue{0, 0, 255}, red{255, 0, 0};
     // The blue square is before the right half of the red one.
@@ -359,10 +364,8 @@ TEST(Renderer, AMeshShinesThroughWhatHidesItAndStaysAsItIsElsewhere) {
 
 TEST(Renderer, AreasAreBeforeTheSurfaceThatTheyLieInAndBehindLinesInThem) {
     Drawing drawing;
-    Picture picture = picture_of({Ball{Vec3(0, 0, 0), 1}}, 101, 101, 1);
+    Picture picture = empty_picture();
     Pane& pane = picture.panes[0];
-    pane.volumes.clear();
-    pane.camera = from_the_front(4);
     const MeshHandle handle = drawing.renderer.upload(quad());
     const Rgba8 blue{0, 0, 255}, green{0, 255, 0}, black{0, 0, 0};
     pane.meshes = {quad_at(handle, 0, blue, 100)};

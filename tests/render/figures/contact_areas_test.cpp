@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/common_area.h"
@@ -59,6 +60,28 @@ TEST(ContactAreas, HaveTheOutlineOfTheirUnion) {
 TEST(ContactAreas, AreNoneWhereFacesTouchAtAnEdge) {
     const Squares squares(Vec3(2, 0, 0));
     EXPECT_TRUE(contact_areas(squares.bodies, squares.frame).empty());
+}
+
+TEST(ContactAreas, LeaveTheLinesOfTrianglesThatCross) {
+    // Both triangles of A lie on a triangle of B, and B stands on A at its other one.
+    Squares squares(Vec3::Zero());
+    Mesh bent = quad();
+    bent.vertices[3] = Vec3(0.5, 1, 0);
+    bent.vertices.push_back(Vec3(0.5, -1, 0.5));
+    bent.triangles = {{0, 1, 2}, {0, 3, 4}};
+    squares.bodies[1].mesh = &bent;
+    Mesh both = quad();
+    both.vertices.push_back(bent.vertices[3]);
+    both.vertices.push_back(bent.vertices[4]);
+    both.triangles.push_back({0, 4, 5});
+    squares.bodies[0].mesh = &both;
+    // (0, 0) and (2, 1) are areas; (0, 1) crosses.
+    squares.frame.found.pairs = {{0, 0}, {0, 1}, {2, 1}};
+    const std::vector<Segment> lines =
+        contact_segments(squares.bodies, squares.header, squares.frame);
+    EXPECT_EQ(contact_areas(squares.bodies, squares.frame).size(), 2u);
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const Segment& s) { return s.id == 1; }),
+              1);
 }
 
 TEST(ContactAreas, AnEdgeBetweenTwoPlanesIsAnOutlineOfBoth) {
