@@ -169,9 +169,9 @@ Motion PoseLogs::read(const std::filesystem::path& file) {
     Motion motion = LogReader(file.string(), exact_).read();
     const auto frames = static_cast<int>(motion.told.size());
     if (frames_ != 0 && frames != frames_)
-        throw InputError(sentence(file.string(), ": it has ", counted(frames, "pose", "poses"),
-                                  ", and ", first_.string(), " has ", frames_,
-                                  "; all logs must have as many rows."));
+        throw InputError(sentence(
+            file.string(), ": it has ", counted(motion.told.size(), "pose", "poses"), ", and ",
+            first_.string(), " has ", frames_, "; all logs must have as many rows."));
     if (frames_ == 0) first_ = file;
     frames_ = frames;
     return motion;

@@ -152,7 +152,8 @@ int read_frames(const JsonPlace& root, const PoseLogs& logs) {
     if (logs.frames() != 0 && frames != logs.frames())
         refuse(field(root, "frames"),
                sentence("there are ", frames, ", and ", logs.first().string(), " has ",
-                        counted(logs.frames(), "pose", "poses"), "; leave frames out."));
+                        counted(static_cast<std::uint64_t>(logs.frames()), "pose", "poses"),
+                        "; leave frames out."));
     return frames;
 }
 
