@@ -5,6 +5,7 @@
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/golden/init_camera.h"
 #include "core/base/text_format.h"
 #include "render/gl/embedded.h"
 #include "scb/error.h"
@@ -17,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
+
+constexpr const char* picture_size = "400x300";
 
 /// The name in the suite: files are relative to its folder.
 std::string name_from(const std::string& name, const fs::path& folder) {
@@ -74,21 +77,32 @@ std::vector<std::string> pose_words(const SceneOptions& options, const fs::path&
     return {"--pose", numbers};
 }
 
+/// The arguments of a case with this picture, if any: `words`, and the camera.
+void add_view(data& collides, const std::string& name, const SceneOptions& options,
+              const std::string& bodies, int frame, std::vector<std::string> words) {
+    for (std::string& word : seeing_camera_words(options, bodies, frame, picture_size))
+        words.push_back(std::move(word));
+    if (!words.empty()) collides[name] = list_text(words);
+}
+
 void add_collisions(data& values, std::size_t& cases, const scenes::Scene& scene,
-                    std::vector<std::string> words) {
+                    const SceneOptions& options, std::vector<std::string> words) {
     if (scene.bodies.size() < 2) return;
     data collides;
     if (!words.empty()) collides["counted"] = list_text(words);
+    std::string bodies;
     if (scene.bodies.size() > 2) {
         // Counts are of all pairs of bodies, pictures of one pair.
-        words.emplace_back("--bodies");
-        words.push_back(scene.bodies[0].name + "," + scene.bodies[1].name);
+        bodies = scene.bodies[0].name + "," + scene.bodies[1].name;
+        words.insert(words.end(), {"--bodies", bodies});
     }
     // When bodies touch, most tests pass; halfway, more are rejected.
-    collides["middle"] = std::to_string(scene.frames / 2);
+    const int middle = scene.frames / 2;
+    collides["middle"] = std::to_string(middle);
     if (const std::string frames = some_frames(scene.frames); !frames.empty())
         collides["frames"] = frames;
-    if (!words.empty()) collides["arguments"] = list_text(words);
+    add_view(collides, "pairs", options, bodies, scene.default_frame, words);
+    add_view(collides, "rejections", options, bodies, middle, words);
     values.set("collides", collides);
     cases += 3;
 }
@@ -129,9 +143,10 @@ FirstSuite first_suite(const SceneOptions& options, const fs::path& folder) {
     for (const scenes::Body& body : scene.bodies) add_file(body.motion.log);
     data values;
     values["scene"] = scene_text(options.names, folder);
+    values["size"] = std::string(picture_size);
     values["frame"] = std::to_string(scene.default_frame);
     const std::vector<std::string> words = pose_words(options, folder);
-    add_collisions(values, suite.cases, scene, words);
+    add_collisions(values, suite.cases, scene, options, words);
     add_levels(values, suite.cases, scene, words);
     kainjow::mustache::mustache text{std::string(SCB_EMBEDDED(golden_cases_json))};
     suite.text = text.render(values);

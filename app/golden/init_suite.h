@@ -18,10 +18,11 @@ struct FirstSuite {
 };
 
 /// For two bodies or more: the counts of queries of all pairs of bodies, at some frames. For the
-/// first two bodies: pictures of their pairs, and of the tests that rejected others. For any scene:
-/// the two levels in which `scb golden selftest` puts errors. The suite will be in `folder`, and
-/// its file names are relative to it. Throws InputError if the scene cannot be loaded, or is a
-/// trace or a recording.
+/// first two bodies: pictures of their pairs, and of the tests that rejected others, each with the
+/// camera that sees the contact, see seeing_camera_words. For any scene: the two levels in which
+/// `scb golden selftest` puts errors. The suite will be in `folder`, and its file names are
+/// relative to it. Throws InputError if the scene cannot be loaded, or is a trace or a recording;
+/// GlError.
 FirstSuite first_suite(const SceneOptions& options, const std::filesystem::path& folder);
 
 }  // namespace scb::app

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -117,6 +118,33 @@ TEST_F(GoldenInitCommand, AsksOfASceneWhatItHas) {
     ASSERT_EQ(golden("init --ci none").status, 0) << "a built-in scene";
     EXPECT_EQ(golden("update --all").status, 0);
     EXPECT_EQ(golden("selftest").status, 0);
+}
+
+/// From the usual direction a wide plate hides the small box behind it.
+TEST_F(GoldenInitCommand, LooksAtPairsFromWhereTheContactIsVisible) {
+    const auto scene = [this](const std::string& name, const std::string& more) {
+        write_text(folder.path / (name + ".json"), R"({"scb_scene": 1, "name": ")" + name + R"(",
+            "models": [{"name": "plate", "box": {"size": [6, 0.2, 6]}},
+                       {"name": "box", "box": {"size": [0.6, 0.6, 0.6]}}],
+            "bodies": [{"name": "a", "model": "plate"},
+                       {"name": "b", "model": "box", "position": [0.05, 0.35, 0.05]}])" +
+                                                       more + "}");
+        EXPECT_EQ(golden("init " + name + ".json --ci none -o " + name).status, 0);
+        return cases(name + "/cases.json");
+    };
+    const nlohmann::json open = scene("open", "");
+    for (const std::size_t picture : {1, 2}) {
+        ASSERT_EQ(open[picture]["arguments"][0], "--camera") << open;
+        const std::string camera = open[picture]["arguments"][1];
+        ASSERT_TRUE(camera.starts_with("orbit:")) << camera;
+        const double azimuth = std::stod(camera.substr(6)) * 3.14159265358979 / 180;
+        EXPECT_LT(std::cos(azimuth), 0) << "from behind the plate: " << camera;
+    }
+    EXPECT_FALSE(open[0].contains("arguments")) << "counts need no camera";
+    EXPECT_EQ(golden("update --all --suite open/cases.json").status, 0);
+    EXPECT_EQ(golden("check --suite open/cases.json").status, 0);
+    const nlohmann::json own = scene("own", R"(, "camera": {"azimuth": 10})");
+    EXPECT_FALSE(own[1].contains("arguments")) << own;
 }
 
 TEST_F(GoldenInitCommand, OverwritesNothing) {
