@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <set>
@@ -76,6 +77,14 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
     if (common("split")) build.split = header.split;
     for (const std::string& part : build_parts(build)) parts.push_back(part);
     return parts;
+}
+
+/// Of two compared queries, the pairs that only one of them found; those of `a` if there are none.
+std::vector<IndexPair> pairs_to_see(const QueryTrace& a, const QueryTrace& b) {
+    std::vector<IndexPair> differ;
+    std::set_symmetric_difference(a.found.pairs.begin(), a.found.pairs.end(), b.found.pairs.begin(),
+                                  b.found.pairs.end(), std::back_inserter(differ));
+    return differ.empty() ? a.found.pairs : differ;
 }
 
 }  // namespace
@@ -157,10 +166,12 @@ void QueryView::seek_contact() {
     // One direction for all pictures of a run: by the frame with the most pairs of three.
     const std::vector<int>& frames = source.frames();
     std::optional<QueryTrace> most;
-    for (const int frame : std::set{frames.front(), frames[frames.size() / 2], frames.back()})
-        if (QueryTrace query = source.frame_again(frame);
-            !most || query.found.pairs.size() > most->found.pairs.size())
-            most = std::move(query);
+    for (const int frame : std::set{frames.front(), frames[frames.size() / 2], frames.back()}) {
+        QueryTrace query = source.frame_again(frame);
+        if (compares() && !pairs_are_nodes(source.header()))
+            query.found.pairs = pairs_to_see(query, sources_.back().frame_again(frame));
+        if (!most || query.found.pairs.size() > most->found.pairs.size()) most = std::move(query);
+    }
     if (most->found.pairs.empty()) return;
     const render::QueryBodies at_frame = bodies(most->frame);
     const std::vector<render::Segment> contact =

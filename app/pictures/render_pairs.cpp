@@ -49,9 +49,10 @@ render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& optio
 }
 
 render::ComparisonLayout layout_of(const PairsOptions& options) {
-    return render::comparison_layout(
-        options.picture.width(), options.picture.height(),
-        !options.heat ? render::compared_pairs_rows() : render::compared_heat_rows());
+    return render::comparison_layout(options.picture.width(), options.picture.height(),
+                                     !options.heat
+                                         ? render::compared_pairs_rows({.leaves = options.leaves})
+                                         : render::compared_heat_rows());
 }
 
 void draw_compared(const QueryView& view, const QuerySources& sources, const QueryFrames& frames,
@@ -64,11 +65,15 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
         heat ? render::compared_heat(queries, only_here, *options.heat, heat_end_of(options),
                                      *style.theme)
              : render::compared_pairs(queries, only_here, style, view.ids().first_free);
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < 2; ++i) {
+        std::string remark;
         if (!heat && frames[i]->found.pairs.empty())
-            views[i].remark = "no contact";
+            remark = "no contact";
         else if (!frames[i]->found.complete)
-            views[i].remark = stopped_remark(*frames[i]);
+            remark = stopped_remark(*frames[i]);
+        if (!remark.empty() && !views[i].remark.empty()) remark += ", ";
+        views[i].remark = remark + views[i].remark;
+    }
     draw_comparison(view, queries, only_here, std::move(views),
                     heat ? title_of(*options.heat) : pairs_title(style), what, options, pictures);
 }

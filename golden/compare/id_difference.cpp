@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "golden/compare/image_difference.h"
+#include "render/view/palette.h"
 
 namespace scb::golden {
 namespace {
@@ -111,7 +112,7 @@ render::Image shown_id_difference(const render::IdImage& before, const render::I
             const auto pale = static_cast<std::uint8_t>(id == 0 ? 250 : 205 + color_of(id).g / 8);
             render::set_pixel(image, x, y,
                               id == render::pixel(before, x, y) ? render::Rgba8{pale, pale, pale}
-                                                                : changed_color);
+                                                                : render::changed_color);
         }
     return image;
 }

@@ -1,4 +1,5 @@
 #include "golden/compare/image_difference.h"
+#include "render/view/palette.h"
 
 #include <algorithm>
 #include <cassert>
@@ -94,10 +95,10 @@ render::Image difference_picture(const render::Image& a, const render::Image& b)
                 continue;
             }
             const int share = changed_share(by);
-            render::set_pixel(
-                picture, x, y,
-                {between(255, changed_color.r, share), between(255, changed_color.g, share),
-                 between(255, changed_color.b, share), 255});
+            render::set_pixel(picture, x, y,
+                              {between(255, render::changed_color.r, share),
+                               between(255, render::changed_color.g, share),
+                               between(255, render::changed_color.b, share), 255});
         }
     return picture;
 }

@@ -32,9 +32,6 @@ PixelBox changed_box(const render::Image& a, const render::Image& b, const Pixel
 
 bool within(const ImageDifference& difference, const ColorTolerance& tolerance);
 
-/// A strong magenta, for pixels that changed: few of them are seen on pale grey.
-inline constexpr render::Rgba8 changed_color{0xD6, 0x00, 0x6E};
-
 /// A picture of the difference: equal pixels are `b` in pale grey; other pixels have the changed
 /// color, a little stronger for larger differences. The sizes must be equal.
 render::Image difference_picture(const render::Image& a, const render::Image& b);

@@ -29,24 +29,13 @@ std::vector<std::uint32_t> side_of(const std::vector<IndexPair>& pairs, std::siz
     return indices;
 }
 
-/// The indices of a body in these pairs. In a self query both sides belong to the one body.
-std::vector<std::uint32_t> of_body(const TraceHeader& header, std::vector<IndexPair> pairs,
-                                   std::size_t side) {
-    if (header.kind != QueryKind::self) return side_of(pairs, side);
-    for (std::size_t i = pairs.size(); i-- > 0;) pairs.push_back({pairs[i].b, pairs[i].a});
-    return side_of(pairs, 0);
-}
-
-/// How many bodies are drawn.
-std::size_t body_count(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
-
 /// The leaves of one side that overlapped although their triangles are apart.
 std::vector<std::uint32_t> apart_leaves(const TraceHeader& header, const QueryTrace& frame,
                                         std::size_t side) {
     std::vector<IndexPair> leaves;
     for (const ItemStep& test : frame.steps.items)
         if (!test.hit && !test.neighbors) leaves.push_back(frame.steps.volumes[test.step].nodes);
-    return of_body(header, std::move(leaves), side);
+    return in_pairs(header, std::move(leaves), side);
 }
 
 void add_volumes(Pane& pane, const QueryBody& body, const std::vector<std::uint32_t>& nodes,
@@ -93,13 +82,22 @@ void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,
     if (!style.leaves) return;
     const Rgba8 color =
         seen_color(ending_color(Stage::triangles_apart, *style.theme), leaf_opacity, *style.theme);
-    for (std::size_t side = 0; side < body_count(header); ++side)
+    for (std::size_t side = 0; side < bodies_in(header); ++side)
         items.emplace_back(PanelLegendRow{
             color, std::string(side == 1 ? "hatched: " : "") + "leaves of " + bodies[side].name,
             count_text(apart_leaves(header, frame, side).size()), "", side == 1});
 }
 
 }  // namespace
+
+std::size_t bodies_in(const TraceHeader& header) { return header.kind == QueryKind::self ? 1 : 2; }
+
+std::vector<std::uint32_t> in_pairs(const TraceHeader& header, std::vector<IndexPair> pairs,
+                                    std::size_t side) {
+    if (header.kind != QueryKind::self) return side_of(pairs, side);
+    for (std::size_t i = pairs.size(); i-- > 0;) pairs.push_back({pairs[i].b, pairs[i].a});
+    return side_of(pairs, 0);
+}
 
 std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
                                       const QueryTrace& frame) {
@@ -131,17 +129,17 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
                 std::vector<Segment> contact, const PairsStyle& style,
                 std::uint32_t first_pair_id) {
     Pane pane;
-    for (std::size_t side = 0; side < body_count(header); ++side) {
+    for (std::size_t side = 0; side < bodies_in(header); ++side) {
         const QueryBody& body = bodies[side];
         // Before the whole mesh, since the first of coinciding surfaces is visible.
         if (!pairs_are_nodes(header)) {
-            pane.meshes.push_back(
-                marked_triangles(body, of_body(header, frame.found.pairs, side), body_color(side)));
+            pane.meshes.push_back(marked_triangles(body, in_pairs(header, frame.found.pairs, side),
+                                                   body_color(side)));
             pane.meshes.back().shine_through = hidden_opacity;
         }
         pane.meshes.push_back(mesh_draw(body, dimmed_body_color(side, *style.theme)));
         if (pairs_are_nodes(header))
-            add_volumes(pane, body, of_body(header, frame.found.pairs, side),
+            add_volumes(pane, body, in_pairs(header, frame.found.pairs, side),
                         with_opacity(body_color(side), node_opacity));
         else if (style.leaves)
             add_leaves(pane, body, apart_leaves(header, frame, side),
@@ -202,12 +200,12 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     std::vector<std::string> body_names, counts, in_pairs_counts;
     std::vector<std::optional<Rgba8>> body_colors, shown;
     std::vector<ItemCount> item_counts;
-    for (std::size_t side = 0; side < body_count(header); ++side) {
+    for (std::size_t side = 0; side < bodies_in(header); ++side) {
         body_names.push_back(bodies[side].name);
         body_colors.push_back(dimmed_body_color(side, theme));
         item_counts.push_back(item_count(*bodies[side].mesh, *bodies[side].tree));
         counts.push_back(count_text(item_counts.back().count));
-        in_pairs_counts.push_back(count_text(of_body(header, frame.found.pairs, side).size()));
+        in_pairs_counts.push_back(count_text(in_pairs(header, frame.found.pairs, side).size()));
         shown.push_back(nodes ? seen_color(body_color(side), node_opacity, theme)
                               : body_color(side));
     }
@@ -242,7 +240,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,
                                     const QueryTrace& frame, const PairsStyle& style) {
     std::vector<PanelItem> items;
-    for (std::size_t side = 0; side < body_count(header); ++side)
+    for (std::size_t side = 0; side < bodies_in(header); ++side)
         items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
     if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});

@@ -16,6 +16,14 @@ struct PairsStyle {
     const Theme* theme = &light_theme;
 };
 
+/// How many bodies a picture of the query shows: one of a self query.
+std::size_t bodies_in(const TraceHeader& header);
+
+/// The indices of a body in these pairs, ascending, each once. In a self query both sides belong to
+/// the one body.
+std::vector<std::uint32_t> in_pairs(const TraceHeader& header, std::vector<IndexPair> pairs,
+                                    std::size_t side);
+
 /// The segments in which the pairs of triangles meet, in the world, without pairs that meet in an
 /// area; then the outlines of these areas. The id of each is the index of its pair. Empty if the
 /// pairs are nodes.

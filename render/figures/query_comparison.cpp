@@ -4,6 +4,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "render/figures/contact_areas.h"
 #include "render/figures/heat_figure.h"
 #include "render/plots/ending_colors.h"
 
@@ -108,6 +109,62 @@ std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
     return both;
 }
 
+/// Shows pairs that only one query found: in its own view their triangles, and hatched in the
+/// other. A triangle is shown if it is in no pair of the other. Lines and areas of the pairs are in
+/// both.
+void show_pairs_of_one(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
+                       const PairsOfOne& only_here, std::size_t finder) {
+    const ComparedQuery& query = queries[finder];
+    const std::vector<IndexPair>& pairs = only_here[finder];
+    for (std::size_t body = 0; body < bodies_in(*query.header); ++body) {
+        const std::vector<std::uint32_t> here = in_pairs(*query.header, pairs, body),
+                                         there =
+                                             in_pairs(*query.header,
+                                                      queries[1 - finder].frame->found.pairs, body);
+        std::vector<std::uint32_t> missed;
+        std::set_difference(here.begin(), here.end(), there.begin(), there.end(),
+                            std::back_inserter(missed));
+        if (missed.empty()) continue;
+        MeshDraw marked = marked_triangles(query.bodies[body], missed, changed_color);
+        marked.shine_through = 0.3;
+        for (std::size_t side = 0; side < 2; ++side) {
+            marked.hatched = side != finder;
+            // Of coinciding surfaces, the first is visible.
+            std::vector<MeshDraw>& meshes = views[side].pane.meshes;
+            meshes.insert(meshes.begin(), marked);
+        }
+    }
+    const auto is_of_one = [&](std::size_t pair) {
+        return std::binary_search(pairs.begin(), pairs.end(), query.frame->found.pairs[pair]);
+    };
+    for (Area area : contact_areas(query.bodies, *query.frame)) {
+        if (!is_of_one(area.id)) continue;
+        area.id = 0;
+        area.color = changed_color;
+        area.shine_through = 0.3;
+        for (ComparedView& view : views) view.pane.areas.insert(view.pane.areas.begin(), area);
+    }
+    for (Segment segment : query.contact) {
+        if (!is_of_one(segment.id)) continue;
+        segment.id = 0;
+        segment.color = changed_color;
+        segment.width = 4;
+        segment.on_top = true;
+        for (ComparedView& view : views) view.pane.segments.push_back(segment);
+    }
+    const std::string count = count_text(pairs.size()),
+                      noun = pairs.size() == 1 ? " pair" : " pairs";
+    for (std::size_t side = 0; side < 2; ++side) {
+        ComparedView& view = views[side];
+        const bool found = side == finder;
+        if (!view.remark.empty()) view.remark += ", ";
+        view.remark += found ? count + noun + " only here" : count + noun + " missed here";
+        view.legend.emplace_back(
+            PanelLegendRow{changed_color, found ? "pairs only here" : "hatched: pairs missed here",
+                           "", "", !found});
+    }
+}
+
 }  // namespace
 
 PairsOfOne pairs_of_one(const ComparedQueries& queries) {
@@ -133,20 +190,9 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
     compare(views, queries, only_here, *style.theme);
     explain_outlines(views);
     if (queries[0].header->options.stop_level >= 0) return views;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const ComparedQuery& query = queries[side];
-        for (Segment segment : query.contact) {
-            const IndexPair pair = query.frame->found.pairs[segment.id];
-            if (!std::binary_search(only_here[side].begin(), only_here[side].end(), pair)) continue;
-            segment.id = 0;
-            segment.color = style.theme->accent;
-            segment.width = 3;
-            segment.on_top = true;
-            for (ComparedView& view : views) view.pane.segments.push_back(segment);
-        }
-        views[side].legend.emplace_back(
-            PanelKey{style.theme->accent, "where only one found pairs"});
-    }
+    if (pairs_are_nodes(*queries[0].header)) return views;
+    for (std::size_t finder = 0; finder < 2; ++finder)
+        if (!only_here[finder].empty()) show_pairs_of_one(views, queries, only_here, finder);
     return views;
 }
 
@@ -199,7 +245,9 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
     return views;
 }
 
-ComparisonRows compared_pairs_rows() { return {number_rows, 5}; }
+ComparisonRows compared_pairs_rows(const PairsStyle& style) {
+    return {number_rows, style.leaves ? 8 : 6};
+}
 
 ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
                                         const RejectionsStyle& style) {

@@ -26,9 +26,10 @@ PairsOfOne pairs_of_one(const ComparedQueries& queries);
 
 /// The views of pairs_figure, rejections_figure and heat_figure for each query, with the counts of
 /// both and the differences of the second's. Differences between the views are outlined; nodes only
-/// if both hierarchies have the same splits. Cameras, captions and remarks are not set. Pairs that
-/// only one of them found are lines of their own in both views. Heat has one scale for both. The
-/// segments of the first query's pairs have the ids from `first_pair_id`, followed by the second's.
+/// if both hierarchies have the same splits. Cameras and captions are not set. Pairs that only one
+/// of them found have a color of their own in both views, and a remark. Heat has one scale for
+/// both. The segments of the first query's pairs have the ids from `first_pair_id`, followed by the
+/// second's.
 std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
                                            const PairsOfOne& only_here, const PairsStyle& style,
                                            std::uint32_t first_pair_id);
@@ -41,7 +42,7 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
                                           const Theme& theme);
 
 /// The most rows that the panels of these need, for any frame.
-ComparisonRows compared_pairs_rows();
+ComparisonRows compared_pairs_rows(const PairsStyle& style);
 ComparisonRows compared_rejections_rows(const TraceHeader& a, const TraceHeader& b,
                                         const RejectionsStyle& style);
 ComparisonRows compared_heat_rows();

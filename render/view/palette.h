@@ -24,14 +24,18 @@ inline constexpr Rgba8 body_b_color{0xE6, 0x9F, 0x00};
 /// black.
 Rgba8 hierarchy_color(VolumeKind kind);
 
+/// A strong magenta, for what differs between two pictures or results: a few pixels of it are seen
+/// on pale grey.
+inline constexpr Rgba8 changed_color{0xD6, 0x00, 0x6E};
+
 struct Theme;
 
 /// The i-th of `count` shades of a color: the first is the color itself, the others step towards
 /// the theme's text (darker on white, lighter on black), so that all stay legible.
 Rgba8 shade_of(Rgba8 color, std::size_t i, std::size_t count, const Theme& theme);
 
-/// Smith and van der Walt's viridis: a magnitude from 0 (dark violet) to 1 (yellow), clamped; NaN
-/// counts as 0.
+/// Smith and van der Walt's viridis without its darkest fifth, in which shaded volumes are nearly
+/// black: a magnitude from 0 (violet blue) to 1 (yellow), clamped; NaN counts as 0.
 Rgba8 viridis(double magnitude);
 
 /// Brewer's YlOrRd ("ColorBrewer", 2003): an amount from 0 (pale yellow) to 1 (dark red), clamped,

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "render/files/image_file.h"
+#include "render/view/palette.h"
 #include "tests/app/program.h"
 #include "tests/png_chunks.h"
 
@@ -66,6 +68,29 @@ TEST_F(CompareQueries, TellsPairsThatOnlyOneFound) {
     EXPECT_EQ(turned["files"][0]["only_in_one"], (json{0, lost}));
     const json same = index_of("pairs spheres-l1 --frames 100 --compare corrected,line8");
     EXPECT_EQ(same["files"][0]["only_in_one"], (json{0, 0}));
+}
+
+// Both views have a color of their own for pairs that only one found, also where the other found
+// none at all.
+TEST_F(CompareQueries, MarksPairsThatOnlyOneFound) {
+    const auto marked = [this](const std::string& options) {
+        const json index = index_of("pairs " + options);
+        const render::Image image =
+            render::read_png(out + "/" + index["files"][0]["file"].get<std::string>());
+        std::array<int, 2> pixels{};
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                pixels[2 * x >= image.width] += render::pixel(image, x, y) == render::changed_color;
+        return pixels;
+    };
+    for (const char* tests : {"corrected,printed", "printed,corrected"}) {
+        const auto [left, right] =
+            marked(std::string("spheres-l1 --frames 100 --compare ") + tests);
+        EXPECT_GT(left, 20) << tests;
+        EXPECT_GT(right, 20) << tests;
+    }
+    EXPECT_EQ(marked("spheres-l1 --frames 100 --compare corrected,line8"),
+              (std::array<int, 2>{0, 0}));
 }
 
 // The segments of the pairs of both, one range after the other; each is in the id picture.

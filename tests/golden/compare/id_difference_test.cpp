@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "golden/compare/image_difference.h"
+#include "render/view/palette.h"
 
 namespace scb::golden {
 namespace {
@@ -156,7 +157,7 @@ TEST(IdPicture, ShowsAThingInTheSameColorEverywhere) {
 
 TEST(IdPicture, MarksThePixelsWhoseOwnerDiffers) {
     const render::Image shown = shown_id_difference(row({1, 2, 0, 0, 5}), row({1, 3, 4, 0, 0}));
-    for (const int x : {1, 2, 4}) EXPECT_EQ(render::pixel(shown, x, 0), changed_color) << x;
+    for (const int x : {1, 2, 4}) EXPECT_EQ(render::pixel(shown, x, 0), render::changed_color) << x;
     for (const int x : {0, 3}) {
         const render::Rgba8 color = render::pixel(shown, x, 0);
         EXPECT_EQ(color.r, color.g) << x;

@@ -7,6 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "render/view/palette.h"
+
 namespace scb::golden {
 namespace {
 
@@ -152,7 +154,7 @@ TEST(DifferencePicture, IsStrongerWhereTheyDifferMore) {
     for (int x = 2; x < 256; ++x)
         EXPECT_GE(saturation(render::pixel(picture, x, 0)),
                   saturation(render::pixel(picture, x - 1, 0)));
-    EXPECT_EQ(render::pixel(picture, 255, 0), changed_color);
+    EXPECT_EQ(render::pixel(picture, 255, 0), render::changed_color);
 }
 
 TEST(ChangedClusters, AreBoxesOfNearPixels) {
