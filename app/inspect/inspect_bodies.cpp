@@ -28,13 +28,6 @@ std::vector<render::MarkedTriangle> marked_triangles(const InspectReport& report
     return marked;
 }
 
-TestCosts costs_of(const TraceHeader& header) {
-    // The time of another engine's tests is unknown, so its volumes cost as much as boxes here.
-    const VolumeKind volume = header.engine ? VolumeKind::aabb : header.volume;
-    return {static_cast<double>(assumed_test_time(volume, header.options.overlap.test)),
-            static_cast<double>(assumed_triangle_time)};
-}
-
 }  // namespace
 
 std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
@@ -50,8 +43,8 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     if (report.recording) of_view.scene.names = {report.recording->path};
     QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
-    const render::Waste waste = render::waste_of(bodies, report.header, frame,
-                                                 costs_of(report.header), marked_triangles(report));
+    const render::Waste waste = render::waste_of(
+        bodies, report.header, frame, assumed_costs(report.header), marked_triangles(report));
     const std::vector<AnyVolume> region = render::waste_region(bodies, waste);
     view.seek(render::waste_subject(bodies, waste), number);
     render::SceneFigure figure;

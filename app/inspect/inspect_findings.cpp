@@ -5,6 +5,7 @@
 #include "app/inspect/inspect_triangles.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
+#include "core/analysis/assumed_time.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -50,7 +51,21 @@ std::vector<std::string> best_other(const InspectReport& report) {
             render::change_text(all.operations, best.all.operations) + "."};
 }
 
-/// Properties of the meshes that make the volumes loose, a sentence each.
+/// " Their tests take 43 % of the cost.": `part` of all triangle tests.
+std::string cost_share(const InspectReport& report, std::uint64_t part,
+                       std::uint64_t all_triangle_tests) {
+    if (part == 0) return "";
+    const TestCosts costs = assumed_costs(report.header);
+    const Work& all = report.sum.counts.all;
+    const double of_triangles = costs.triangles * static_cast<double>(all.triangle_tests),
+                 of_volumes = costs.volumes * static_cast<double>(all.volume_tests);
+    const double taken = of_triangles * static_cast<double>(part) /
+                         static_cast<double>(all_triangle_tests) / (of_triangles + of_volumes);
+    return format(" Their tests take %.0f %% of the cost.", 100 * taken);
+}
+
+/// Properties of the meshes that make the volumes loose, a sentence each; and the share of the cost
+/// of the tests that they concern.
 std::vector<std::string> causes(const InspectReport& report) {
     const WasteCauses& found = report.causes;
     std::vector<std::string> sentences;
@@ -65,14 +80,16 @@ std::vector<std::string> causes(const InspectReport& report) {
             sentences.push_back(
                 render::count_text(facts.slender()) + " of " + of +
                 format(
-                    " are slender (a side 16 times the height on it, or more); the longest is "
-                    "triangle %u, %.2g of the diagonal of the body's box.",
+                    " are slender (a side of 16 heights or more); the longest is "
+                    "triangle %u, %.2g of the box's diagonal.",
                     facts.longest_slender,
-                    ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())));
+                    ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())) +
+                cost_share(report, body.slender_tests, report.triangles[i].tests));
         if (body.duplicated)
             sentences.push_back(
                 render::count_text(facts.duplicates) + " of " + of +
-                " are copies of others: pairs with a copy are found again, and cost again.");
+                " are copies of others: pairs with a copy are found again, and cost again." +
+                cost_share(report, body.duplicate_tests, report.triangles[i].tests));
         if (body.soup)
             sentences.push_back(of + " fall into " + render::count_text(facts.components) +
                                 " parts that have no corner in common: a soup, whose volumes "
@@ -91,9 +108,11 @@ std::vector<std::string> causes(const InspectReport& report) {
                    found.larger > 1 ? found.larger : 1 / found.larger,
                    name(found.larger > 1 ? 1 : 0).c_str()));
     if (found.parallel)
-        sentences.push_back(share(found.vain.parallel, found.vain.tests) +
-                            " of the triangles that were tested in vain are within ten degrees of "
-                            "parallel: surfaces that lie close to each other.");
+        sentences.push_back(
+            share(found.vain.parallel, found.vain.tests) +
+            " of the triangles that were tested in vain are within ten degrees of "
+            "parallel: surfaces that lie close to each other." +
+            cost_share(report, found.vain.parallel, report.sum.counts.all.triangle_tests));
     return sentences;
 }
 

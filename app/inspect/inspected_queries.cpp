@@ -12,9 +12,11 @@
 namespace scb::app {
 namespace {
 
-WasteCauses causes_of(const QuerySource& source, int frame, const VainTests& vain) {
+WasteCauses causes_of(const QuerySource& source, int frame, const FrameFindings& found) {
     const BodyAtFrame a = source.body(0, frame), b = source.body(1, frame);
-    return waste_causes(depth(a.tree->shape()), *a.mesh, depth(b.tree->shape()), *b.mesh, vain);
+    const std::size_t of_b = source.header().kind == QueryKind::self ? 0 : 1;
+    return waste_causes({*a.mesh, depth(a.tree->shape()), found.tested[0]},
+                        {*b.mesh, depth(b.tree->shape()), found.tested[of_b]}, found.vain);
 }
 
 }  // namespace
@@ -140,6 +142,10 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     if (!report.has_waste) return {};
     for (std::size_t side = 0; side < 2; ++side) {
         const Mesh& mesh = *source.body(side, found.frames.front().frame).mesh;
+        // In another frame a recorded body may have a mesh of more triangles.
+        std::erase_if(inspected.found->tested[side], [&mesh](const TestedTriangle& one) {
+            return one.triangle >= mesh.triangles.size();
+        });
         report.triangles[side] = {costly_triangles(found.tested[side], mesh, most_costly),
                                   item_tests(found.tested[side])};
     }
@@ -150,7 +156,7 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     ExplainedPairs explained = explain_pairs(report, source);
     sort_by_waste(report.frames);
     if (!report.header.engine || !report.header.engine->objects)
-        report.causes = causes_of(source, found.frames.front().frame, found.vain);
+        report.causes = causes_of(source, found.frames.front().frame, found);
     return explained;
 }
 

@@ -73,6 +73,12 @@ std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, Des
            assumed_triangle_time * found.n_p + pair * found.pairs.size();
 }
 
+TestCosts assumed_costs(const TraceHeader& header) {
+    const VolumeKind volume = header.engine ? VolumeKind::aabb : header.volume;
+    return {static_cast<double>(assumed_test_time(volume, header.options.overlap.test)),
+            static_cast<double>(assumed_triangle_time)};
+}
+
 Work work_of(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
              const Collision& found) {
     return {found.n_v, found.n_p, operation_count(volume, overlap, found.stages),

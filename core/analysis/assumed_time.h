@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "core/analysis/pass_counts.h"
+#include "core/analysis/trace.h"
+#include "core/analysis/wasted_cost.h"
 #include "scb/any_hierarchy.h"
 #include "scb/collide.h"
 
@@ -26,6 +28,10 @@ std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test);
 
 /// The assumed time of one test of two triangles, in picoseconds.
 inline constexpr std::uint64_t assumed_triangle_time = 34'000;
+
+/// The assumed costs of the tests of these queries. Nothing is known of the time of another
+/// engine's tests, so its volumes cost as much as boxes.
+TestCosts assumed_costs(const TraceHeader& header);
 
 /// The work of a query of a whole hierarchy, with its assumed time.
 Work work_of(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,

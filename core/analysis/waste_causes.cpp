@@ -28,13 +28,20 @@ Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
     return length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
-BodyCauses body_causes(int depth, const Mesh& mesh) {
-    BodyCauses causes{mesh_facts(mesh), depth};
+BodyCauses body_causes(const QueriedBody& body, const MeshFacts& of_mesh) {
+    BodyCauses causes{of_mesh, body.depth};
     const MeshFacts& facts = causes.facts;
     causes.slender = 20 * facts.slender() >= facts.triangles;
     causes.duplicated = 100 * facts.duplicates >= facts.triangles;
     causes.soup = facts.components > 1 && 10 * facts.components >= facts.triangles;
     causes.deep = causes.depth > 2 * static_cast<int>(std::bit_width(facts.triangles));
+    std::vector<std::uint32_t> duplicates;
+    if (causes.duplicated) duplicates = duplicate_triangles(body.mesh);
+    for (const TestedTriangle& one : body.tested) {
+        if (is_slender(corners(body.mesh, one.triangle))) causes.slender_tests += one.items;
+        if (std::binary_search(duplicates.begin(), duplicates.end(), one.triangle))
+            causes.duplicate_tests += one.items;
+    }
     return causes;
 }
 
@@ -58,11 +65,11 @@ VainTests vain_tests(const Mesh& mesh_a, const Mesh& mesh_b, const QueryTrace& f
     return vain;
 }
 
-WasteCauses waste_causes(int depth_a, const Mesh& mesh_a, int depth_b, const Mesh& mesh_b,
-                         const VainTests& vain) {
-    const bool alike = &mesh_a == &mesh_b;
-    const BodyCauses of_a = body_causes(depth_a, mesh_a);
-    WasteCauses causes{{of_a, alike ? of_a : body_causes(depth_b, mesh_b)}, alike, vain};
+WasteCauses waste_causes(const QueriedBody& a, const QueriedBody& b, const VainTests& vain) {
+    const bool alike = &a.mesh == &b.mesh;
+    const MeshFacts of_a = mesh_facts(a.mesh);
+    WasteCauses causes{
+        {body_causes(a, of_a), body_causes(b, alike ? of_a : mesh_facts(b.mesh))}, alike, vain};
     const auto diagonal = [](const BodyCauses& body) {
         return (body.facts.box.upper - body.facts.box.lower).norm();
     };

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "core/analysis/tested_triangles.h"
 #include "core/analysis/trace.h"
 #include "core/geometry/mesh_facts.h"
 
@@ -26,7 +28,9 @@ struct BodyCauses {
     bool slender = false;     ///< at least 5 % of the triangles have a slenderness of 16 or more
     bool duplicated = false;  ///< at least 1 % of the triangles are duplicates
     bool soup = false;        ///< several parts, at least one per ten triangles
-    bool deep = false;        ///< deeper than twice the base-2 logarithm of the number of triangles
+    /// Triangle tests in which slender triangles and duplicates take part.
+    std::uint64_t slender_tests = 0, duplicate_tests = 0;
+    bool deep = false;  ///< deeper than twice the base-2 logarithm of the number of triangles
 };
 
 /// Why tests in queries of two bodies are wasted.
@@ -39,8 +43,13 @@ struct WasteCauses {
     bool parallel = false;  ///< at least half of the vain tests are of nearly parallel triangles
 };
 
-/// `depth_a` and `depth_b`: the depths of the hierarchies.
-WasteCauses waste_causes(int depth_a, const Mesh& mesh_a, int depth_b, const Mesh& mesh_b,
-                         const VainTests& vain);
+/// A body of queries: its mesh, the depth of its hierarchy, and the tests of its triangles.
+struct QueriedBody {
+    const Mesh& mesh;
+    int depth = 0;
+    std::vector<TestedTriangle> tested{};
+};
+
+WasteCauses waste_causes(const QueriedBody& a, const QueriedBody& b, const VainTests& vain);
 
 }  // namespace scb

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/base/statistics.h"
@@ -28,6 +29,10 @@ TriangleSize triangle_size(const TriangleCorners& t) {
     const double doubled_area = std::sqrt(squared_norm(cross(t[1] - t[0], t[2] - t[0])));
     return {longest,
             ratio(longest * longest, doubled_area, std::numeric_limits<double>::infinity())};
+}
+
+bool is_slender(const TriangleCorners& corners) {
+    return !is_degenerate(corners) && triangle_size(corners).slenderness >= 16;
 }
 
 std::size_t MeshFacts::slender() const {
@@ -75,6 +80,21 @@ MeshFacts mesh_facts(const Mesh& mesh) {
         facts.crowded_edges += uses > 2;
     }
     return facts;
+}
+
+std::vector<std::uint32_t> duplicate_triangles(const Mesh& mesh) {
+    std::vector<Triangle> placed = joined_triangles(mesh);
+    std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+    for (std::uint32_t i = 0; i < placed.size(); ++i) {
+        std::sort(placed[i].begin(), placed[i].end());
+        sorted.emplace_back(placed[i], i);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<std::uint32_t> duplicates;
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i].first == sorted[i - 1].first) duplicates.push_back(sorted[i].second);
+    std::sort(duplicates.begin(), duplicates.end());
+    return duplicates;
 }
 
 Box bounding_box(const Mesh& mesh, const Pose& pose) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "scb/mesh.h"
 #include "scb/pose.h"
@@ -44,8 +45,14 @@ struct TriangleSize {
 };
 TriangleSize triangle_size(const TriangleCorners& corners);
 
+/// Whether a triangle has a slenderness of 16 or more; a degenerate one has none.
+bool is_slender(const TriangleCorners& corners);
+
 /// O(n log n) in the triangles. `mesh` must satisfy check_mesh.
 MeshFacts mesh_facts(const Mesh& mesh);
+
+/// The triangles that have the three corners of an earlier one, ascending.
+std::vector<std::uint32_t> duplicate_triangles(const Mesh& mesh);
 
 /// The box of the vertices that triangles use, after the pose.
 Box bounding_box(const Mesh& mesh, const Pose& pose);

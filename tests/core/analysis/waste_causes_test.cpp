@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <utility>
+#include <vector>
 
 #include "core/hierarchy/tree_shape.h"
 #include "scb/hierarchy.h"
@@ -41,8 +43,8 @@ Mat3 about_x(double degrees) {
 }
 
 WasteCauses causes_of(const Mesh& a, const Mesh& b, const VainTests& vain = {}) {
-    return waste_causes(depth(tree_shape(build_topology(a))), a,
-                        depth(tree_shape(build_topology(b))), b, vain);
+    return waste_causes({a, depth(tree_shape(build_topology(a)))},
+                        {b, depth(tree_shape(build_topology(b)))}, vain);
 }
 
 TEST(WasteCauses, NameWhatIsWrongWithAMeshAndNothingElse) {
@@ -76,6 +78,24 @@ TEST(WasteCauses, AShareOfTheTrianglesIsEnough) {
     }
     EXPECT_FALSE(causes_of(strips(1, 2), grid(3)).bodies[0].soup) << "one triangle is one part";
     EXPECT_TRUE(causes_of(strips(2, 2), grid(3)).bodies[0].soup);
+}
+
+TEST(WasteCauses, CountTestsOfSlenderTrianglesAndOfCopies) {
+    // Triangles 0 to 9 are slender, 10 to 19 are not, and 20 and 21 are copies of 3 and 12.
+    Mesh mesh = strips(20, 50);
+    for (std::uint32_t i = 10; i < 20; ++i) mesh.vertices[3 * i + 1][0] = 2;
+    mesh.triangles.push_back(mesh.triangles[3]);
+    mesh.triangles.push_back(mesh.triangles[12]);
+    EXPECT_EQ(duplicate_triangles(mesh), (std::vector<std::uint32_t>{20, 21}));
+    const Mesh other = grid(3);
+    const auto tests_of = [&](std::vector<TestedTriangle> tested) {
+        const BodyCauses a = waste_causes({mesh, 5, std::move(tested)}, {other, 5}, {}).bodies[0];
+        return std::pair(a.slender_tests, a.duplicate_tests);
+    };
+    using Tests = std::pair<std::uint64_t, std::uint64_t>;
+    EXPECT_EQ(tests_of({}), Tests(0, 0));
+    EXPECT_EQ(tests_of({{3, 100, 1}, {12, 10, 1}}), Tests(100, 0)) << "no copy of an earlier one";
+    EXPECT_EQ(tests_of({{3, 100, 1}, {20, 7, 1}, {21, 1, 1}}), Tests(107, 8));
 }
 
 TEST(WasteCauses, ATreeThatTakesOffATenthAtATimeIsDeep) {
