@@ -49,7 +49,8 @@ LevelFigures::LevelFigures(const LevelOptions& options, const LevelSubject& subj
     const std::vector<LevelTrees>& trees = subject.trees;
     common_.style = level_style(options, trees[0].bodies, subject.deepest);
     std::vector<render::MeshHandle> handles;
-    if (common_.style.mesh) handles = uploaded(trees[0].bodies, renderer);
+    const bool shows_meshes = !options.picture.no_panel && !wish_.inset && !common_.style.mesh;
+    if (common_.style.mesh || shows_meshes) handles = uploaded(trees[0].bodies, renderer);
     for (const LevelTrees& each : trees) bodies_.push_back(level_bodies(each.bodies, handles));
     support_ = support_of(subject.levels);
     common_.center = render::center_of(support_);
@@ -58,6 +59,10 @@ LevelFigures::LevelFigures(const LevelOptions& options, const LevelSubject& subj
         common_.detail = render::Detail{detail_camera(wish_, *wish_.inset, support_, 1),
                                         wish_.inset->center, wish_.inset->radius};
     common_.camera = camera_for(wish_, support_, render::aspect_of(options.picture.layout().view));
+    if (shows_meshes)
+        common_.camera_of_meshes = [this](double aspect) {
+            return camera_for(wish_, support_, aspect);
+        };
     common_.subtitle = subtitle_of(options, subject, common_.camera);
 }
 

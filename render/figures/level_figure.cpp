@@ -79,6 +79,25 @@ std::vector<PanelItem> panel_items(const LevelFigure& figure, const LevelNumbers
     return items;
 }
 
+/// The meshes alone, small, below the numbers if there is room.
+void add_meshes(Picture& picture, Overlay& overlay, const LevelFigure& figure,
+                const FigureLayout& layout, int below) {
+    std::optional<PixelRect> place = detail_square(layout, below);
+    if (!place) return;
+    if (!layout.portrait) place->width = layout.panel.width;
+    const Theme& theme = *figure.style.theme;
+    LevelStyle style;
+    style.mesh = true;
+    style.opacity = 0;
+    style.theme = &theme;
+    picture.panes.push_back(level_pane(*place, figure.camera_of_meshes(aspect_of(*place)),
+                                       figure.bodies, figure.level, style));
+    const int small = small_size(layout.unit);
+    overlay.text(place->x, place->y - small * 5 / 4,
+                 figure.bodies.size() == 1 ? "the mesh" : "the meshes",
+                 {small, FontWeight::regular, theme.faint_text});
+}
+
 }  // namespace
 
 std::string_view lengths_words(VolumeFamily family) {
@@ -161,7 +180,8 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             MeshDraw mesh;
             mesh.mesh = body.handle;
             mesh.pose = body.pose;
-            mesh.color = style.theme->mesh;
+            mesh.color =
+                style.opacity > 0 || bodies.size() == 1 ? style.theme->mesh : category_color(b);
             mesh.edges = style.mesh_edges;
             pane.meshes.push_back(std::move(mesh));
         }
@@ -226,6 +246,7 @@ Picture compose(const LevelFigure& figure, int width, int height, int samples, O
     }
     draw_scale_bar(overlay, layout.view, figure.camera, figure.center, theme, layout.unit);
 
+    if (figure.camera_of_meshes) add_meshes(picture, overlay, figure, layout, below);
     if (!figure.detail) return picture;
     const std::optional<PixelRect> square = detail_square(layout, below);
     if (!square) return picture;

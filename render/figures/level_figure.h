@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ namespace scb::render {
 struct LevelBody {
     std::string name;
     const Mesh* mesh = nullptr;
-    MeshHandle handle;  ///< of the mesh, if the style shows it
+    MeshHandle handle;  ///< of the mesh, if the style or the figure shows it
     Pose pose;
     const Tree* tree = nullptr;
     std::uint32_t first_id = 1;  ///< node i has the id first_id + i
@@ -72,6 +73,9 @@ struct LevelFigure {
     Camera camera;               ///< for the view of figure_layout
     Vec3 center = Vec3::Zero();  ///< of the scene, for the scale bar
     std::optional<Detail> detail;
+    /// Without a detail: places the camera of a small view of the meshes alone, by its aspect. So a
+    /// reader knows the bodies that the volumes bound.
+    std::function<Camera(double aspect)> camera_of_meshes;
     bool with_panel = true;  ///< else the view alone
 };
 

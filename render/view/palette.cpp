@@ -20,11 +20,8 @@ constexpr std::array<Rgba8, 8> categories = {{body_a_color,
                                               {0xF0, 0xE4, 0x42},
                                               {0x8C, 0x8C, 0x8C}}};
 
-// Viridis at every fifteenth of its range.
-constexpr std::array<Rgba8, 16> viridis_stops = {{{0x44, 0x01, 0x54},
-                                                  {0x48, 0x1A, 0x6C},
-                                                  {0x47, 0x2F, 0x7D},
-                                                  {0x41, 0x44, 0x87},
+// Viridis at every fifteenth of its range, from the third on.
+constexpr std::array<Rgba8, 13> viridis_stops = {{{0x41, 0x44, 0x87},
                                                   {0x39, 0x56, 0x8C},
                                                   {0x31, 0x68, 0x8E},
                                                   {0x2A, 0x78, 0x8E},

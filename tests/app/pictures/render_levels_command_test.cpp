@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -49,6 +50,29 @@ TEST(RenderLevels, RenderedLevelsAreCountedInTheIndex) {
     EXPECT_TRUE(fs::exists(folder / "out/knots-l1_scb_level-05_size-320x240_frame-0000.png"));
     EXPECT_TRUE(
         fs::exists(folder / "out/knots-l1_ball_level-leaves_size-320x240_frame-0000_ids.png"));
+}
+
+/// In the panel, without ids; not where the volumes have a detail, or show the mesh already.
+TEST(RenderLevels, APictureHasASmallViewOfTheMeshes) {
+    const TemporaryFolder folder;
+    const auto gray_in_panel = [&](const std::string& options) {
+        const std::string file = folder / "level.png";
+        const ProgramRun run = run_scb("render levels " SCB_SOURCE_DIR
+                                       "/scenes/samples/bracket.ply --levels 4 --samples 1 " +
+                                       options + " -o " + file);
+        EXPECT_EQ(run.status, 0) << run.err;
+        const render::Image image = render::read_png(file);
+        int gray = 0;
+        for (int y = image.height * 2 / 3; y < image.height; ++y)
+            for (int x = image.width * 3 / 4; x < image.width; ++x) {
+                const render::Rgba8 color = render::pixel(image, x, y);
+                const auto [least, most] = std::minmax({color.r, color.g, color.b});
+                gray += most - least < 16 && most > 120 && most < 215;
+            }
+        return gray;
+    };
+    EXPECT_GT(gray_in_panel(""), 2000);
+    EXPECT_LT(gray_in_panel("--mesh"), 1200);
 }
 
 TEST(RenderLevels, AClippingPlaneLeavesOneSide) {

@@ -119,7 +119,7 @@ TEST(Figures, StackedBarsShareTheirLength) {
 }
 
 TEST(Palette, ViridisGrowsLighter) {
-    EXPECT_EQ(viridis(0), (Rgba8{68, 1, 84}));
+    EXPECT_EQ(viridis(0), (Rgba8{65, 68, 135}));
     EXPECT_EQ(viridis(1), (Rgba8{253, 231, 37}));
     EXPECT_EQ(viridis(-1), viridis(0));
     EXPECT_EQ(viridis(2), viridis(1));
