@@ -79,7 +79,8 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
     return parts;
 }
 
-/// Of two compared queries, the pairs that only one of them found; those of `a` if there are none.
+/// Of two compared queries, the pairs that only one of them found; if there are none, the pairs of
+/// `a`.
 std::vector<IndexPair> pairs_to_see(const QueryTrace& a, const QueryTrace& b) {
     std::vector<IndexPair> differ;
     std::set_symmetric_difference(a.found.pairs.begin(), a.found.pairs.end(), b.found.pairs.begin(),
