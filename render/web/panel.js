@@ -67,8 +67,8 @@ export class Panel {
         row(this.meshes, toggle('Edges', 'edges', 'E'), toggle('Orthographic', 'orthographic', 'O'),
           this.toggle('Dark', 'T', () => app.set({ theme: state.theme === 'dark' ? 'light' : 'dark' }), () => state.theme === 'dark'),
           this.toggle('Clip', 'A plane that cuts (K)', () => this.toggleClip(), () => state.clip !== null),
-          ...(app.columns.length === 2 && manifest.same_nodes ? [toggle('Differences', 'differences', 'Outline what differs (D)')] : [])),
-        row(button('PNG', 'Save what is seen (S)', () => app.save()), button('GLB', 'Save the volumes that are shown, or the one that is chosen (G)', () => app.saveGlb()))),
+          ...(app.columns.length === 2 && manifest.same_nodes ? [toggle('Differences', 'differences', 'Outline differences (D)')] : [])),
+        row(button('PNG', 'Save this view (S)', () => app.save()), button('GLB', 'Save the chosen volume, or all volumes in view (G)', () => app.saveGlb()))),
       section('The same without a browser', false, this.commands),
     );
     this.fillHelp();

@@ -30,8 +30,8 @@ export class QueryPanel {
       if (columns.length === 1) parts.push(section('Counts of the frame', true, table(this.counts(k))));
     });
     if (state.mode === 'rejections' || state.mode === 'verdicts')
-      parts.push(row(button('Large volumes too', 'Also those that are large for the few tests that ended at them', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
-    return state.isolated && selected ? [faint(`Only tests of what is below node ${app.treeOf(selected.column, selected.body).numberOf(selected.slot)} are shown and listed; counts of the frame are of all.`), ...parts] : parts;
+      parts.push(row(button('Large volumes too', 'Also large volumes at which few tests ended', () => app.set({ focus: state.focus === 1 ? 0.5 : 1 }), state.focus === 1)));
+    return state.isolated && selected ? [faint(`Only tests below node ${app.treeOf(selected.column, selected.body).numberOf(selected.slot)} are shown and listed. The counts of the frame include all tests.`), ...parts] : parts;
   }
 
   /**
