@@ -26,7 +26,8 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& at, cons
         const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         const double of_p = dot(normal, Vec3(p - at)), of_q = dot(normal, Vec3(q - at));
         if (of_p >= 0) kept.push_back(p);
-        if ((of_p < 0) != (of_q < 0)) kept.emplace_back(p + of_p / (of_p - of_q) * (q - p));
+        if ((of_p < 0 && of_q > 0) || (of_p > 0 && of_q < 0))
+            kept.emplace_back(p + of_p / (of_p - of_q) * (q - p));
     }
     return kept;
 }

@@ -16,9 +16,10 @@ constexpr double least_cosine = 0.9999;
 struct Edge {
     Vec3 p, q;
     Vec3 normal;      ///< of its area, a unit vector
+    Vec3 outward;     ///< away from its area, in its plane, as long as the edge
     double position;  ///< of its middle along `sweep`
     std::uint32_t id;
-    bool is_shared = false;
+    bool is_inner = false;  ///< between two areas, or there already
 };
 
 /// Seldom perpendicular to a plane of a model, so that few edges have the same position.
@@ -53,7 +54,8 @@ std::vector<Segment> outlines_of(const std::vector<Area>& areas) {
         const double length = std::sqrt(squared_norm(normal));
         for (std::size_t i = 0; i < area.corners.size(); ++i) {
             const Vec3 &p = area.corners[i], &q = area.corners[(i + 1) % area.corners.size()];
-            edges.push_back({p, q, normal / length, dot(sweep, p + q) / 2, area.id});
+            edges.push_back({p, q, normal / length, cross(q - p, normal / length),
+                             dot(sweep, p + q) / 2, area.id});
             box.add(p);
         }
     }
@@ -69,11 +71,15 @@ std::vector<Segment> outlines_of(const std::vector<Area>& areas) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
             Edge &e = edges[order[i]], &f = edges[order[j]];
             if (f.position - e.position > near) break;
-            if (is_same(e, f, near)) e.is_shared = f.is_shared = true;
+            if (!is_same(e, f, near)) continue;
+            if (dot(e.outward, f.outward) < 0)
+                e.is_inner = f.is_inner = true;
+            else
+                (e.id <= f.id ? f : e).is_inner = true;  // areas that lie on each other
         }
     std::vector<Segment> outlines;
     for (const Edge& edge : edges)
-        if (!edge.is_shared) outlines.push_back({edge.p, edge.q, Rgba8{}, edge.id});
+        if (!edge.is_inner) outlines.push_back({edge.p, edge.q, Rgba8{}, edge.id});
     return outlines;
 }
 

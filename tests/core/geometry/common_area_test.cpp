@@ -33,6 +33,14 @@ TEST(CommonArea, HasUpToSixCorners) {
     EXPECT_EQ(common_area(up, down).size(), 6u);
 }
 
+/// As where two faces are divided along different diagonals.
+TEST(CommonArea, HasACornerOnTheOtherTrianglesEdgeOnce) {
+    const TriangleCorners half = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(0, 2, 0)};
+    const std::vector<Vec3> corners = common_area(base_triangle, half);
+    ASSERT_EQ(corners.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(corners[i], corners[(i + 1) % 3]);
+}
+
 TEST(CommonArea, IsEmptyForTrianglesThatTouchAtAnEdgeOrACornerOrAreApart) {
     const TriangleCorners at_edge = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, -2, 0)},
                           at_corner = {Vec3(2, 0, 0), Vec3(4, 0, 0), Vec3(4, 2, 0)},

@@ -84,6 +84,17 @@ TEST(ContactAreas, LeaveTheLinesOfTrianglesThatCross) {
               1);
 }
 
+TEST(ContactAreas, ThatAreTheSameHaveOneOutline) {
+    const std::vector<Vec3> square = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)},
+                            turned(square.rbegin(), square.rend());
+    for (const std::vector<Vec3>& other : {square, turned}) {
+        const std::vector<Segment> lines =
+            outlines_of({{square, {}, 0}, {other, {}, 1}, {square, {}, 2}});
+        ASSERT_EQ(lines.size(), 4u);
+        for (const Segment& line : lines) EXPECT_EQ(line.id, 0u);
+    }
+}
+
 TEST(ContactAreas, AnEdgeBetweenTwoPlanesIsAnOutlineOfBoth) {
     // Two sides of a box.
     const std::vector<Area> areas = {
