@@ -1,6 +1,7 @@
 #include "app/inspect/inspect_bodies.h"
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/query_view.h"
@@ -10,16 +11,27 @@
 namespace scb::app {
 namespace {
 
-/// The triangles of both bodies in the most tests, as the report lists them.
-std::vector<render::MarkedTriangle> marked_triangles(const InspectReport& report) {
+/// The triangles of both bodies in the most tests, as the report lists them. Their numbers belong
+/// to the first frame; in frame `number` a recorded body may have other triangles.
+std::vector<render::MarkedTriangle> marked_triangles(const InspectReport& report,
+                                                     const QuerySource& source, int number) {
+    const auto by_frame = [](const InspectedFrame& x, const InspectedFrame& y) {
+        return x.frame < y.frame;
+    };
+    const int first = std::min_element(report.frames.begin(), report.frames.end(), by_frame)->frame;
     struct Candidate {
         render::MarkedTriangle triangle;
         std::uint64_t tests;
     };
     std::vector<Candidate> all;
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::shared_ptr<const Mesh> listed = source.body(side, first).mesh,
+                                          drawn = source.body(side, number).mesh;
         for (const CostlyTriangle& costly : report.triangles[side].costly)
-            all.push_back({{side, costly.tests.triangle}, costly.tests.items});
+            if (const std::uint32_t t = costly.tests.triangle;
+                t < drawn->triangles.size() && drawn->triangles[t] == listed->triangles[t])
+                all.push_back({{side, t}, costly.tests.items});
+    }
     std::stable_sort(all.begin(), all.end(),
                      [](const Candidate& x, const Candidate& y) { return x.tests > y.tests; });
     all.resize(std::min(all.size(), most_costly));
@@ -43,8 +55,9 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     if (report.recording) of_view.scene.names = {report.recording->path};
     QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
-    const render::Waste waste = render::waste_of(
-        bodies, report.header, frame, assumed_costs(report.header), marked_triangles(report));
+    const render::Waste waste =
+        render::waste_of(bodies, report.header, frame, assumed_costs(report.header),
+                         marked_triangles(report, sources.front(), number));
     const std::vector<AnyVolume> region = render::waste_region(bodies, waste);
     view.seek(render::waste_subject(bodies, waste), number);
     render::SceneFigure figure;

@@ -73,6 +73,10 @@ std::vector<std::string> causes(const InspectReport& report) {
     for (std::size_t i = 0; i < (found.alike ? 1 : 2); ++i) {
         const BodyCauses& body = found.bodies[i];
         const MeshFacts& facts = body.facts;
+        // Triangles of one mesh are of both bodies.
+        const auto share_of = [&](std::uint64_t tests) {
+            return found.alike ? "" : cost_share(report, tests, report.triangles[i].tests);
+        };
         const bool alike = found.alike && report.header.kind != QueryKind::self;
         const std::string of = render::counted(facts.triangles, "triangle", "triangles") + " of " +
                                name(i) + (alike ? ", and as many of " + name(1) + "," : "");
@@ -84,12 +88,12 @@ std::vector<std::string> causes(const InspectReport& report) {
                     "triangle %u, %.2g of the box's diagonal.",
                     facts.longest_slender,
                     ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())) +
-                cost_share(report, body.slender_tests, report.triangles[i].tests));
+                share_of(body.slender_tests));
         if (body.duplicated)
             sentences.push_back(
                 render::count_text(facts.duplicates) + " of " + of +
                 " are copies of others: pairs with a copy are found again, and cost again." +
-                cost_share(report, body.duplicate_tests, report.triangles[i].tests));
+                share_of(body.duplicate_tests));
         if (body.soup)
             sentences.push_back(of + " fall into " + render::count_text(facts.components) +
                                 " parts that have no corner in common: a soup, whose volumes "

@@ -9,6 +9,9 @@ std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes) {
         return outcome == Stage::triangles_meet || outcome == Stage::found;
     };
     std::vector<bool> meets(outcomes.size()), wasted(outcomes.size());
+    // A self query must reach neighbors, as it must reach triangles that meet.
+    for (const ItemStep& test : steps.items)
+        if ((test.hit || test.neighbors) && test.step != no_step) meets[test.step] = true;
     // Parents come before their children.
     for (std::size_t i = meets.size(); i-- > 0;) {
         if (is_true(outcomes[i])) meets[i] = true;

@@ -28,7 +28,8 @@ struct BodyCauses {
     bool slender = false;     ///< at least 5 % of the triangles have a slenderness of 16 or more
     bool duplicated = false;  ///< at least 1 % of the triangles are duplicates
     bool soup = false;        ///< several parts, at least one per ten triangles
-    /// Triangle tests in which slender triangles and duplicates take part.
+    /// Triangle tests of the body's slender triangles, and of its duplicates. In a self query, a
+    /// test of two of these counts twice.
     std::uint64_t slender_tests = 0, duplicate_tests = 0;
     bool deep = false;  ///< deeper than twice the base-2 logarithm of the number of triangles
 };

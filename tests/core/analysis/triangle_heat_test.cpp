@@ -76,6 +76,12 @@ TEST(TriangleHeat, ATestIsWastedWhereNothingBelowItsParentMeets) {
         EXPECT_EQ(wasted_tests(steps, outcomes),
                   (std::vector{false, false, false, false, false, true}));
     }
+    // A self query must reach neighbors, even if the last triangles of the leaf are apart.
+    Steps neighbors = steps;
+    neighbors.items.push_back({.items = {0, 1}, .step = 3, .neighbors = true});
+    outcomes[3] = Stage::triangles_apart;
+    EXPECT_EQ(wasted_tests(neighbors, outcomes),
+              (std::vector{false, false, false, false, false, true}));
     outcomes[3] = Stage::left_over;
     EXPECT_EQ(wasted_tests(steps, outcomes), (std::vector{false, true, true, true, true, true}));
 }
