@@ -67,8 +67,12 @@ std::vector<int> some_levels(const scenes::Scene& scene) {
 std::vector<std::string> pose_words(const SceneOptions& options, const fs::path& folder) {
     const auto [of_a, of_b] = options.pose_logs();
     const std::string b = of_b.empty() ? "" : name_from(of_b, folder);
-    if (!of_a.empty())
-        return {"--poses", "A=" + name_from(of_a, folder) + (b.empty() ? "" : ",B=" + b)};
+    if (!of_a.empty()) {
+        // A body may have the name B.
+        const auto [name_a, name_b] = scenes::body_names(options.names[0], options.names[1]);
+        return {"--poses",
+                name_a + "=" + name_from(of_a, folder) + (b.empty() ? "" : "," + name_b + "=" + b)};
+    }
     if (!b.empty()) return {"--poses", b};
     if (options.pose.empty()) return {};
     std::string numbers;

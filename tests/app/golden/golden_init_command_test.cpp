@@ -98,6 +98,17 @@ TEST_F(GoldenInitCommand, NamesFilesFromTheFolderOfTheSuite) {
     EXPECT_EQ(golden("check --suite tests/golden/cases.json").status, 0);
 }
 
+/// The names of the bodies come before A and B, which mean the first and the second.
+TEST_F(GoldenInitCommand, KeepsLogsWithTheirBodies) {
+    for (const char* body : {"A", "B"}) {
+        fs::copy_file(folder.path / "pin.obj", folder.path / (std::string(body) + ".obj"));
+        write_text(folder.path / (std::string(body) + ".csv"), "0,0,0,0,0,0,1\n");
+    }
+    ASSERT_EQ(golden("init B.obj A.obj --poses B=B.csv,A=A.csv --ci none").status, 0);
+    for (const nlohmann::json& one : cases("golden/cases.json"))
+        EXPECT_EQ(one["arguments"][1], "B=../B.csv,A=../A.csv") << one;
+}
+
 TEST_F(GoldenInitCommand, AsksOfASceneWhatItHas) {
     ASSERT_EQ(golden("init pin.obj --ci none -o one").status, 0);
     ASSERT_EQ(cases("one/cases.json").size(), 2u) << "one body has levels only";

@@ -159,7 +159,7 @@ TEST(PoseLogs, AreInSuites) {
                 " -o " + (folder / "suite2"));
     ASSERT_EQ(both.status, 0) << both.err;
     const std::string of_both = file_text(folder.path / "suite2/cases.json");
-    EXPECT_NE(of_both.find(R"("--poses", "A=../logs/slide.csv,B=../logs/slide.csv")"),
+    EXPECT_NE(of_both.find(R"("--poses", "bracket=../logs/slide.csv,pin=../logs/slide.csv")"),
               std::string::npos)
         << of_both;
     for (const char* suite : {"suite", "suite2"}) {
