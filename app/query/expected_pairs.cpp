@@ -5,6 +5,8 @@
 #include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <ranges>
+#include <utility>
 
 #include "app/query/contact_intervals.h"
 #include "core/base/text_format.h"
@@ -228,9 +230,11 @@ PairComparison::Difference PairComparison::add(std::size_t i, int frame,
     }
     std::ranges::stable_sort(difference.missing, std::greater{}, &Difference::Missing::depth);
     std::ranges::stable_sort(difference.not_found, std::greater{}, &Difference::False::distance);
-    for (const Difference::Missing& pair : difference.missing)
+    // So that one frame with many does not hide the others.
+    const std::size_t most = query_.frames.size() > 1 ? most_listed_of_frame : most_listed;
+    for (const Difference::Missing& pair : std::views::take(difference.missing, most))
         list(frame, pair.triangles, format("missing, depth %.6g", pair.depth));
-    for (const Difference::False& pair : difference.not_found)
+    for (const Difference::False& pair : std::views::take(difference.not_found, most))
         list(frame, pair.triangles,
              pair.contact == TriangleContact::apart ? format("false, distance %.6g", pair.distance)
              : pair.contact == TriangleContact::touching
@@ -238,7 +242,10 @@ PairComparison::Difference PairComparison::add(std::size_t i, int frame,
                  : "left out here, but the triangles cross");
     for (const IndexPair pair : only_found)
         exchanged_ += std::ranges::binary_search(expected, IndexPair{pair.b, pair.a});
-    if (!only_found.empty()) missing_frames_.insert(frame);
+    FrameCounts& counts = frames_[frame];
+    counts.found += found.size();
+    counts.missing += difference.missing.size();
+    counts.not_found += difference.not_found.size();
     found_ += found.size();
     missing_ += difference.missing.size();
     false_ += difference.not_found.size();
@@ -259,6 +266,16 @@ void PairComparison::list(int frame, IndexPair triangles, const std::string& wor
     list_ += format("triangles (%u, %u): ", triangles.a, triangles.b) + words + "\n";
 }
 
+std::string PairComparison::frames_where(
+    const std::function<bool(const FrameCounts&)>& condition) const {
+    ContactIntervals intervals;
+    for (const int frame : query_.frames) {
+        const auto counts = frames_.find(frame);
+        intervals.add(frame, counts != frames_.end() && condition(counts->second));
+    }
+    return intervals.empty() ? "" : intervals.words();
+}
+
 std::string PairComparison::text(std::size_t frames) const {
     const std::string of_frames = counted(frames, "frame", "frames");
     if (agrees())
@@ -271,11 +288,16 @@ std::string PairComparison::text(std::size_t frames) const {
     text += "; " + counted(false_, "pair is", "pairs are") + " false in the file";
     if (most_distance_ > 0) text += format(", at most %.6g apart", most_distance_);
     text += ".\n";
-    if (missing_ > 0 && frames > 1) {
-        ContactIntervals missing;
-        for (const int frame : query_.frames) missing.add(frame, missing_frames_.contains(frame));
-        text += "Pairs are missing in " + missing.words() + ".\n";
-    }
+    if (frames > 1)
+        for (const auto& [words, named] :
+             {std::pair("All pairs are missing in ", frames_where([](const FrameCounts& of) {
+                            return of.missing > 0 && of.missing == of.found;
+                        })),
+              {"Pairs are missing in ",
+               frames_where([](const FrameCounts& of) { return of.missing > 0; })},
+              {"Pairs are false in ",
+               frames_where([](const FrameCounts& of) { return of.not_found > 0; })}})
+            if (!named.empty()) text += words + named + ".\n";
     if (exchanged_ > 0 && exchanged_ * 10 >= missing_ * 9)
         text += counted(exchanged_, "missing pair is", "missing pairs are") +
                 " in the file with the two triangles exchanged; see whether its columns "

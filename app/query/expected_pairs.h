@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -79,16 +80,25 @@ class PairComparison {
     std::string text(std::size_t frames) const;
 
   private:
+    /// How many pairs a frame has, and how many differ.
+    struct FrameCounts {
+        std::size_t found = 0, missing = 0, not_found = 0;
+    };
+
     /// Lists a pair, unless enough are listed.
     void list(int frame, IndexPair triangles, const std::string& words);
+    /// "frames 12 to 40, 55": the frames whose counts fulfil the condition; empty: none.
+    std::string frames_where(const std::function<bool(const FrameCounts&)>& condition) const;
 
     static constexpr std::size_t most_listed = 20;
+    /// Missing pairs, and false pairs, of one of several frames.
+    static constexpr std::size_t most_listed_of_frame = 3;
 
     const SceneQuery& query_;
     PairFile file_;
     std::size_t found_ = 0, missing_ = 0, false_ = 0;
-    std::size_t exchanged_ = 0;     ///< missing pairs that the file has in the other order
-    std::set<int> missing_frames_;  ///< frames of missing pairs
+    std::size_t exchanged_ = 0;  ///< missing pairs that the file has in the other order
+    std::map<int, FrameCounts> frames_;
     double most_depth_ = 0, most_distance_ = 0;
     std::size_t listed_ = 0;
     std::string list_;

@@ -59,13 +59,13 @@ std::string facts_text(const MeshFacts& f) {
     std::string text =
         "box          " + vector(f.box.lower) + " to " + vector(f.box.upper) + "\n" +
         "size         " + vector(size) + "\n" + "surface      " +
-        (f.closed() ? "closed"
-                    : "open: " + counted(f.open_edges, "edge", "edges") +
-                          format(" of one triangle, %zu of more than two", f.crowded_edges)) +
-        "; " + counted(f.components, "component", "components") + "\n" +
-        format("triangles    %zu degenerate, %zu duplicates of others\n", f.degenerate,
-               f.duplicates) +
-        wrapped_text("slenderness  " + slenderness_text(f), 13) + "\n";
+        (f.closed()
+             ? "closed"
+             : "not closed: " + counted(f.open_edges, "edge", "edges") + " of one triangle, " +
+                   count_text(f.crowded_edges) + " of more than two") +
+        "; " + counted(f.components, "component", "components") + "\n" + "triangles    " +
+        count_text(f.degenerate) + " degenerate, " + count_text(f.duplicates) +
+        " duplicates of others\n" + wrapped_text("slenderness  " + slenderness_text(f), 13) + "\n";
     if (f.slender() > 0)
         text += format("             the longest of 16 and more is triangle %u, %.6g long\n",
                        f.longest_slender, f.longest_slender_side);

@@ -74,10 +74,14 @@ TEST(ExpectedPairs, NameMissingAndFalsePairsWithDepthAndDistance) {
         "p.csv: 2 frames have 2 pairs. 1 pair is missing in the file, at most 0.25 deep; "
         "2 pairs are false in the file, at most 8.75 apart.\n"
         "Pairs are missing in frame 0.\n"
+        "Pairs are false in frames 0 to 1.\n"
         "  frame 0, triangles (0, 0): missing, depth 0.25\n"
         "  frame 0, triangles (0, 1): false, distance 1\n"
         "  frame 1, triangles (0, 0): false, distance 8.75\n",
         run.out);
+    // A frame without any of its pairs is named apart.
+    expect_in("\nAll pairs are missing in frame 0.\nPairs are missing in frame 0.\n",
+              scene.expecting("1,0,0\n").out);
     const ProgramRun as_json = scene.expecting("0,0,2\n0,0,1\n1,0,0\n", "--json");
     EXPECT_EQ(as_json.status, 1);
     const json frames = json::parse(as_json.out)["frames"];

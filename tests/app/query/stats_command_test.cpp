@@ -48,7 +48,8 @@ TEST(StatsCommand, SaysWhatTheMeshesAre) {
     EXPECT_GT(facts_of("long-triangles")["slender"], 0);
     EXPECT_LT(facts["box"]["lower"][0], facts["box"]["upper"][0]);
     const std::string text = run_scb("stats soup").out;
-    for (const char* part : {"box          ", "open: ", " components", "slenderness  median "})
+    for (const char* part :
+         {"box          ", "not closed: ", " components", "slenderness  median "})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
