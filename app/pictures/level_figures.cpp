@@ -37,6 +37,15 @@ std::vector<render::MeshHandle> uploaded(const std::vector<BodyAtFrame>& bodies,
     return handles;
 }
 
+/// Scans of more triangles have levels that look like them, and take much memory to draw.
+constexpr std::size_t most_small_triangles = 200'000;
+
+std::size_t triangles_of(const std::vector<BodyAtFrame>& bodies) {
+    std::size_t count = 0;
+    for (const BodyAtFrame& body : bodies) count += body.mesh->triangles.size();
+    return count;
+}
+
 }  // namespace
 
 std::string level_title(int level) {
@@ -49,7 +58,9 @@ LevelFigures::LevelFigures(const LevelOptions& options, const LevelSubject& subj
     const std::vector<LevelTrees>& trees = subject.trees;
     common_.style = level_style(options, trees[0].bodies, subject.deepest);
     std::vector<render::MeshHandle> handles;
-    const bool shows_meshes = !options.picture.no_panel && !wish_.inset && !common_.style.mesh;
+    const std::size_t triangles = triangles_of(trees[0].bodies);
+    const bool shows_meshes = !options.picture.no_panel && !wish_.inset && !common_.style.mesh &&
+                              triangles > 0 && triangles <= most_small_triangles;
     if (common_.style.mesh || shows_meshes) handles = uploaded(trees[0].bodies, renderer);
     for (const LevelTrees& each : trees) bodies_.push_back(level_bodies(each.bodies, handles));
     support_ = support_of(subject.levels);

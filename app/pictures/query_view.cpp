@@ -22,6 +22,8 @@ namespace {
 
 /// A region whose extent is below this part of the view's is small in it.
 constexpr double small_in_view = 1.0 / 6;
+/// A region whose extent is at least this part is not seen closer with twice its radius about it.
+constexpr double wide_in_view = 0.5;
 
 /// The nodes whose volumes the camera has to show: some that cover the mesh closely, or all leaves.
 /// If volumes are drawn, all of the upper levels, since a volume may stick out of its parent;
@@ -79,13 +81,21 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
     return parts;
 }
 
-/// Of two compared queries, the pairs that only one of them found; if there are none, the pairs of
-/// `a`.
-std::vector<IndexPair> pairs_to_see(const QueryTrace& a, const QueryTrace& b) {
-    std::vector<IndexPair> differ;
-    std::set_symmetric_difference(a.found.pairs.begin(), a.found.pairs.end(), b.found.pairs.begin(),
-                                  b.found.pairs.end(), std::back_inserter(differ));
-    return differ.empty() ? a.found.pairs : differ;
+/// Whether the camera has more than a direction.
+bool has_distance(const std::optional<scenes::CameraView>& camera) {
+    return camera && (camera->target || camera->distance || camera->view_height);
+}
+
+/// Of two compared queries, keeps in `query` the pairs that only one of them found. Without such
+/// pairs it returns false, and keeps all.
+bool keep_pairs_of_one(QueryTrace& query, const QueryTrace& other) {
+    const std::vector<IndexPair>&a = query.found.pairs, &b = other.found.pairs;
+    std::vector<IndexPair> of_one;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
+                                  std::back_inserter(of_one));
+    if (of_one.empty()) return false;
+    query.found.pairs = std::move(of_one);
+    return true;
 }
 
 }  // namespace
@@ -141,9 +151,13 @@ void QueryView::seek(const render::Subject& subject, int frame,
                      const std::vector<AnyVolume>& region) {
     if (!options_.camera.leaves_direction_open(sources_.front().scene())) return;
     const render::QueryBodies at_frame = bodies(frame);
-    const render::Support whole = [&at_frame](const Vec3& direction) {
+    // Objects of another engine have volumes only.
+    const bool has_meshes =
+        !at_frame[0].mesh->triangles.empty() && !at_frame[1].mesh->triangles.empty();
+    const render::Support of_meshes = [&at_frame](const Vec3& direction) {
         return std::max(mesh_reach(at_frame[0], direction), mesh_reach(at_frame[1], direction));
     };
+    const render::Support whole = has_meshes ? of_meshes : support_;
     const render::Support shown = region.empty() ? whole : render::support_of(region);
     sought_ = {frame, render::seeing_direction(renderer_, subject, aspect(),
                                                {camera_view_.azimuth, camera_view_.elevation},
@@ -167,11 +181,17 @@ void QueryView::seek_contact() {
     // One direction for all pictures of a run: by the frame with the most pairs of three.
     const std::vector<int>& frames = source.frames();
     std::optional<QueryTrace> most;
+    bool most_differs = false;
     for (const int frame : std::set{frames.front(), frames[frames.size() / 2], frames.back()}) {
         QueryTrace query = source.frame_again(frame);
+        bool differs = false;
         if (compares() && !pairs_are_nodes(source.header()))
-            query.found.pairs = pairs_to_see(query, sources_.back().frame_again(frame));
-        if (!most || query.found.pairs.size() > most->found.pairs.size()) most = std::move(query);
+            differs = keep_pairs_of_one(query, sources_.back().frame_again(frame));
+        if (!most || std::pair(differs, query.found.pairs.size()) >
+                         std::pair(most_differs, most->found.pairs.size())) {
+            most = std::move(query);
+            most_differs = differs;
+        }
     }
     if (most->found.pairs.empty()) return;
     const render::QueryBodies at_frame = bodies(most->frame);
@@ -256,8 +276,11 @@ render::Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
 }
 
 bool QueryView::looks_closely(const std::vector<AnyVolume>& region) const {
-    if (region.empty() || follows_contact()) return !region.empty();
+    if (region.empty()) return false;
+    // Twice as large, a wide contact would leave less of the view.
+    if (follows_contact()) return render::extent_in_view(whole_, region) < wide_in_view;
     return options_.camera.camera.empty() && !options_.camera.usual_direction &&
+           !has_distance(sources_.front().scene().camera) &&
            (options_.one_picture || sources_.front().frames().size() == 1) &&
            render::extent_in_view(whole_, region) < small_in_view;
 }
@@ -288,7 +311,12 @@ void QueryView::show_place_of_contact(render::SceneFigure& figure,
 }
 
 scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {
-    return exact_camera_view(camera_view_, camera, center_);
+    scenes::CameraView wish = camera_view_;
+    if (!is_whole(camera)) {
+        wish.target.reset();
+        wish.distance.reset();
+    }
+    return exact_camera_view(wish, camera, center_);
 }
 
 Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {

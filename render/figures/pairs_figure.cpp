@@ -241,7 +241,9 @@ std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader
                                     const QueryTrace& frame, const PairsStyle& style) {
     std::vector<PanelItem> items;
     for (std::size_t side = 0; side < bodies_in(header); ++side)
-        items.emplace_back(PanelKey{body_color(side), "body " + bodies[side].name});
+        items.emplace_back(
+            PanelKey{body_color(side),
+                     (pairs_are_nodes(header) ? "body " : "in pairs: ") + bodies[side].name});
     if (pairs_are_nodes(header)) return items;
     items.emplace_back(PanelKey{style.theme->text, "where triangles meet"});
     if (!contact_areas(bodies, frame).empty())

@@ -58,7 +58,7 @@ void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const T
 void explain_outlines(std::array<ComparedView, 2>& views) {
     for (ComparedView& view : views)
         if (view.outlined.value_or(0) > 0)
-            view.numbers.emplace_back(PanelNote{"outlined: shown differently"});
+            view.numbers.emplace_back(PanelNote{"outlined: drawn differently in the other view"});
 }
 
 /// Outlines nodes that differ, if these can be compared, and triangles that differ, and adds the
@@ -111,9 +111,10 @@ std::array<EndedNodes, 2> compared_nodes(const ComparedQueries& queries,
 
 /// Shows pairs that only one query found: in its own view their triangles, and hatched in the
 /// other. A triangle is shown if it is in no pair of the other. Lines and areas of the pairs are in
-/// both.
+/// both. `first_pair_id`: of the areas in the view of the query that found the pairs.
 void show_pairs_of_one(std::array<ComparedView, 2>& views, const ComparedQueries& queries,
-                       const PairsOfOne& only_here, std::size_t finder) {
+                       const PairsOfOne& only_here, std::size_t finder,
+                       std::uint32_t first_pair_id) {
     const ComparedQuery& query = queries[finder];
     const std::vector<IndexPair>& pairs = only_here[finder];
     for (std::size_t body = 0; body < bodies_in(*query.header); ++body) {
@@ -137,13 +138,15 @@ void show_pairs_of_one(std::array<ComparedView, 2>& views, const ComparedQueries
     const auto is_of_one = [&](std::size_t pair) {
         return std::binary_search(pairs.begin(), pairs.end(), query.frame->found.pairs[pair]);
     };
-    for (Area area : contact_areas(query.bodies, *query.frame)) {
-        if (!is_of_one(area.id)) continue;
-        area.id = 0;
+    std::vector<Area> missed_areas;
+    for (Area& area : views[finder].pane.areas) {
+        if (area.id == 0 || !is_of_one(area.id - first_pair_id)) continue;
         area.color = changed_color;
-        area.shine_through = 0.3;
-        for (ComparedView& view : views) view.pane.areas.insert(view.pane.areas.begin(), area);
+        missed_areas.push_back(area);
+        missed_areas.back().id = 0;
     }
+    std::vector<Area>& others = views[1 - finder].pane.areas;
+    others.insert(others.begin(), missed_areas.begin(), missed_areas.end());
     for (Segment segment : query.contact) {
         if (!is_of_one(segment.id)) continue;
         segment.id = 0;
@@ -180,11 +183,13 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
                                            const PairsOfOne& only_here, const PairsStyle& style,
                                            std::uint32_t first_pair_id) {
     std::array<ComparedView, 2> views;
+    const std::array<std::uint32_t, 2> first_ids = {
+        first_pair_id,
+        first_pair_id + static_cast<std::uint32_t>(queries[0].frame->found.pairs.size())};
     for (std::size_t side = 0; side < 2; ++side) {
         const ComparedQuery& query = queries[side];
-        const std::size_t before = side == 0 ? 0 : queries[0].frame->found.pairs.size();
         views[side].pane = pairs_pane(query.bodies, *query.header, *query.frame, query.contact,
-                                      style, first_pair_id + static_cast<std::uint32_t>(before));
+                                      style, first_ids[side]);
         views[side].legend = pairs_legend(query.bodies, *query.header, *query.frame, style);
     }
     compare(views, queries, only_here, *style.theme);
@@ -192,7 +197,8 @@ std::array<ComparedView, 2> compared_pairs(const ComparedQueries& queries,
     if (queries[0].header->options.stop_level >= 0) return views;
     if (pairs_are_nodes(*queries[0].header)) return views;
     for (std::size_t finder = 0; finder < 2; ++finder)
-        if (!only_here[finder].empty()) show_pairs_of_one(views, queries, only_here, finder);
+        if (!only_here[finder].empty())
+            show_pairs_of_one(views, queries, only_here, finder, first_ids[finder]);
     return views;
 }
 

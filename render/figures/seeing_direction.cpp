@@ -30,16 +30,20 @@ SeeingDirection seeing_direction(
     picture.samples = 1;
     subject.pane.viewport = {0, 0, picture.width, picture.height};
     picture.panes.push_back(std::move(subject.pane));
+    // Parts seen from below are hard to recognize, so another direction need show half as much.
+    const auto value = [](const SeeingDirection& direction) {
+        return direction.elevation < 0 ? direction.score / 2 : direction.score;
+    };
     std::vector<SeeingDirection> tried = directions(usual);
     std::uint64_t most = 0;
     for (SeeingDirection& direction : tried) {
         picture.panes[0].camera = camera_of(direction.azimuth, direction.elevation);
         direction.score = subject.score(*renderer.draw(picture, nullptr, true).ids);
-        most = std::max(most, direction.score);
+        most = std::max(most, value(direction));
     }
     // The grid of pixels makes some percent of difference.
-    return *std::find_if(tried.begin(), tried.end(), [most](const SeeingDirection& direction) {
-        return direction.score >= most - most / 10;
+    return *std::find_if(tried.begin(), tried.end(), [&](const SeeingDirection& direction) {
+        return value(direction) >= most - most / 10;
     });
 }
 

@@ -25,9 +25,9 @@ struct SeeingDirection {
 inline constexpr int tried_directions = 27;
 
 /// The direction of view from which the subject has the highest score: `usual`, or one of 26 around
-/// the scene. Of those with nearly that score the first: `usual`, then from slightly above, from
-/// above and from below, each by azimuth. `camera_of` places a camera that looks in a direction;
-/// `aspect` is width / height of its view.
+/// the scene. From below, a score counts half. Of those with nearly the highest score the first:
+/// `usual`, then from slightly above, from above and from below, each by azimuth. `camera_of`
+/// places a camera that looks in a direction; `aspect` is width / height of its view.
 SeeingDirection seeing_direction(
     Renderer& renderer, Subject subject, double aspect, const SeeingDirection& usual,
     const std::function<Camera(double azimuth, double elevation)>& camera_of);

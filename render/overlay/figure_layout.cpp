@@ -53,10 +53,15 @@ void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const Pixe
                         const Camera& camera, const Detail& detail, const Theme& theme) {
     const int thickness = std::max(1, layout.unit / 10);
     const TextStyle caption{small_size(layout.unit), FontWeight::regular, theme.faint_text};
-    overlay.text(square.x, square.y - small_size(layout.unit) * 5 / 4,
-                 detail.shows_whole ? "the whole; square: the view"
-                                    : "detail, " + number_text(2 * detail.radius) + " wide",
-                 caption);
+    const std::string text = detail.shows_whole
+                                 ? "the whole; square: the view"
+                                 : "detail, " + number_text(2 * detail.radius) + " wide";
+    // In a corner of the view, a wide text would reach into the panel.
+    const int right = square.x < layout.view.x + layout.view.width && !layout.portrait
+                          ? square.x + square.width
+                          : layout.panel.x + layout.panel.width,
+              beyond = std::max(0, square.x + overlay.measure(text, caption).width - right);
+    overlay.text(square.x - beyond, square.y - small_size(layout.unit) * 5 / 4, text, caption);
     overlay.frame(square, theme.accent, thickness);
     const auto marker = detail.shows_whole
                             ? marker_of(square, detail.camera, detail.center, detail.radius)

@@ -53,6 +53,19 @@ TEST(OtherEngines, ALeafOfABroadphaseThatWasNotUpdatedIsNamed) {
                 {"\nNot judged: 40 of 40 leaf volumes"});
 }
 
+/// Objects have volumes, and no triangles that a camera could see.
+TEST(OtherEngines, ObjectsArePictured) {
+    const TemporaryFolder folder;
+    record_broadphase(BroadphaseBug::none, true, folder / "x.scbrec");
+    for (const char* command : {"pairs ", "pairs --camera contact ", "rejections ", "levels "}) {
+        const ProgramRun run =
+            run_scb("--quiet render " + std::string(command) + (folder / "x.scbrec") +
+                    " --size 320x240 --samples 1 -o " + (folder / "out"));
+        EXPECT_EQ(run.status, 0) << command << run.err;
+        EXPECT_EQ(run.err, "") << command;
+    }
+}
+
 TEST(OtherEngines, PairsThatABroadphaseLosesAreNamed) {
     for (const bool extents : {true, false})
         expect_says(inspected_broadphase(BroadphaseBug::pair_order, extents), 1,
