@@ -5,7 +5,7 @@
 #include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "app/query/contact_intervals.h"
@@ -232,9 +232,12 @@ PairComparison::Difference PairComparison::add(std::size_t i, int frame,
     std::ranges::stable_sort(difference.not_found, std::greater{}, &Difference::False::distance);
     // So that one frame with many does not hide the others.
     const std::size_t most = query_.frames.size() > 1 ? most_listed_of_frame : most_listed;
-    for (const Difference::Missing& pair : std::views::take(difference.missing, most))
+    const auto first_of = [most](const auto& pairs) {
+        return std::span(pairs).first(std::min(most, pairs.size()));
+    };
+    for (const Difference::Missing& pair : first_of(difference.missing))
         list(frame, pair.triangles, format("missing, depth %.6g", pair.depth));
-    for (const Difference::False& pair : std::views::take(difference.not_found, most))
+    for (const Difference::False& pair : first_of(difference.not_found))
         list(frame, pair.triangles,
              pair.contact == TriangleContact::apart ? format("false, distance %.6g", pair.distance)
              : pair.contact == TriangleContact::touching
