@@ -144,7 +144,7 @@ TEST_F(GoldenInitCommand, LooksAtPairsFromWhereTheContactIsVisible) {
         return cases(name + "/cases.json");
     };
     const nlohmann::json open = scene("open", "");
-    for (const std::size_t picture : {1, 2}) {
+    for (const std::size_t picture : {1u, 2u}) {
         ASSERT_EQ(open[picture]["arguments"][0], "--camera") << open;
         const std::string camera = open[picture]["arguments"][1];
         ASSERT_TRUE(camera.starts_with("orbit:")) << camera;
