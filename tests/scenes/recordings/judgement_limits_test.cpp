@@ -45,9 +45,9 @@ TEST(JudgementLimits, TreesWhoseToleranceHidesTheirTrianglesAreNotJudged) {
     std::get<RecordedMesh>(records[0]).coordinates = {2e6, 0, 0, 2e6 + 1, 0, 0, 2e6, 1, 0.125};
     const RecordingJudgement judged = judge(records);
     EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
-    EXPECT_NE(not_judged(judged).find("1 triangles or leaf volumes: at frame 0 the tolerance is 2"),
-              std::string::npos)
-        << not_judged(judged);
+    for (const char* part : {"1 triangles or leaf volumes: at frame 0 the tolerance is 2",
+                             ", and 1 of 1 triangles of "})
+        EXPECT_NE(not_judged(judged).find(part), std::string::npos) << not_judged(judged);
 }
 
 TEST(JudgementLimits, NamesTheSettingAsTheCauseOfAWideTolerance) {
@@ -70,6 +70,57 @@ TEST(JudgementLimits, ATestOfVolumesWithoutAnExactTestIsNotJudged) {
     const RecordingJudgement judged = judge(records);
     EXPECT_EQ(judged.verdict(), Verdict::partly_judged);
     EXPECT_EQ(judged.unjudged, 1u);
+}
+
+/// Eight triangles in a row, in leaves 5 to 12. Nodes 1 to 4 have two leaves each, and reach, as
+/// the root 0 does, up to a large triangle above the row, which no leaf does.
+std::vector<Record> row_in_high_boxes() {
+    const auto box = [](double from, double to, double top) -> RecordedVolume {
+        return {RecordedKind::aabb, {from, 0, 0, to, 1, top}};
+    };
+    RecordedMesh row{0, "row", 8, {}, {}};
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        const double x = 10 * i;
+        for (const double number : {x, 0.0, 0.0, x + 1, 0.0, 0.0, x, 1.0, 0.0})
+            row.coordinates.push_back(number);
+        for (const std::uint32_t corner : {0u, 1u, 2u}) row.indices.push_back(3 * i + corner);
+    }
+    std::vector<Record> records = {
+        row, RecordedMesh{1, "above", 8, {0, 0, 5, 80, 0, 5, 0, 1, 5}, {0, 1, 2}},
+        RecordedTree{0, 0, "row", {}},
+        RecordedNode{0, 0, record_none, 0, "", {1, 2, 3, 4}, {}, box(0, 71, 6)}};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        const double x = 20 * k;
+        records.emplace_back(
+            RecordedNode{0, 1 + k, 0, 0, "", {5 + 2 * k, 6 + 2 * k}, {}, box(x, x + 11, 6)});
+        for (const std::uint32_t i : {2 * k, 2 * k + 1})
+            records.emplace_back(
+                RecordedNode{0, 5 + i, 1 + k, 0, "", {}, {i}, box(10 * i, 10 * i + 1, 0)});
+    }
+    append(
+        records,
+        {RecordedTree{1, 1, "above", {}},
+         RecordedNode{1, 0, record_none, 0, "", {}, {0}, {RecordedKind::aabb, {0, 0, 5, 80, 1, 5}}},
+         RecordedBody{0, 0, "A"}, RecordedBody{1, 1, "B"}});
+    std::vector<RecordedEvent> tests = {{0, 0, 0}};
+    for (std::uint32_t k = 0; k < 4; ++k)
+        for (const RecordedEvent& test :
+             {RecordedEvent{0, 1 + k, 0}, {1, 5 + 2 * k, 0}, {1, 6 + 2 * k, 0}})
+            tests.push_back(test);
+    append(records, query_with(tests));
+    return records;
+}
+
+TEST(JudgementLimits, LooseBoxesAreACostIfTheyAreAQuarter) {
+    const RecordingJudgement judged = judge(row_in_high_boxes());
+    EXPECT_FALSE(judged.wrong());
+    ASSERT_EQ(judged.costs.size(), 1u);
+    const CostFinding& cost = judged.costs[0];
+    EXPECT_EQ(cost.kind, CostFinding::Kind::loose);
+    EXPECT_EQ(cost.count, 4u) << "the root is long";
+    EXPECT_EQ(cost.of, 13u);
+    EXPECT_EQ(cost.tests, 13u);
+    EXPECT_EQ(cost.tests_if_tight, 1u);
 }
 
 TEST(JudgementLimits, ATreeThatWasRecordedWithoutNodesHasNoUnknownOnes) {
