@@ -2,14 +2,41 @@
 
 #include <algorithm>
 
+#include "core/judge/mapped_volume.h"
 #include "scb/error.h"
 #include "scb/triangle_overlap.h"
+#include "scenes/recordings/body_pose.h"
+#include "scenes/scene/motion.h"
 #include "scenes/scene/pose_rows.h"
 #include "tests/scenes/recordings/judged_recordings.h"
 #include "tests/unless_sanitized.h"
 
 namespace scb::scenes {
 namespace {
+
+TEST(BodyPose, OfRoundedNumbersIsRigid) {
+    Pose told;
+    told.rotation = rotation_about({1, 2, -1}, 40).cast<float>().cast<double>();
+    const BodyPose body = body_pose(told);
+    EXPECT_GT(body.defect, 1e-9) << "as it was recorded";
+    EXPECT_LT(body.defect, 1e-6);
+    const Mat3 product = body.pose.rotation.transpose() * body.pose.rotation;
+    EXPECT_LT((product - Mat3::Identity()).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_LT((body.pose.rotation - told.rotation).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_FALSE(body.is_stretched());
+}
+
+TEST(BodyPose, ThatMirrorsIsARotationAfterAMirror) {
+    const Mat3 rotation = rotation_about({1, 2, -1}, 40);
+    Pose told;
+    told.rotation = rotation * Vec3(2, -2, 2).asDiagonal();
+    const BodyPose body = body_pose(told);
+    EXPECT_EQ(body.pose_fault, "");
+    EXPECT_GT(determinant(body.pose.rotation), 0.999);
+    EXPECT_EQ(stretch_words(body.stretch), "scaled by 2 and mirrored");
+    const Mat3 again = body.pose.rotation * body.stretch;
+    EXPECT_LT((again - told.rotation).cwiseAbs().maxCoeff(), 1e-14);
+}
 
 TEST(JudgedPoses, NamesNodesOfBThatStandBeforeThoseOfA) {
     std::vector<Record> records = records_in(recording_of(trace_of(VolumeKind::obb)));
