@@ -190,7 +190,10 @@ TEST(JudgedPoses, AScaledBodyIsJudgedWithItsScale) {
 // Each pose that moves the two apart explains that one test.
 TEST(JudgedPoses, APoseIsNotNamedForTestsOfOneOutcome) {
     std::vector<Record> records = two_balls();
-    append(records, {pose_at(0, 0), pose_at(1, 1.5)});
+    // The pose of the frame before would explain it, as any pose of bodies that are apart.
+    append(records, {RecordedFrame{0}, pose_at(0, 0), pose_at(1, 5)});
+    append(records, query_with({{1, 0, 0}}));
+    append(records, {RecordedFrame{1}, pose_at(1, 1.5)});
     append(records, query_with({{1, 0, 0}}));
     const RecordingJudgement judged = judge(records);
     EXPECT_EQ(judged.test_problems.size(), 1u);
