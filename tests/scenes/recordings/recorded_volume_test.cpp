@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace scb::scenes {
 namespace {
@@ -101,6 +102,18 @@ std::string fault_of(RecordedKind kind, const Numbers& numbers,
     std::string fault;
     EXPECT_FALSE(has_volume(node_volume({kind, numbers}, directions, fault)));
     return fault;
+}
+
+TEST(RecordedVolume, OfABoxMayBeOpenAtEachSide) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::string fault;
+    for (std::size_t at = 0; at < 6; ++at) {
+        Numbers numbers = {-1, -2, -3, 1, 2, 3};
+        numbers[at] = at < 3 ? -infinity : infinity;
+        const NodeVolume volume = node_volume({RecordedKind::aabb, numbers}, along_axes, fault);
+        EXPECT_EQ(fault, "");
+        EXPECT_TRUE(std::holds_alternative<OpenBox>(volume)) << at;
+    }
 }
 
 TEST(RecordedVolume, ThatIsNoneSaysWhy) {
