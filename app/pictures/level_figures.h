@@ -18,6 +18,7 @@ class LevelFigures {
     /// Uploads the meshes to the GPU, if they are drawn. The subject must outlive this object.
     LevelFigures(const LevelOptions& options, const LevelSubject& subject,
                  render::Renderer& renderer);
+    LevelFigures(const LevelFigures&) = delete;  // figures refer to this
 
     /// The figure of the subject's trees with index `kind`, at a level.
     render::LevelFigure figure(std::size_t kind, int level) const;

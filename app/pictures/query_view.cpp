@@ -81,11 +81,6 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
     return parts;
 }
 
-/// Whether the camera has more than a direction.
-bool has_distance(const std::optional<scenes::CameraView>& camera) {
-    return camera && (camera->target || camera->distance || camera->view_height);
-}
-
 /// Of two compared queries, keeps in `query` the pairs that only one of them found. Without such
 /// pairs it returns false, and keeps all.
 bool keep_pairs_of_one(QueryTrace& query, const QueryTrace& other) {
@@ -266,11 +261,8 @@ std::vector<AnyVolume> QueryView::near_contact(std::vector<AnyVolume> region) co
 render::Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     if (!looks_closely(region)) return whole_;
     const std::vector<AnyVolume> wide = near_contact(region);
-    scenes::CameraView wish = camera_view_;
-    wish.target.reset();
-    wish.distance.reset();
-    wish.view_height.reset();
-    render::Camera camera = camera_for(wish, render::support_of(wide), aspect());
+    render::Camera camera =
+        camera_for(direction_of(camera_view_), render::support_of(wide), aspect());
     render::set_depth_range(camera, support_);
     return camera;
 }
@@ -279,8 +271,7 @@ bool QueryView::looks_closely(const std::vector<AnyVolume>& region) const {
     if (region.empty()) return false;
     // Twice as large, a wide contact would leave less of the view.
     if (follows_contact()) return render::extent_in_view(whole_, region) < wide_in_view;
-    return options_.camera.camera.empty() && !options_.camera.usual_direction &&
-           !has_distance(sources_.front().scene().camera) &&
+    return options_.camera.leaves_distance_open(sources_.front().scene()) &&
            (options_.one_picture || sources_.front().frames().size() == 1) &&
            render::extent_in_view(whole_, region) < small_in_view;
 }
@@ -311,12 +302,8 @@ void QueryView::show_place_of_contact(render::SceneFigure& figure,
 }
 
 scenes::CameraView QueryView::camera_view(const render::Camera& camera) const {
-    scenes::CameraView wish = camera_view_;
-    if (!is_whole(camera)) {
-        wish.target.reset();
-        wish.distance.reset();
-    }
-    return exact_camera_view(wish, camera, center_);
+    return exact_camera_view(is_whole(camera) ? camera_view_ : direction_of(camera_view_), camera,
+                             center_);
 }
 
 Vec3 QueryView::center(const std::vector<AnyVolume>& region) const {

@@ -107,6 +107,13 @@ scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::S
     return wish;
 }
 
+scenes::CameraView direction_of(scenes::CameraView wish) {
+    wish.target.reset();
+    wish.distance.reset();
+    wish.view_height.reset();
+    return wish;
+}
+
 std::string up_words(const CameraOptions& options, const scenes::Scene& scene) {
     return guesses_up(options, scene) ? "y up as in glTF (--up z turns it)" : "";
 }

@@ -25,6 +25,13 @@ struct CameraOptions {
         return (camera.empty() || follows_contact()) && !scene.camera && !usual_direction;
     }
 
+    /// Whether neither the user nor the scene has chosen more than a direction.
+    bool leaves_distance_open(const scenes::Scene& scene) const {
+        const auto& own = scene.camera;
+        return camera.empty() && !usual_direction &&
+               !(own && (own->target || own->distance || own->view_height));
+    }
+
     void check() const;      ///< throws InputError if an option is invalid
     Vec3 up_vector() const;  ///< throws InputError
     /// The plane of the world with its normal as given; none if not given. Throws InputError.
@@ -34,6 +41,9 @@ struct CameraOptions {
 /// The wish in effect: the command line's, else the scene's, else the default angles with z up, or
 /// y up if all meshes are glTF files.
 scenes::CameraView camera_view_for(const CameraOptions& options, const scenes::Scene& scene);
+
+/// The wish for a direction alone, so that camera_for fits the rest.
+scenes::CameraView direction_of(scenes::CameraView wish);
 
 /// A text about the axis that points up, if it was guessed; else empty.
 std::string up_words(const CameraOptions& options, const scenes::Scene& scene);

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "core/analysis/tested_triangles.h"
 #include "core/analysis/trace.h"
@@ -28,10 +28,10 @@ struct BodyCauses {
     bool slender = false;     ///< at least 5 % of the triangles have a slenderness of 16 or more
     bool duplicated = false;  ///< at least 1 % of the triangles are duplicates
     bool soup = false;        ///< several parts, at least one per ten triangles
+    bool deep = false;        ///< deeper than twice the base-2 logarithm of the number of triangles
     /// Triangle tests of the body's slender triangles, and of its duplicates. In a self query, a
     /// test of two of these counts twice.
     std::uint64_t slender_tests = 0, duplicate_tests = 0;
-    bool deep = false;  ///< deeper than twice the base-2 logarithm of the number of triangles
 };
 
 /// Why tests in queries of two bodies are wasted.
@@ -48,9 +48,10 @@ struct WasteCauses {
 struct QueriedBody {
     const Mesh& mesh;
     int depth = 0;
-    std::vector<TestedTriangle> tested{};
+    std::span<const TestedTriangle> tested{};
 };
 
+/// The bodies are alike if they have the same mesh object.
 WasteCauses waste_causes(const QueriedBody& a, const QueriedBody& b, const VainTests& vain);
 
 }  // namespace scb

@@ -14,6 +14,8 @@
 namespace scb {
 namespace {
 
+constexpr double least_slender = 16;
+
 std::size_t class_of(double slenderness) {
     std::size_t found = 0;
     for (double limit = 4; found + 1 < slenderness_classes && slenderness >= limit; limit *= 4)
@@ -32,7 +34,7 @@ TriangleSize triangle_size(const TriangleCorners& t) {
 }
 
 bool is_slender(const TriangleCorners& corners) {
-    return !is_degenerate(corners) && triangle_size(corners).slenderness >= 16;
+    return !is_degenerate(corners) && triangle_size(corners).slenderness >= least_slender;
 }
 
 std::size_t MeshFacts::slender() const {
@@ -54,7 +56,7 @@ MeshFacts mesh_facts(const Mesh& mesh) {
         const auto [side, slender] = triangle_size(at);
         all.push_back(slender);
         ++facts.slenderness[class_of(slender)];
-        if (slender >= 16 && side > facts.longest_slender_side) {
+        if (slender >= least_slender && side > facts.longest_slender_side) {
             facts.longest_slender_side = side;
             facts.longest_slender = i;
         }

@@ -1,5 +1,4 @@
 #include "golden/compare/image_difference.h"
-#include "render/view/palette.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,6 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <utility>
+
+#include "render/view/palette.h"
 
 namespace scb::golden {
 namespace {

@@ -85,17 +85,15 @@ void add_meshes(Picture& picture, Overlay& overlay, const LevelFigure& figure,
     std::optional<PixelRect> place = detail_square(layout, below);
     if (!place) return;
     if (!layout.portrait) place->width = layout.panel.width;
-    const Theme& theme = *figure.style.theme;
-    LevelStyle style;
+    LevelStyle style = figure.style;
     style.mesh = true;
     style.opacity = 0;
-    style.theme = &theme;
     picture.panes.push_back(level_pane(*place, figure.camera_of_meshes(aspect_of(*place)),
                                        figure.bodies, figure.level, style));
     const int small = small_size(layout.unit);
     overlay.text(place->x, place->y - small * 5 / 4,
                  figure.bodies.size() == 1 ? "the mesh" : "the meshes",
-                 {small, FontWeight::regular, theme.faint_text});
+                 {small, FontWeight::regular, style.theme->faint_text});
 }
 
 }  // namespace
@@ -180,8 +178,9 @@ Pane level_pane(const PixelRect& viewport, const Camera& camera,
             MeshDraw mesh;
             mesh.mesh = body.handle;
             mesh.pose = body.pose;
-            mesh.color =
-                style.opacity > 0 || bodies.size() == 1 ? style.theme->mesh : category_color(b);
+            // Without volumes, meshes have the colors of their bodies.
+            mesh.color = style.opacity <= 0 && style.colors.by == ColorBy::body ? category_color(b)
+                                                                                : style.theme->mesh;
             mesh.edges = style.mesh_edges;
             pane.meshes.push_back(std::move(mesh));
         }

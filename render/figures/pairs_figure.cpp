@@ -72,9 +72,6 @@ void add_leaves(Pane& pane, const QueryBody& body, const std::vector<std::uint32
     }
 }
 
-/// Of triangles in pairs and of areas, where a body hides them.
-constexpr double hidden_opacity = 0.3;
-
 Rgba8 area_color() { return category_color(2); }
 
 void add_leaves_keys(std::vector<PanelItem>& items, const QueryBodies& bodies,

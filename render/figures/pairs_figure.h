@@ -16,6 +16,9 @@ struct PairsStyle {
     const Theme* theme = &light_theme;
 };
 
+/// The opacity of triangles in pairs and of areas where a body hides them.
+inline constexpr double hidden_opacity = 0.3;
+
 /// How many bodies a picture of the query shows: one of a self query.
 std::size_t bodies_in(const TraceHeader& header);
 

@@ -58,7 +58,7 @@ void outline(std::array<ComparedView, 2>& views, std::uint32_t first_id, const T
 void explain_outlines(std::array<ComparedView, 2>& views) {
     for (ComparedView& view : views)
         if (view.outlined.value_or(0) > 0)
-            view.numbers.emplace_back(PanelNote{"outlined: drawn differently in the other view"});
+            view.numbers.emplace_back(PanelNote{"outlined: the views differ"});
 }
 
 /// Outlines nodes that differ, if these can be compared, and triangles that differ, and adds the
@@ -127,7 +127,7 @@ void show_pairs_of_one(std::array<ComparedView, 2>& views, const ComparedQueries
                             std::back_inserter(missed));
         if (missed.empty()) continue;
         MeshDraw marked = marked_triangles(query.bodies[body], missed, changed_color);
-        marked.shine_through = 0.3;
+        marked.shine_through = hidden_opacity;
         for (std::size_t side = 0; side < 2; ++side) {
             marked.hatched = side != finder;
             // Of coinciding surfaces, the first is visible.

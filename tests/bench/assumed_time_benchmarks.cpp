@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -7,6 +6,7 @@
 
 #include "core/analysis/assumed_time.h"
 #include "core/base/statistics.h"
+#include "core/platform/clock.h"
 #include "scb/any_collide.h"
 #include "scb/error.h"
 #include "scenes/scene/builtin.h"
@@ -45,12 +45,10 @@ SceneTimes times_of(const scenes::Scene& scene) {
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < of_a.size(); ++i) {
             std::vector<Collision> found;
-            const auto began = std::chrono::steady_clock::now();
+            const double began = milliseconds(Clock::thread);
             for (const Pose& pose : poses)
                 found.push_back(collide(of_a[i], mesh_a, of_b[i], mesh_b, pose));
-            of_rounds[i].push_back(
-                std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - began)
-                    .count());
+            of_rounds[i].push_back(1e6 * (milliseconds(Clock::thread) - began));
             if (round > 0) continue;
             for (const Collision& one : found)
                 times.assumed[i] += static_cast<double>(assumed_time(
