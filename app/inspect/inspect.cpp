@@ -87,6 +87,7 @@ int status_of(const InspectReport& report, const Console& console) {
 int run(InspectOptions& options, const Console& console) {
     // The queries, the settings and the layouts share hierarchies.
     scenes::keep_hierarchies();
+    options.take_layout(console);
     const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
     if (recorded)
         refuse_with_shard(options.picture.shards, true, "SCENE",
@@ -160,6 +161,7 @@ void add_inspect(const Command& program, const Console& console, Action& action)
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
+    add_layout_options(command, options->layout, "Inspect the queries on packed hierarchies");
     command
         .add_option("--top", options->top,
                     "List the K worst pairs for each reason, each at its worst frame; for a "
@@ -216,9 +218,13 @@ void add_inspect(const Command& program, const Console& console, Action& action)
         const std::vector<std::string> of_queries = {
             "SCENE",   "--pose", "--poses",     "--models", "--volume", "--growth", "--margin",
             "--split", "--test", "--threshold", "--bodies", "--query",  "--tag"};
-        options->of_scene =
-            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--query",
-                                 "--tag", "--frames", "--margin"});
+        std::vector<std::string> of_scene = {"SCENE",    "--pose",   "--poses",
+                                             "--models", "--bodies", "--query",
+                                             "--tag",    "--frames", "--margin"};
+        if (command.count("--layout") > 0)
+            for (const char* option : {"--layout", "--leaf", "--volume", "--growth", "--split"})
+                of_scene.emplace_back(option);
+        options->of_scene = given_text(command, of_scene);
         options->of_files = given_text(command, {"SCENE", "--models"});
         options->of_meshes = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
         options->of_frames = given_text(command, {"--frames"});

@@ -12,6 +12,14 @@ constexpr int most_pictured = 200;
 
 }  // namespace
 
+void InspectOptions::take_layout(const Console& console) {
+    const std::optional<SceneOptions> packed =
+        packed_queries(scene, hierarchy, query, limits, layout, console);
+    if (!packed) return;
+    scene = *packed;
+    recording.clear();
+}
+
 void InspectOptions::check() {
     hierarchy.kind();
     hierarchy.build();

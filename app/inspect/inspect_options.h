@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/pictures/picture_options.h"
+#include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/view/view_page.h"
 
@@ -14,6 +15,7 @@ struct InspectOptions {
     HierarchyOptions hierarchy;
     QueryOptions query;
     QueryLimits limits;
+    LayoutOptions layout;
     PictureOptions picture{.output = ""};
     std::vector<std::string> recording;    ///< see given_recording_options
     std::vector<std::string> of_pictures;  ///< given options that only pictures use
@@ -31,6 +33,9 @@ struct InspectOptions {
     bool no_advice = false;  ///< no other settings are tried
 
     bool draws() const { return !picture.output.empty(); }
+    /// With a packed layout, makes its queries, which are then inspected as a recording. Throws
+    /// InputError.
+    void take_layout(const Console& console);
     /// Throws InputError.
     void check();
 };

@@ -24,7 +24,7 @@ WasteCauses causes_of(const QuerySource& source, int frame, const FrameFindings&
 InspectedQueries open_recording(const InspectOptions& options) {
     InspectedQueries result;
     const std::string& path = options.scene.names[0];
-    result.file = std::make_shared<const scenes::RecordingFile>(path, options.scene.selection);
+    result.file = options.scene.recording_file();
     result.frames = frames_among(result.file->summary.frames, options.query.frames,
                                  result.file->title(), "a recording may have");
     TraceHeader& header = result.report.header;

@@ -34,30 +34,6 @@ void check_recorded(const scenes::RecordedTrace& recorded, const std::string& fi
                          "make; `scb inspect` judges their pairs.");
 }
 
-/// The layout of --layout; none: the reference. Throws InputError if other options have no meaning
-/// there.
-std::optional<PackedLayout> packed_layout(const CollideCommandOptions& options) {
-    const auto layouts = layouts_of(options.layout, options.leaf_triangles);
-    if (layouts.size() != 1) throw InputError("--layout " + options.layout + ": give one layout.");
-    if (!layouts.front()) return std::nullopt;
-    const QueryOptions defaults;
-    for (const auto& [name, is_given] :
-         {std::pair("--test", options.query.test != defaults.test),
-          std::pair("--threshold", options.query.threshold != defaults.threshold),
-          std::pair("--descent", options.query.descent != defaults.descent),
-          std::pair("--levels", !options.limits.levels.empty()),
-          std::pair("--max-pairs", options.limits.max_pairs != QueryLimits{}.max_pairs),
-          std::pair("--mutation", options.hierarchy.mutation != Mutation::none)})
-        if (is_given)
-            throw InputError("--layout " + options.layout + ": " + name +
-                             " is of the reference only; leave one of them out.");
-    if (!can_pack(options.hierarchy.kind()))
-        throw InputError("--layout " + options.layout + ": " +
-                         std::string(volume_kind_name(options.hierarchy.kind())) +
-                         " volumes have no packed layout; give --volume scb or scb2.");
-    return layouts.front();
-}
-
 int run(CollideCommandOptions& options, const Console& console) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
@@ -66,7 +42,8 @@ int run(CollideCommandOptions& options, const Console& console) {
         throw InputError("--contacts " + options.contacts + ": give " + name_list(contact_names) +
                          ".");
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
-    const std::optional<PackedLayout> layout = packed_layout(options);
+    const std::optional<PackedLayout> layout =
+        options.layout.packed(options.hierarchy, options.query, options.limits);
     std::optional<scenes::RecordedTrace> recorded;
     // Recorded pairs can only be compared with all exact pairs of triangles.
     const bool whole = !options.first && options.limits.levels.empty() &&
@@ -94,19 +71,10 @@ int run(CollideCommandOptions& options, const Console& console) {
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, options.limits,
                                   QueriedBodies::all_pairs);
     if (recorded) query.frames = recorded->frames();
-    if (layout) {
-        for (const BodyPair& pair : query.pairs)
-            if (pair[0] == pair[1])
-                throw InputError("--layout " + options.layout +
-                                 ": packed queries are of two bodies; for a body with itself, "
-                                 "leave --layout out.");
-        query.pack(*layout);
-    }
+    if (layout) options.layout.pack(query, *layout);
     if (options.first) query.options.max_pairs = 1;
     note_doubts(options.hierarchy, {query.kind}, console.notes());
-    if (!layout && options.leaf_triangles != most_leaf_triangles)
-        console.note(
-            "scb: --leaf has no effect here: it is of packed layouts; name one with --layout.");
+    options.layout.note_doubts(console.notes());
     note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
 
     CollideReport report(options, query, recorded ? &*recorded : nullptr);
@@ -148,14 +116,9 @@ void add_collide(const Command& program, const Console& console, Action& action)
     add_query_limits(command, options->limits);
     command.add_flag("--first", options->first,
                      "End a query at the first pair; with --layout, in the least time");
-    command
-        .add_option("--layout", options->layout,
-                    "Run the queries on packed hierarchies, as the library does: reference, " +
-                        layout_names() + "; these count N_v and N_p only")
-        .offer(layout_words())
-        .type_name("LAYOUT")
-        .show_default();
-    add_leaf_option(command, options->leaf_triangles);
+    add_layout_options(command, options->layout,
+                       "Run the queries on packed hierarchies, as the library does, which count "
+                       "N_v and N_p only");
     command
         .add_option("--contacts", options->contacts,
                     "crossing: only pairs whose triangles pass through each other; touching: only "

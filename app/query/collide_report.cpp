@@ -61,8 +61,8 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
     result["volume"] = volume_kind_name(query.kind);
     if (query.is_self()) result["query"] = "self";
     if (query.is_packed()) {
-        result["layout"] = options.layout;
-        result["leaf"] = options.leaf_triangles;
+        result["layout"] = options.layout.layout;
+        result["leaf"] = options.layout.leaf_triangles;
     } else {
         if (query.kind == VolumeKind::scb) {
             result["test"] = options.query.test;
@@ -103,8 +103,8 @@ std::string title_of(const CollideCommandOptions& options, const SceneQuery& que
     if (is_of_many(query)) text += format(", %zu pairs of bodies", query.pairs.size());
     text += ", " + std::string(volume_kind_name(query.kind)) + " hierarchies";
     if (query.is_packed())
-        return text + ", layout " + options.layout + ", at most " +
-               counted(static_cast<std::uint64_t>(options.leaf_triangles), "triangle",
+        return text + ", layout " + options.layout.layout + ", at most " +
+               counted(static_cast<std::uint64_t>(options.layout.leaf_triangles), "triangle",
                        "triangles") +
                " in a leaf" + build_text(query.build) + "\n\n";
     if (query.kind == VolumeKind::scb) {

@@ -11,6 +11,7 @@
 #include "app/query/contact_intervals.h"
 #include "app/query/expected_pairs.h"
 #include "app/query/inside_report.h"
+#include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
@@ -26,8 +27,7 @@ struct CollideCommandOptions {
     bool first = false, json = false, csv = false;
     std::string pairs_out;
     std::string expect;  ///< a file of pairs to compare with; empty: none
-    std::string layout = "reference";
-    int leaf_triangles = most_leaf_triangles;
+    LayoutOptions layout;
     std::string contacts;  ///< --contacts; empty: all pairs, and contacts are not told apart
 };
 

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "scb/packed_layout.h"
+#include "app/cli/console.h"
+#include "app/study/scene_query.h"
+#include "scb/packed_hierarchy.h"
 
 namespace scb::app {
 
@@ -22,6 +24,34 @@ std::vector<std::optional<PackedLayout>> layouts_of(const std::string& list, int
 
 /// --leaf, for layouts_of.
 void add_leaf_option(const Command& command, int& leaf_triangles);
+
+/// The layout of a command's queries.
+struct LayoutOptions {
+    std::string layout = "reference";
+    int leaf_triangles = most_leaf_triangles;
+
+    /// The one layout given; none: the reference. Throws InputError if the volumes have no packed
+    /// layout, and if an option was given that has no meaning for packed queries.
+    std::optional<PackedLayout> packed(const HierarchyOptions& hierarchy, const QueryOptions& query,
+                                       const QueryLimits& limits) const;
+    /// Packs the hierarchies of a query. Throws InputError as SceneQuery::pack does, and for a body
+    /// with itself.
+    void pack(SceneQuery& query, const PackedLayout& as) const;
+    /// Notes that --leaf has no effect without a packed layout.
+    void note_doubts(const Note& note) const;
+};
+
+/// --layout and --leaf.
+void add_layout_options(const Command& command, LayoutOptions& options,
+                        const std::string& description);
+
+/// Makes the queries of a scene on packed hierarchies, if `options` has a packed layout, and
+/// returns them as a recording in memory. Else nothing. Throws InputError as open_query does, and
+/// if the scene is a recording or a trace.
+std::optional<SceneOptions> packed_queries(const SceneOptions& scene,
+                                           const HierarchyOptions& hierarchy,
+                                           const QueryOptions& query, const QueryLimits& limits,
+                                           const LayoutOptions& options, const Console& console);
 
 /// --threads, for check_threads.
 void add_threads_option(const Command& command, int& threads, const std::string& description);

@@ -139,8 +139,7 @@ constexpr std::size_t most_measured_levels = 2000;
 /// The trees of a recording, each once, at its first frame.
 std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
     check_threads(options.threads);
-    const scenes::Recording recording =
-        scenes::read_recording(options.scene.names[0], options.scene.selection);
+    const scenes::Recording recording = scenes::read_recording(options.scene.recording_file());
     const scenes::RecordedBodies recorded = scenes::bodies_at(recording, options.scene.frames);
     std::vector<HierarchyStats> result;
     std::map<std::uint32_t, std::size_t> places;  // of trees, by number

@@ -9,11 +9,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/query/layout_options.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/report/count_table.h"
 #include "app/report/trace_report.h"
 #include "app/study/query_source.h"
+#include "app/study/recorded_query.h"
 #include "app/study/scene_query.h"
 #include "core/analysis/trace_words.h"
 #include "core/base/exit_status.h"
@@ -36,6 +38,7 @@ struct TraceOptions {
     HierarchyOptions hierarchy;
     QueryOptions query;
     QueryLimits limits;
+    LayoutOptions layout;
     bool json = false, events = false, records = false;
     std::string output;
 };
@@ -54,8 +57,12 @@ int record(const TraceOptions& options, const Console& console) {
     if (const std::filesystem::path output = options.output;
         output.has_extension() && output.extension() != ".scbrec")
         throw InputError("-o " + options.output + ": a trace is a .scbrec file; name it so.");
+    const std::optional<PackedLayout> layout =
+        options.layout.packed(options.hierarchy, options.query, options.limits);
+    // A compact trace is read beside the binary hierarchies of its scene.
+    const bool records = options.records || layout;
     // A trace names its recording, which is opened again without a selection.
-    if (!options.records && !options.scene.selection.empty())
+    if (!records && !options.scene.selection.empty())
         throw InputError(options.scene.selection.words() +
                          ": a trace does not keep the selection; add --records, which writes the "
                          "meshes and poses, too.");
@@ -64,32 +71,29 @@ int record(const TraceOptions& options, const Console& console) {
     check_output(options.output, "-o");
     note_doubts(options.hierarchy, {query.kind}, console.notes());
     note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
+    options.layout.note_doubts(console.notes());
+    if (layout) {
+        options.layout.pack(query, *layout);
+        query.trace_packed();
+    }
 
     const InterruptWatch watch;
-    const TraceHeader header = trace_header(options.scene, query);
     std::optional<scenes::TraceWriter> trace;
     std::optional<scenes::TraceRecording> recording;
-    if (options.records)
-        recording.emplace(header, std::array{&query.mesh(query.a), &query.mesh(query.b)},
-                          std::array{&query.hierarchy(query.a), &query.hierarchy(query.b)});
+    if (records)
+        recording.emplace(recording_of(options.scene, query, layout ? options.layout.layout : ""));
     else
-        trace.emplace(header);
+        trace.emplace(trace_header(options.scene, query));
     Progress progress(console, query.frames.size());
     std::size_t done = 0;
     std::uint64_t tests = 0;
-    StepRecorder recorder;
     for (; done < query.frames.size() && watch.signal() == 0; ++done) {
-        recorder.steps.volumes.clear();
-        recorder.steps.items.clear();
-        QueryTrace frame{query.frames[done], query.b_to_a(query.frames[done]), {}, {}};
-        frame.found = query.collide(frame.frame, recorder);
-        std::swap(frame.steps, recorder.steps);
+        const QueryTrace frame = traced_query(query, query.frames[done]);
         if (recording)
             recording->add(frame, query.poses(frame.frame));
         else
             trace->add(frame);
         tests += frame.found.n_v;
-        std::swap(frame.steps, recorder.steps);
         progress.step("frames");
     }
     if (done > 0) {
@@ -228,6 +232,8 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
+    add_layout_options(command, options->layout,
+                       "Record the queries on packed hierarchies, with --records");
     command.add_option("-o,--output", options->output, "Write the trace to this file")
         .file({".scbrec"})
         .only_typed();

@@ -19,7 +19,7 @@ int deepest_of(const std::vector<int>& levels) {
 }
 
 LevelSubject recorded_subject(const SceneOptions& scene, const std::string& levels) {
-    scenes::Recording recording = scenes::read_recording(scene.names[0], scene.selection);
+    scenes::Recording recording = scenes::read_recording(scene.recording_file());
     scenes::RecordedBodies recorded = scenes::bodies_at(recording, scene.frames);
     LevelSubject subject;
     subject.recorded = true;

@@ -1,5 +1,7 @@
 #include "app/study/query_source.h"
 
+#include "app/study/recorded_query.h"
+
 #include <algorithm>
 
 #include "core/analysis/level_overlaps.h"
@@ -84,8 +86,10 @@ QuerySource::QuerySource(const SceneOptions& scene, const HierarchyOptions& hier
         return;
     }
     if (recorded && scene.is_recording()) {
-        input_ = std::make_unique<scenes::TestInput>(scene.names[0], query.frames, query.bodies,
-                                                     scene.selection);
+        input_ =
+            std::make_unique<scenes::TestInput>(std::make_shared<const scenes::Recording>(
+                                                    scenes::read_recording(scene.recording_file())),
+                                                query.frames, query.bodies);
         return;
     }
     query_ = open_query(scene, hierarchy, query, limits);
@@ -196,11 +200,7 @@ const QueryTrace& QuerySource::frame(int number) {
 
 QueryTrace QuerySource::frame_again(int number) const {
     if (is_recording()) return recorded()->rewound()->frame(number);
-    StepRecorder recorder;
-    QueryTrace frame{number, query_.b_to_a(number), {}, {}};
-    frame.found = query_.collide(number, recorder);
-    frame.steps = std::move(recorder.steps);
-    return frame;
+    return traced_query(query_, number);
 }
 
 Attribution QuerySource::attribution(const QueryTrace& frame) const {

@@ -64,6 +64,12 @@ void SceneQuery::pack(const PackedLayout& layout) {
                                   scene.meshes[m].name, build.threads));
 }
 
+void SceneQuery::trace_packed() {
+    packed_trees.clear();
+    for (std::size_t m = 0; m < packed.size(); ++m)
+        packed_trees.push_back(packed_tree(packed[m], *topologies[m].topology));
+}
+
 Collision SceneQuery::packed_query(int frame) const {
     PackedOptions limits;
     limits.give_up_after = options.max_pairs;
@@ -89,7 +95,20 @@ Collision SceneQuery::collide(int frame) const {
     return found;
 }
 
+Collision SceneQuery::packed_query(int frame, StepRecorder& recorder) const {
+    const std::size_t of_a = scene.bodies[a].mesh, of_b = scene.bodies[b].mesh;
+    const std::size_t first = recorder.steps.volumes.size();
+    Collision found = collision_of(collide_packed(packed[of_a], mesh(a), packed[of_b], mesh(b),
+                                                  b_to_a(frame), {}, calls_of(recorder)));
+    for (std::size_t i = first; i < recorder.steps.volumes.size(); ++i) {
+        IndexPair& nodes = recorder.steps.volumes[i].nodes;
+        nodes = {packed_trees[of_a].binary.at(nodes.a), packed_trees[of_b].binary.at(nodes.b)};
+    }
+    return found;
+}
+
 Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
+    if (is_packed()) return packed_query(frame, recorder);
     Collision found = is_self()
                           ? collide_self(hierarchy(a), mesh(a), joined, mutated_options(), recorder)
                           : scb::collide(hierarchy(a), mesh(a), hierarchy(b), mesh(b),

@@ -2,6 +2,7 @@
 
 #include "app/study/query_setup.h"
 #include "core/analysis/trace.h"
+#include "core/model/packed_tree.h"
 #include "scb/any_collide.h"
 #include "scb/any_packed.h"
 #include "scenes/scene/scene_hierarchies.h"
@@ -24,7 +25,8 @@ struct SceneQuery {
     BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
     Mutation mutation = Mutation::none;
-    std::vector<AnyPacked> packed;  ///< per mesh; empty: queries run on `hierarchies`
+    std::vector<AnyPacked> packed;         ///< per mesh; empty: queries run on `hierarchies`
+    std::vector<PackedTree> packed_trees;  ///< per mesh, after trace_packed()
 
     bool is_self() const { return a == b; }
     bool is_packed() const { return !packed.empty(); }
@@ -33,6 +35,9 @@ struct SceneQuery {
     /// Throws InputError if the volumes cannot be packed; `collide` throws it at more pairs than
     /// `options.max_pairs`.
     void pack(const PackedLayout& layout);
+    /// After pack(): from now on, `collide` with a recorder is possible, too. Its steps have the
+    /// nodes of `hierarchies`.
+    void trace_packed();
     /// Sets the bodies of the next query.
     void choose(const BodyPair& pair);
     const Mesh& mesh(std::size_t body) const;
@@ -46,6 +51,7 @@ struct SceneQuery {
 
   private:
     Collision packed_query(int frame) const;
+    Collision packed_query(int frame, StepRecorder& recorder) const;
     /// The options with the error of `mutation`; pictures and tables show `options`.
     CollideOptions mutated_options() const;
 };

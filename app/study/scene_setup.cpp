@@ -92,7 +92,11 @@ std::array<std::string, 2> SceneOptions::pose_logs() const {
 }
 
 bool SceneOptions::is_recording() const {
-    return !given && names.size() == 1 && scenes::names_recording(names[0]);
+    return recorded || (!given && names.size() == 1 && scenes::names_recording(names[0]));
+}
+
+std::shared_ptr<const scenes::RecordingFile> SceneOptions::recording_file() const {
+    return recorded ? recorded : std::make_shared<const scenes::RecordingFile>(names[0], selection);
 }
 
 bool SceneOptions::is_trace() const {

@@ -28,12 +28,16 @@ struct SceneOptions {
     scenes::QuerySelection selection{};  ///< of a recording's queries
     /// A scene in memory. Then the one name is only its title.
     std::shared_ptr<const scenes::Scene> given{};
+    /// A recording in memory. Then the one name is only its title.
+    std::shared_ptr<const scenes::RecordingFile> recorded{};
 
     /// Whether the one name is another engine's recording. As a scene it has the recorded meshes
     /// and poses.
     bool is_recording() const;
     /// Whether the one name is a trace.
     bool is_trace() const;
+    /// The recording, in memory or from its file. Throws InputError.
+    std::shared_ptr<const scenes::RecordingFile> recording_file() const;
     /// The logs in `poses`, of the first and the second mesh: "FILE" is of the second, "A=FILE" and
     /// "B=FILE" name the mesh, and a comma is between the two. In place of A and B, a body may have
     /// its name. Throws InputError.

@@ -4,19 +4,29 @@
 #include "app/cli/commands.h"
 #include "app/cli/open_file.h"
 #include "app/cli/validators.h"
+#include "app/query/layout_options.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/view/view_page.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
 
 namespace scb::app {
 namespace {
 
-int run(const ViewOptions& options, const Console& console) {
+int run(ViewOptions& options, const LayoutOptions& layout, const Console& console) {
     options.check();
     const PictureOptions& picture = options.level.picture;
+    LevelOptions& level = options.level;
+    QueryOptions query = options.query;
+    query.frames = level.scene.frames.empty() ? auto_frames : level.scene.frames;
+    if (const std::optional<SceneOptions> packed =
+            packed_queries(level.scene, level.hierarchy, query, {}, layout, console)) {
+        level.scene = *packed;
+        level.recording.clear();
+    }
     const std::string html = view_page(options, console);
     check_output(picture.output, "-o");
     write_file_whole(picture.output, html);
@@ -33,6 +43,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "view", "Write one HTML page that shows hierarchies and queries in any browser");
     const auto options = std::make_shared<ViewOptions>();
+    const auto layout = std::make_shared<LayoutOptions>();
     LevelOptions& level = options->level;
     level.picture.output = "view.html";
     add_scene_options(command, level.scene, true);
@@ -68,6 +79,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
         .show_default();
     add_overlap_options(command, options->query, false);
     add_bodies_option(command, options->query);
+    add_layout_options(command, *layout, "Show the query of one frame on packed hierarchies");
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
     command.footer(
@@ -79,14 +91,14 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html\n"
         "  scb view spheres-l1 --compare corrected,printed --frames 50 -o tests.html\n"
         "  scb view before.scbrec after.scbrec -o traces.html");
-    command.callback([&action, &console, command, options] {
+    command.callback([&action, &console, command, options, layout] {
         std::vector<std::string>& recording = options->level.recording;
         recording = given_hierarchy_options(command);
         for (const char* option : {"--test", "--threshold", "--bodies"})
             if (command.count(option) > 0) recording.emplace_back(option);
         options->note_given(command);
         options->levels = given_text(command, {"--color-by"});
-        action = [&console, options] { return run(*options, console); };
+        action = [&console, options, layout] { return run(*options, *layout, console); };
     });
 }
 

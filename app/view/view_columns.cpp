@@ -128,7 +128,7 @@ class Columns {
             throw InputError("--queries " + asked_.queries +
                              ": of a recording the page has the query of one frame; name that "
                              "with --frames.");
-        const scenes::Recording recording = scenes::read_recording(scene.names[0], scene.selection);
+        const scenes::Recording recording = scenes::read_recording(scene.recording_file());
         const std::vector<scenes::QueriedPair>& pairs = recording.pairs;
         if (query.bodies.empty()) {
             if (pairs.size() != 1 || recording.scene.bodies.size() != 2) return false;

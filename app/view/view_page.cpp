@@ -71,10 +71,9 @@ std::vector<std::uint8_t> still_of(const LevelOptions& options, const ViewSubjec
 }
 
 /// The verdict on one frame of a recording, with the frame's number.
-std::vector<std::string> verdict_of(const std::string& path,
-                                    const scenes::QuerySelection& selection, int frame) {
+std::vector<std::string> verdict_of(const SceneOptions& scene, int frame) {
     std::vector<std::string> lines = verdict_lines(scenes::judge_recording(
-        scenes::RecordingFile(path, selection), [frame](int number) { return number == frame; },
+        *scene.recording_file(), [frame](int number) { return number == frame; },
         [](bool) { return true; }));
     lines.front() = "Frame " + std::to_string(frame) + ": " + lines.front();
     return lines;
@@ -145,8 +144,12 @@ std::string view_page(const ViewOptions& options, const Console& console) {
     start.commands = view_commands(options, subject);
     for (ViewColumn& column : subject.columns) {
         column.explain = explain_command(options, column);
-        if (column.is_recorded() && scenes::names_recording(column.scene->file))
-            column.verdict = verdict_of(column.scene->file, asked.scene.selection, subject.frame);
+        const bool in_memory = asked.scene.recorded != nullptr;
+        if (!column.is_recorded() || (!in_memory && !scenes::names_recording(column.scene->file)))
+            continue;
+        SceneOptions of_column = asked.scene;
+        if (!in_memory) of_column.names = {column.scene->file.string()};
+        column.verdict = verdict_of(of_column, subject.frame);
     }
 
     std::string scene, titles;

@@ -92,6 +92,14 @@ PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const Any
     });
 }
 
+PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
+                               const ObserverCalls& calls) {
+    return of_sides(a, mesh_a, b, mesh_b, [&](const auto& side_a, const auto& side_b) {
+        return collide_packed(side_a, side_b, b_to_a, options, calls);
+    });
+}
+
 PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, const Mesh& mesh_b,
                     const Pose& b_to_a, const PackedOptions& options, PackedWorkspace* workspace,
                     PackedFront* front) {

@@ -7,6 +7,9 @@
 namespace scb::scenes {
 namespace {
 
+/// The stage at which packed tests reject: lanes do not say which bound rejects.
+constexpr std::uint8_t packed_stage = 1;
+
 void append(std::vector<double>& values, const Vec3& v) {
     values.insert(values.end(), {v[0], v[1], v[2]});
 }
@@ -99,46 +102,65 @@ RecordedMesh recorded(const Mesh& mesh, std::uint32_t number, const std::string&
     return result;
 }
 
+/// The nodes of a binary hierarchy with their links, parents first.
+std::vector<PackedTreeNode> linked_nodes(const Topology& topology) {
+    std::vector<PackedTreeNode> nodes(topology.nodes.size());
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const TopologyNode& node = topology.nodes[i];
+        nodes[i].node = i;
+        if (node.is_leaf()) {
+            nodes[i].items = {topology.order[node.first]};
+        } else {
+            nodes[i].children = {node.left, node.left + 1};
+            nodes[node.left].parent = nodes[node.left + 1].parent = i;
+        }
+    }
+    return nodes;
+}
+
 void add_tree(RecordingWriter& writer, std::uint32_t number, const std::string& name,
-              const AnyHierarchy& any) {
+              const TracedBody& body) {
     std::visit(
         [&](const auto& hierarchy) {
-            const Topology& topology = *hierarchy.topology;
             writer.add(RecordedTree{number, number, name, directions_of(hierarchy.volumes[0])});
-            std::vector<std::uint32_t> parents(topology.nodes.size(), record_none);
-            for (std::uint32_t i = 0; i < topology.nodes.size(); ++i) {
-                const TopologyNode& node = topology.nodes[i];
-                RecordedNode recorded_node{number, i, parents[i], i, {}, {}, {}, {}};
-                recorded_node.volume = recorded(hierarchy.volumes[i]);
-                if (node.is_leaf()) {
-                    recorded_node.items.push_back(topology.order[node.first]);
-                } else {
-                    recorded_node.children = {node.left, node.left + 1};
-                    parents[node.left] = parents[node.left + 1] = i;
-                }
-                writer.add(recorded_node);
-            }
+            for (const PackedTreeNode& node :
+                 body.packed ? body.packed->nodes : linked_nodes(*hierarchy.topology))
+                writer.add(RecordedNode{number,
+                                        node.node,
+                                        node.parent,
+                                        node.node,
+                                        {},
+                                        node.children,
+                                        node.items,
+                                        recorded(hierarchy.volumes[node.node])});
         },
-        any);
+        *body.hierarchy);
 }
 
 }  // namespace
 
-TraceRecording::TraceRecording(const TraceHeader& header, std::array<const Mesh*, 2> meshes,
-                               std::array<const AnyHierarchy*, 2> hierarchies)
+TraceRecording::TraceRecording(const TraceHeader& header, const std::array<TracedBody, 2>& bodies,
+                               const std::string& layout)
     : tests_triangles_(header.options.stop_level < 0),
+      is_packed_(!layout.empty()),
       bodies_(header.kind == QueryKind::self ? 1 : 2) {
-    writer_.add(RecordedSetting{"engine", "scb " + header.scb_version});
+    writer_.add(RecordedSetting{"engine", "scb " + (is_packed_ ? layout : header.scb_version)});
     if (tests_triangles_) writer_.add(RecordedSetting{"results", "pairs"});
     for (const TraceField& field : fields_of(header))
-        writer_.add(RecordedSetting{field.name, field.value});
+        if (!is_packed_ || (field.name != "test" && field.name != "descent"))
+            writer_.add(RecordedSetting{field.name, field.value});
+    if (is_packed_) {
+        writer_.add(RecordedSetting{"version", header.scb_version});
+        writer_.add(RecordedStage{packed_stage, "any bound"});
+    }
     for (const Stage stage : stages_of(header.volume, header.options.overlap))
-        writer_.add(
-            RecordedStage{static_cast<std::uint8_t>(stage), std::string(stage_name(stage))});
+        if (!is_packed_)
+            writer_.add(
+                RecordedStage{static_cast<std::uint8_t>(stage), std::string(stage_name(stage))});
     for (std::uint32_t side = 0; side < bodies_; ++side) {
         const std::string& name = header.bodies[side].name;
-        writer_.add(recorded(*meshes[side], side, name));
-        add_tree(writer_, side, name, *hierarchies[side]);
+        writer_.add(recorded(*bodies[side].mesh, side, name));
+        add_tree(writer_, side, name, bodies[side]);
         writer_.add(RecordedBody{side, side, name});
     }
 }
@@ -151,15 +173,24 @@ void TraceRecording::add(const QueryTrace& frame, const std::array<Pose, 2>& pos
     const auto event = [&](RecordTag tag, IndexPair pair) {
         writer_.add(RecordedEvent{static_cast<std::uint8_t>(tag), pair.a, pair.b});
     };
+    const auto& items = frame.steps.items;
     std::size_t next = 0;
-    const auto& triangle_tests = frame.steps.items;
+    const auto add_items = [&](std::uint32_t step) {
+        for (; next < items.size() && items[next].step == step; ++next)
+            if (!items[next].neighbors)
+                event(items[next].hit ? RecordTag::items_meet : RecordTag::items_apart,
+                      items[next].items);
+    };
+    add_items(no_step);
     for (std::uint32_t i = 0; i < frame.steps.volumes.size(); ++i) {
         const Step& test = frame.steps.volumes[i];
-        event(static_cast<RecordTag>(test.stage), test.nodes);
-        for (; next < triangle_tests.size() && triangle_tests[next].step == i; ++next)
-            if (!triangle_tests[next].neighbors)
-                event(triangle_tests[next].hit ? RecordTag::items_meet : RecordTag::items_apart,
-                      triangle_tests[next].items);
+        // Packed queries traverse in no order that shows the parents.
+        if (is_packed_ && test.parent != no_step) event(RecordTag::parent, {test.parent, 0});
+        const bool overlaps = test.stage == Stage::overlapping;
+        event(is_packed_ && !overlaps ? static_cast<RecordTag>(packed_stage)
+                                      : static_cast<RecordTag>(test.stage),
+              test.nodes);
+        add_items(i);
     }
     if (tests_triangles_)
         for (const IndexPair pair : frame.found.pairs) event(RecordTag::pair, pair);

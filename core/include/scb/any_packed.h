@@ -34,6 +34,12 @@ PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const Any
                                const PackedOptions& options = {},
                                PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// `collide_packed` with an observer, for hierarchies of one layout. Throws InputError where A and
+/// B have different layouts or volumes.
+PackedCollision collide_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a, const PackedOptions& options,
+                               const ObserverCalls& calls);
+
 /// `touches` for hierarchies of one layout. Throws InputError where A and B have different layouts
 /// or volumes.
 PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, const Mesh& mesh_b,

@@ -74,6 +74,53 @@ TEST_F(TraceCommand, PrintsEveryTest) {
     EXPECT_NE(text.out.find("rejected at slab-cylinder"), std::string::npos);
 }
 
+TEST_F(TraceCommand, RecordsPackedQueriesThatAreValid) {
+    for (const char* options : {"--volume scb2 --split cost --layout quantized8",
+                                "--layout float2 --leaf 1", "--layout indexed4"}) {
+        SCOPED_TRACE(options);
+        const std::string arguments = std::string(options) + " --frames 100,250";
+        const std::string file = record(arguments, folder / "t.scbrec");
+        const json live = json::parse(run_scb("collide spheres-l1 --json " + arguments).out);
+        const json trace = json::parse(run_scb("trace " + file + " --json --events").out);
+        std::uint64_t tests = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            for (const char* count : {"pairs", "n_v", "n_p"})
+                EXPECT_EQ(trace["frames"][i][count], live["frames"][i][count]) << count;
+            tests += live["frames"][i]["n_v"].get<std::uint64_t>();
+        }
+        EXPECT_GT(live["frames"][0]["pairs"], 0);
+        const ProgramRun judged = run_scb("inspect " + file + " --json --no-advice");
+        EXPECT_EQ(judged.status, 0);
+        const json report = json::parse(judged.out);
+        EXPECT_EQ(report["verdict"], "valid");
+        std::uint64_t judged_tests = 0;
+        for (const json& frame : report["frames"])
+            judged_tests += frame["volume_tests"].get<std::uint64_t>();
+        EXPECT_EQ(judged_tests, tests);
+        // The same queries in memory.
+        const ProgramRun direct = run_scb("inspect spheres-l1 --json --no-advice " + arguments);
+        EXPECT_EQ(direct.status, 0) << direct.err;
+        json same = json::parse(direct.out);
+        same["recording"] = report["recording"];
+        EXPECT_TRUE(same == report);
+    }
+}
+
+TEST_F(TraceCommand, ALayoutRefusesOptionsOfTheReference) {
+    for (const char* options :
+         {"--layout quantized8 --test printed", "--layout quantized8 --volume obb",
+          "--layout quantized8 --descent area", "--layout quantized9", "--layout float2,float4",
+          "--layout quantized8 --bodies A,A", "--layout quantized8 --leaf 5"}) {
+        for (const char* command : {"inspect", "trace"}) {
+            const ProgramRun run = run_scb(std::string(command) + " spheres-l1 " + options +
+                                           " --frames 250 -o " + (folder / "out.scbrec"));
+            EXPECT_EQ(run.status, 2) << options;
+            EXPECT_NE(run.err.find("--l"), std::string::npos) << run.err;
+        }
+    }
+    EXPECT_FALSE(fs::exists(folder / "out.scbrec"));
+}
+
 TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
     record_both();
     const ProgramRun text = run_scb("diff " + corrected + " " + printed);

@@ -26,8 +26,9 @@ inline Trace trace_of(VolumeKind volume, OverlapTest test = OverlapTest::correct
 
 inline std::string recording_of(const Trace& trace) {
     const auto kind = static_cast<std::size_t>(trace.header.volume);
-    TraceRecording recording(trace.header, {&mesh_a().mesh, &mesh_b().mesh},
-                             {&mesh_a().hierarchies[kind], &mesh_b().hierarchies[kind]});
+    TraceRecording recording(trace.header,
+                             {TracedBody{&mesh_a().mesh, &mesh_a().hierarchies[kind]},
+                              TracedBody{&mesh_b().mesh, &mesh_b().hierarchies[kind]}});
     for (const QueryTrace& frame : trace.frames) recording.add(frame, {Pose{}, frame.b_to_a});
     return recording.finish();
 }

@@ -45,8 +45,9 @@ struct RecordedAndOwn {
     explicit RecordedAndOwn(VolumeKind volume, OverlapTest test = OverlapTest::symmetric)
         : trace(record_trace(body_a(), body_b(), asking(volume, test), {0, 3, 6})) {
         const auto kind = static_cast<std::size_t>(volume);
-        TraceRecording recording(trace.header, {&body_a().mesh, &body_b().mesh},
-                                 {&body_a().hierarchies[kind], &body_b().hierarchies[kind]});
+        TraceRecording recording(trace.header,
+                                 {TracedBody{&body_a().mesh, &body_a().hierarchies[kind]},
+                                  TracedBody{&body_b().mesh, &body_b().hierarchies[kind]}});
         for (const QueryTrace& frame : trace.frames) recording.add(frame, {Pose{}, frame.b_to_a});
         folder.write("own.scbrec", recording.finish());
     }

@@ -69,8 +69,8 @@ TEST(RecordingJudgement, FindsNothingWrongWithOwnQueries) {
 TEST(RecordingJudgement, ASelfQueryHasThePairsOfItsMesh) {
     const Trace trace = record_trace(mesh_a(), mesh_a(), asking_self(VolumeKind::obb), {0});
     const auto kind = static_cast<std::size_t>(VolumeKind::obb);
-    TraceRecording recording(trace.header, {&mesh_a().mesh, &mesh_a().mesh},
-                             {&mesh_a().hierarchies[kind], &mesh_a().hierarchies[kind]});
+    const TracedBody body{&mesh_a().mesh, &mesh_a().hierarchies[kind]};
+    TraceRecording recording(trace.header, {body, body});
     recording.add(trace.frames[0], {Pose{}, Pose{}});
     const RecordingJudgement judged = judge(recording.finish());
     EXPECT_EQ(judged.verdict(), Verdict::valid);
