@@ -196,7 +196,7 @@ std::vector<std::string> waste_findings(const InspectReport& report) {
 std::vector<std::string> inspect_findings(const InspectReport& report) {
     std::vector<std::string> all = alarm_findings(report);
     for (const auto& some :
-         {advice_findings(report), cut_sentences(report), waste_findings(report)})
+         {advice_findings(report), mesh_sentences(report), waste_findings(report)})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }

@@ -350,7 +350,7 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
     const Table triangles = triangles_table(report);
     values["has_triangles"] = flag(triangles.size() > 0);
     values["triangles"] = triangles.html();
-    values.set("cut_commands", text_rows("command", cut_commands(report)));
+    values.set("mesh_commands", text_rows("command", mesh_commands(report)));
     values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
     values["reasons"] = reason_rows(report);
     values["frames"] = frame_rows(report);

@@ -330,6 +330,8 @@ Json inspect_json(const InspectReport& report) {
         json["settings"] = settings_json(*report.settings);
         if (has_advice(report) && report.settings->cuts)
             json["settings"]["cuts"] = cuts_json(report);
+        if (has_advice(report) && report.settings->clean)
+            json["settings"]["clean"] = clean_json(report);
     }
     return json;
 }

@@ -66,6 +66,7 @@ std::optional<InspectSettings> settings_of_scene(const InspectOptions& options,
     InspectSettings result;
     result.tuning = std::move(*tuning);
     result.cuts = try_cuts(query.scene, query.a, query.b, result.tuning, findings.tested, progress);
+    result.clean = try_clean_meshes(query.scene, query.a, query.b, result.tuning, progress);
     result.scene = options.of_files;
     if (scenes::names_trace(options.scene.names[0])) {
         result.scene.clear();
@@ -131,6 +132,7 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     result.engine = render::volume_title(source.header());
     result.recorded = recorded;
     result.cuts = try_cuts(scene, a, b, result.tuning, findings.tested, progress);
+    result.clean = try_clean_meshes(scene, a, b, result.tuning, progress);
     result.scene = options.of_files;
     const std::string collide =
         "scb collide" + options.of_meshes +

@@ -8,6 +8,7 @@
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
 #include "app/inspect/inspect_options.h"
+#include "app/study/cure_trial.h"
 #include "app/study/cut_trial.h"
 #include "app/study/frame_findings.h"
 #include "app/study/query_source.h"
@@ -23,8 +24,9 @@ struct InspectSettings {
     /// Of a recording: the engine and its volumes, and its work in the frames of `tuning`.
     std::string engine;
     std::optional<Work> recorded;
-    std::optional<CutTrial> cuts;  ///< of the triangles in most tests
-    std::string scene;             ///< its meshes in a command
+    std::optional<CutTrial> cuts;    ///< of the triangles in most tests
+    std::optional<CureTrial> clean;  ///< of copies and degenerate triangles
+    std::string scene;               ///< its meshes in a command
 };
 
 /// Limit of the settings listed besides the setting of the queries.

@@ -60,8 +60,8 @@ std::string advice_text(const InspectReport& report) {
                         : setting_code(tuning, tuning.rows[tuning.recommended()].setting)) +
                 "\n";
     }
-    text += sentences_text(cut_sentences(report));
-    for (const std::string& command : cut_commands(report)) text += command_lines(command);
+    text += sentences_text(mesh_sentences(report));
+    for (const std::string& command : mesh_commands(report)) text += command_lines(command);
     return text.empty() ? text : text + "\n";
 }
 

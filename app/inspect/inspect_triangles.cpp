@@ -29,10 +29,98 @@ std::uint64_t tests_together(const BodyTriangles& body) {
 }
 
 /// Both bodies if they have the same mesh.
-std::string bodies_of(const InspectReport& report, const MeshCut& cut) {
+std::string bodies_of(const InspectReport& report, std::size_t side) {
     const auto& [a, b] = report.header.bodies;
     return report.causes.alike && a.name != b.name ? a.name + " and " + b.name
-                                                   : body_name(report, cut.side);
+                                                   : body_name(report, side);
+}
+
+/// The change of the meshes, and what it saves. `change`: "cut 3 triangles of A into 9 pieces".
+std::string trial_sentence(const InspectReport& report, std::string change, const TrialWork& work) {
+    const SceneTuning& tuning = report.settings->tuning;
+    const auto changes = [](const Work& from, const Work& to) {
+        return "N_v " + render::change_text(from.volume_tests, to.volume_tests) + ", N_p " +
+               render::change_text(from.triangle_tests, to.triangle_tests) + ", cost " +
+               render::change_text(from.picoseconds, to.picoseconds);
+    };
+    const std::string with_best =
+                          changes(work.before, work.after) + " with " + recommended_text(tuning),
+                      with_base = changes(work.base_before, work.base_after) + " with " +
+                                  (report.settings->recorded
+                                       ? std::string(volume_kind_name(tuning.base().setting.volume))
+                                       : "the present setting");
+    const bool helps_best = work.after.picoseconds < work.before.picoseconds,
+               has_best = tuning.cheapest_layout() || tuning.recommended() != 0;
+    if (has_best && !helps_best)
+        return "Only if you keep the present setting, " + change + ": " + with_base + "; " +
+               with_best + ".";
+    change.front() = static_cast<char>(change.front() - 'a' + 'A');
+    return change + ": " + (has_best ? with_best + "; " : "") + with_base + ".";
+}
+
+std::string cut_sentence(const InspectReport& report, const CutTrial& cuts) {
+    std::string what;
+    for (const MeshCut& cut : cuts.meshes)
+        what += (what.empty() ? "" : " and ") + counted(cut.triangles, "triangle", "triangles") +
+                " of " + printable(bodies_of(report, cut.side)) + " into " +
+                counted(cut.pieces, "piece", "pieces");
+    return trial_sentence(report, "cut " + what, cuts.work);
+}
+
+std::string clean_sentence(const InspectReport& report, const CureTrial& clean) {
+    std::string what;
+    for (const CuredMesh& mesh : clean.meshes) {
+        what += what.empty() ? "" : " and ";
+        if (mesh.copies > 0) what += counted(mesh.copies, "copy", "copies") + " of other triangles";
+        if (mesh.degenerate > 0)
+            what += (mesh.copies > 0 ? " and " : "") +
+                    counted(mesh.degenerate, "triangle without area", "triangles without area");
+        what += " of " + printable(bodies_of(report, mesh.side));
+    }
+    return trial_sentence(report, "leave out " + what, clean.work) +
+           " Their pairs are then not reported.";
+}
+
+/// `scb export` of the mesh of a body.
+std::string export_command(const InspectReport& report, std::size_t side,
+                           const std::string& options, const std::string& ending) {
+    const std::string name = body_name(report, side);
+    return "scb export" + report.settings->scene + " --body " + file_word(name) + options + " -o " +
+           file_word(scenes::file_name_of(name) + ending + ".ply");
+}
+
+/// The commands that write the cut meshes, one each.
+std::vector<std::string> cut_commands(const InspectReport& report) {
+    std::vector<std::string> commands;
+    if (!report.settings->cuts) return commands;
+    for (const MeshCut& cut : report.settings->cuts->meshes) {
+        std::string numbers;
+        for (const std::uint32_t triangle : cut.seeds)
+            numbers += (numbers.empty() ? " --triangles " : ",") + std::to_string(triangle);
+        commands.push_back(export_command(report, cut.side,
+                                          " --cut " + exact_number(cut.longest) + numbers, "-cut"));
+    }
+    return commands;
+}
+
+/// The commands that write the cleaned meshes, one each.
+std::vector<std::string> clean_commands(const InspectReport& report) {
+    std::vector<std::string> commands;
+    if (!report.settings->clean) return commands;
+    for (const CuredMesh& mesh : report.settings->clean->meshes)
+        commands.push_back(export_command(report, mesh.side, " --clean", "-clean"));
+    return commands;
+}
+
+Json json_of(const TrialWork& trial) {
+    const auto work = [](const Work& of) {
+        return Json{{"n_v", of.volume_tests},
+                    {"n_p", of.triangle_tests},
+                    {"cost", static_cast<double>(of.picoseconds) / 1000}};
+    };
+    return {{"before", work(trial.before)},
+            {"after", work(trial.after)},
+            {"base", {{"before", work(trial.base_before)}, {"after", work(trial.base_after)}}}};
 }
 
 }  // namespace
@@ -80,46 +168,18 @@ std::vector<std::string> triangle_sentences(const InspectReport& report) {
     return sentences;
 }
 
-std::vector<std::string> cut_sentences(const InspectReport& report) {
-    if (!has_advice(report) || !report.settings->cuts) return {};
-    const CutTrial& cuts = *report.settings->cuts;
-    const SceneTuning& tuning = report.settings->tuning;
-    std::string what;
-    for (const MeshCut& cut : cuts.meshes)
-        what += (what.empty() ? "" : " and ") + counted(cut.triangles, "triangle", "triangles") +
-                " of " + printable(bodies_of(report, cut)) + " into " +
-                counted(cut.pieces, "piece", "pieces");
-    const auto changes = [](const Work& from, const Work& to) {
-        return "N_v " + render::change_text(from.volume_tests, to.volume_tests) + ", N_p " +
-               render::change_text(from.triangle_tests, to.triangle_tests) + ", cost " +
-               render::change_text(from.picoseconds, to.picoseconds);
-    };
-    const std::string with_best =
-                          changes(cuts.before, cuts.after) + " with " + recommended_text(tuning),
-                      with_base = changes(cuts.base_before, cuts.base_after) + " with " +
-                                  (report.settings->recorded
-                                       ? std::string(volume_kind_name(tuning.base().setting.volume))
-                                       : "the present setting");
-    const bool helps_best = cuts.after.picoseconds < cuts.before.picoseconds,
-               has_best = tuning.cheapest_layout() || tuning.recommended() != 0;
-    if (!has_best) return {"Cut " + what + ": " + with_base + "."};
-    if (helps_best) return {"Cut " + what + ": " + with_best + "; " + with_base + "."};
-    return {"Only if you keep the present setting, cut " + what + ": " + with_base + "; " +
-            with_best + "."};
+std::vector<std::string> mesh_sentences(const InspectReport& report) {
+    if (!has_advice(report)) return {};
+    std::vector<std::string> sentences;
+    if (report.settings->cuts) sentences.push_back(cut_sentence(report, *report.settings->cuts));
+    if (report.settings->clean)
+        sentences.push_back(clean_sentence(report, *report.settings->clean));
+    return sentences;
 }
-
-std::vector<std::string> cut_commands(const InspectReport& report) {
-    if (!has_advice(report) || !report.settings->cuts) return {};
-    std::vector<std::string> commands;
-    for (const MeshCut& cut : report.settings->cuts->meshes) {
-        std::string numbers;
-        for (const std::uint32_t triangle : cut.seeds)
-            numbers += (numbers.empty() ? " --triangles " : ",") + std::to_string(triangle);
-        const std::string name = body_name(report, cut.side);
-        commands.push_back("scb export" + report.settings->scene + " --body " + file_word(name) +
-                           " --cut " + exact_number(cut.longest) + numbers + " -o " +
-                           file_word(scenes::file_name_of(name) + "-cut.ply"));
-    }
+std::vector<std::string> mesh_commands(const InspectReport& report) {
+    if (!has_advice(report)) return {};
+    std::vector<std::string> commands = cut_commands(report);
+    for (std::string& command : clean_commands(report)) commands.push_back(std::move(command));
     return commands;
 }
 
@@ -135,15 +195,22 @@ Json cuts_json(const InspectReport& report) {
                                   {"longest_side", cut.longest},
                                   {"command", commands[i]}});
     }
-    const auto work = [](const Work& of) {
-        return Json{{"n_v", of.volume_tests},
-                    {"n_p", of.triangle_tests},
-                    {"cost", static_cast<double>(of.picoseconds) / 1000}};
-    };
     json["setting"] = recommended_text(report.settings->tuning);
-    json["before"] = work(cuts.before);
-    json["after"] = work(cuts.after);
-    json["base"] = {{"before", work(cuts.base_before)}, {"after", work(cuts.base_after)}};
+    json.update(json_of(cuts.work));
+    return json;
+}
+
+Json clean_json(const InspectReport& report) {
+    const CureTrial& clean = *report.settings->clean;
+    const std::vector<std::string> commands = clean_commands(report);
+    Json json = {{"meshes", Json::array()}};
+    for (std::size_t i = 0; i < clean.meshes.size(); ++i)
+        json["meshes"].push_back({{"body", body_name(report, clean.meshes[i].side)},
+                                  {"copies", clean.meshes[i].copies},
+                                  {"degenerate", clean.meshes[i].degenerate},
+                                  {"command", commands[i]}});
+    json["setting"] = recommended_text(report.settings->tuning);
+    json.update(json_of(clean.work));
     return json;
 }
 

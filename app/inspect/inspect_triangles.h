@@ -19,11 +19,12 @@ Table triangles_table(const InspectReport& report, std::size_t most = most_costl
 /// "12 triangles of robot take part in 83 % of the triangle tests."; empty if there are no tests.
 std::vector<std::string> triangle_sentences(const InspectReport& report);
 
-/// What cutting triangles would save, and the command that writes each cut mesh; empty if nothing
-/// was cut.
-std::vector<std::string> cut_sentences(const InspectReport& report);
-std::vector<std::string> cut_commands(const InspectReport& report);
+/// The savings by each change of the meshes that was tried, and the commands that write the changed
+/// meshes: cut triangles; no copies and degenerate triangles. Empty if no change saves enough.
+std::vector<std::string> mesh_sentences(const InspectReport& report);
+std::vector<std::string> mesh_commands(const InspectReport& report);
 
 nlohmann::ordered_json cuts_json(const InspectReport& report);
+nlohmann::ordered_json clean_json(const InspectReport& report);
 
 }  // namespace scb::app

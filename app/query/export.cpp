@@ -11,6 +11,7 @@
 #include "app/study/scene_query.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
+#include "core/geometry/mesh_clean.h"
 #include "core/geometry/mesh_cut.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
@@ -38,6 +39,7 @@ struct ExportOptions {
     double cut = 0;         ///< the longest side of pieces; 0: a level is written
     std::string triangles;  ///< to cut; empty: all with longer sides
     std::string body, map;
+    bool clean = false;  ///< writes the mesh without copies and degenerate triangles
     std::vector<std::string> recording;  ///< see given_hierarchy_options
 };
 
@@ -51,11 +53,11 @@ void append(Mesh& mesh, const Mesh& part) {
                          " triangles; give a coarser level or fewer --segments.");
 }
 
-/// The index of the body to cut.
-std::size_t cut_body(const scenes::Scene& scene, const std::string& name) {
+/// The index of the body whose mesh is changed.
+std::size_t changed_body(const scenes::Scene& scene, const std::string& name) {
     if (name.empty() && scene.bodies.size() == 1) return 0;
     if (const auto body = body_named(scene, name)) return *body;
-    throw InputError((name.empty() ? std::string("--cut: the scene has several bodies; name one")
+    throw InputError((name.empty() ? std::string("the scene has several bodies; name one")
                                    : "--body " + name + ": the scene has no such body; name one") +
                      " with --body: " + name_list(scene.bodies, &scenes::Body::name) + ".");
 }
@@ -72,9 +74,43 @@ void check_rounding(const Mesh& mesh, double longest) {
                          "move the mesh nearer to its origin, or give a larger --cut.");
 }
 
-/// Writes the mesh of a body with triangles cut into pieces.
-int run_cut(const ExportOptions& options, const Console& console) {
-    if (!(options.cut > 0) || !std::isfinite(options.cut))
+/// A mesh with a part of the changes of the command.
+struct ChangedMesh {
+    Mesh mesh;
+    std::vector<std::uint32_t> origin;  ///< per triangle, the triangle of the original
+    std::string words;                  ///< the changes, for the user
+};
+
+ChangedMesh cut(const Mesh& mesh, const std::string& body, const ExportOptions& options) {
+    std::vector<std::uint32_t> seeds;
+    if (!options.triangles.empty())
+        for (const std::string& part : split_list(options.triangles))
+            for (const int triangle :
+                 parse_numbers(part, {"--triangles", "triangle", body + " has",
+                                      static_cast<int>(mesh.triangles.size()) - 1, "12,40:50"}))
+                seeds.push_back(static_cast<std::uint32_t>(triangle));
+    std::optional<CutMesh> cut = cut_triangles(mesh, seeds, options.cut, most_pieces);
+    if (!cut)
+        throw InputError("--cut " + exact_number(options.cut) + ": this would make more than " +
+                         count_text(most_pieces) + " pieces; give a longer side.");
+    check_rounding(cut->mesh, options.cut);
+    return {std::move(cut->mesh), std::move(cut->origin),
+            counted(cut->cut, "triangle", "triangles") + " cut into " +
+                counted(cut->pieces, "piece", "pieces")};
+}
+
+ChangedMesh cleaned(const Mesh& mesh) {
+    CleanMesh clean = clean_mesh(mesh);
+    return {std::move(clean.mesh), std::move(clean.origin),
+            counted(clean.copies, "copy", "copies") + " and " +
+                counted(clean.degenerate, "triangle without area", "triangles without area") +
+                " left out"};
+}
+
+/// Writes the changed mesh of a body.
+int run_mesh(const ExportOptions& options, const Console& console) {
+    const bool cuts = !options.clean;
+    if (cuts && (!(options.cut > 0) || !std::isfinite(options.cut)))
         throw InputError("--cut " + exact_number(options.cut) +
                          ": give the longest side that pieces may have, above 0.");
     const auto check_outputs = [&] {
@@ -87,38 +123,26 @@ int run_cut(const ExportOptions& options, const Console& console) {
     check_outputs();
     const scenes::Scene scene = options.scene.load(options.scene.frames);
     check_outputs();
-    const std::size_t body = cut_body(scene, options.body);
-    const Mesh& mesh = scene.meshes[scene.bodies[body].mesh].mesh;
-    std::vector<std::uint32_t> seeds;
-    if (!options.triangles.empty())
-        for (const std::string& part : split_list(options.triangles))
-            for (const int triangle :
-                 parse_numbers(part, {"--triangles", "triangle", scene.bodies[body].name + " has",
-                                      static_cast<int>(mesh.triangles.size()) - 1, "12,40:50"}))
-                seeds.push_back(static_cast<std::uint32_t>(triangle));
-    const std::optional<CutMesh> cut = cut_triangles(mesh, seeds, options.cut, most_pieces);
-    if (!cut)
-        throw InputError("--cut " + exact_number(options.cut) + ": this would make more than " +
-                         count_text(most_pieces) + " pieces; give a longer side.");
-    const std::vector<std::uint8_t> bytes = scenes::encode_mesh(
-        {{scene.bodies[body].name, cut->mesh, {0.75f, 0.75f, 0.75f}}}, options.output);
-    check_rounding(cut->mesh, options.cut);
+    const scenes::Body& body = scene.bodies[changed_body(scene, options.body)];
+    const Mesh& mesh = scene.meshes[body.mesh].mesh;
+    const ChangedMesh changed = cuts ? cut(mesh, body.name, options) : cleaned(mesh);
+    const std::vector<std::uint8_t> bytes =
+        scenes::encode_mesh({{body.name, changed.mesh, {0.75f, 0.75f, 0.75f}}}, options.output);
     if (!options.map.empty()) {
-        std::string map = "triangle,cut_from\n";
-        for (std::size_t i = 0; i < cut->origin.size(); ++i)
-            map += std::to_string(i) + "," + std::to_string(cut->origin[i]) + "\n";
+        std::string map = std::string("triangle,") + (cuts ? "cut_from" : "original") + "\n";
+        for (std::size_t i = 0; i < changed.origin.size(); ++i)
+            map += std::to_string(i) + "," + std::to_string(changed.origin[i]) + "\n";
         write_file_whole(options.map, map);
     }
     write_file_whole(options.output, bytes);
     console.note(options.output + ": " +
-                 counted(cut->mesh.triangles.size(), "triangle", "triangles") + "; " +
-                 counted(cut->cut, "triangle", "triangles") + " cut into " +
-                 counted(cut->pieces, "piece", "pieces") + ".");
+                 counted(changed.mesh.triangles.size(), "triangle", "triangles") + "; " +
+                 changed.words + ".");
     return exit_done;
 }
 
 int run(const ExportOptions& options, const Console& console) {
-    if (options.levels.empty()) return run_cut(options, console);
+    if (options.levels.empty()) return run_mesh(options, console);
     if (options.segments < 3 || options.segments > 1024)
         throw InputError("--segments " + std::to_string(options.segments) +
                          ": give 3 to 1024 corners per circle.");
@@ -171,7 +195,7 @@ int run(const ExportOptions& options, const Console& console) {
 
 void add_export(const Command& program, const Console& console, Action& action) {
     const Command command =
-        program.add_subcommand("export", "Write a level, or a mesh with cut triangles");
+        program.add_subcommand("export", "Write a level, or a mesh that is cut or cleaned");
     const auto options = std::make_shared<ExportOptions>();
     add_scene_options(command, options->scene, true);
     add_hierarchy_options(command, options->hierarchy, false);
@@ -193,12 +217,17 @@ void add_export(const Command& program, const Console& console, Action& action) 
                     "With --cut: cut these triangles, 12,40:50, and those that share a longer side "
                     "with a cut one. Default: all triangles with a longer side")
         .type_name("LIST");
-    command.add_option("--body", options->body, "With --cut: the body, if the scene has several")
+    command.add_flag("--clean", options->clean,
+                     "Write the mesh of a body without triangles that have the corners of another, "
+                     "and without triangles whose corners lie on a line");
+    command
+        .add_option("--body", options->body,
+                    "The body whose mesh is written, if the scene has several")
         .type_name("NAME");
     command
         .add_option("--map", options->map,
-                    "With --cut: also write a table (CSV) of the triangle from which each triangle "
-                    "of the new mesh is cut")
+                    "Also write a table (CSV) of the original triangle of each triangle of the new "
+                    "mesh")
         .file({".csv"})
         .only_typed();
     command.add_option("-o,--output", options->output, "The file: .ply, .obj, .glb or .stl")
@@ -215,14 +244,18 @@ void add_export(const Command& program, const Console& console, Action& action) 
         "  scb export part.stl --cut 0.5 -o part-cut.ply --map part-cut.csv");
     command.callback([&action, &console, command, options] {
         options->recording = given_hierarchy_options(command);
-        const bool cuts = command.count("--cut") > 0;
-        if (cuts == (command.count("--levels") > 0))
+        int ways = 0;
+        for (const char* option : {"--levels", "--cut", "--clean"})
+            ways += command.count(option) > 0;
+        if (ways != 1)
             throw InputError(
-                "give either --levels, the level to write, or --cut, the longest side "
-                "of the pieces of triangles.");
-        for (const char* option : {"--triangles", "--body", "--map"})
-            if (!cuts && command.count(option) > 0)
-                throw InputError(std::string(option) + " has no meaning without --cut.");
+                "give one of --levels, the level to write; --cut, the longest side of the pieces "
+                "of triangles; and --clean.");
+        if (command.count("--cut") == 0 && command.count("--triangles") > 0)
+            throw InputError("--triangles has no meaning without --cut.");
+        for (const char* option : {"--body", "--map"})
+            if (command.count("--levels") > 0 && command.count(option) > 0)
+                throw InputError(std::string(option) + " has no meaning with --levels.");
         action = [&console, options] { return run(*options, console); };
     });
 }

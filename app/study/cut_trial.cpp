@@ -5,14 +5,8 @@
 #include <limits>
 #include <memory>
 
-#include "app/study/layout_time.h"
-#include "app/study/query_timing.h"
-#include "core/analysis/assumed_time.h"
-#include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_cut.h"
-#include "scb/any_collide.h"
-#include "scb/any_packed.h"
 
 namespace scb::app {
 namespace {
@@ -22,10 +16,6 @@ constexpr std::size_t most_seeds = 64;
 /// The costly triangles take at least four fifths of the triangle tests.
 constexpr std::uint64_t tests_numerator = 4, tests_denominator = 5;
 constexpr std::size_t most_pieces = 20'000;
-/// In percent of the cost. Users who take the best setting lose time by a cut for the base.
-constexpr std::uint64_t least_gain = 10, least_gain_of_base = 25;
-/// Lengths are compared in so many frames.
-constexpr std::size_t most_trial_frames = 5;
 /// Triangles are long if a side is so many times the usual height of tested triangles.
 constexpr double long_ratio = 8;
 
@@ -66,62 +56,24 @@ double usual_height(const std::vector<TestedTriangle>& tested, const Mesh& mesh)
     return 0;
 }
 
-/// How the queries are made.
-struct QueryMethod {
-    TuneSetting setting;
-    const PackedLayout* layout = nullptr;  ///< null: not packed
-};
-
-/// A mesh with its hierarchy, and what queries of it need besides.
-struct HeldMesh {
-    Mesh mesh;
-    AnyHierarchy hierarchy;
-    std::optional<AnyPacked> packed{};
-    std::vector<std::uint32_t> joined{};  ///< in a self query
-};
-
 /// Up to three digits, for commands. Halves of the longest side must not be longer.
 double rounded_up(double value) {
     const CLocale with_points;
     return std::strtod(format("%.3g", 1.006 * value).c_str(), nullptr);
 }
 
-bool saves_percent(std::uint64_t percent, const Work& before, const Work& after) {
-    return 100 * after.picoseconds <= (100 - percent) * before.picoseconds;
-}
-
-/// The recommended layout or setting, and its work in all frames.
-std::pair<QueryMethod, Work> advised(const SceneTuning& tuning) {
-    if (const TuneLayout* const layout = tuning.cheapest_layout())
-        return {{tuning.rows[layout->row].setting, &layout->layout},
-                {layout->n_v, layout->n_p, 0, layout->picoseconds}};
-    const TuneRow& row = tuning.rows[tuning.recommended()];
-    return {{row.setting}, row.counts};
-}
-
-/// Queries of two bodies whose meshes can be cut.
-class Trial {
+/// Cuts the meshes of a trial.
+class CutSearch {
   public:
-    Trial(const scenes::Scene& scene, std::size_t a, std::size_t b, const SceneTuning& tuning,
-          const QueryMethod& method, const TuneProgress& progress)
-        : is_self_(a == b),
-          one_mesh_(scene.bodies[a].mesh == scene.bodies[b].mesh),
-          build_(tuning.build),
-          method_(method),
-          progress_(progress) {
-        for (const int frame : tuning.frames)
-            poses_.push_back(relative_pose(scenes::pose_at(scene.bodies[a].motion, frame),
-                                           scenes::pose_at(scene.bodies[b].motion, frame)));
-        const std::size_t step = (poses_.size() + most_trial_frames - 1) / most_trial_frames;
-        for (std::size_t i = 0; i < poses_.size(); i += step) few_.push_back(poses_[i]);
-        place(0, scene.meshes[scene.bodies[a].mesh].mesh);
-        if (!one_mesh_) place(1, scene.meshes[scene.bodies[b].mesh].mesh);
-        before_ = after_ = work_of_queries(few_);
-    }
+    CutSearch(MeshTrial& trial, const TuneProgress& progress)
+        : trial_(trial),
+          progress_(progress),
+          before_(trial.work_in_few_frames()),
+          after_(before_) {}
 
     /// Cuts a mesh if that lowers the cost. `usual`: the height of tested triangles.
     void cut(std::size_t side, const std::vector<std::uint32_t>& costly, double usual) {
-        const std::shared_ptr<const HeldMesh> whole = sides_[side];
+        const std::shared_ptr<const TrialMesh> whole = trial_.sides()[side];
         std::vector<std::uint32_t> seeds;
         if (costly.size() <= most_seeds) seeds = costly;
         double longest = longest_side(whole->mesh, costly) / 2;
@@ -130,13 +82,13 @@ class Trial {
             const double limit = rounded_up(longest);
             std::optional<CutMesh> cut = cut_triangles(whole->mesh, seeds, limit, most_pieces);
             if (!cut || progress_.ends()) return;
-            const auto uncut = sides_;
-            place(side, std::move(cut->mesh));
-            const Work work = work_of_queries(few_);
+            const MeshTrial::Sides uncut = trial_.sides();
+            trial_.place(side, std::move(cut->mesh));
+            const Work work = trial_.work_in_few_frames();
             // A mesh is cut for a twentieth of the cost at least.
             const std::uint64_t least = found ? after_.picoseconds : after_.picoseconds / 20 * 19;
             if (work.picoseconds >= least) {
-                sides_ = uncut;
+                trial_.set_sides(uncut);
                 ++worse;
                 continue;
             }
@@ -148,67 +100,12 @@ class Trial {
         }
     }
 
-    bool has_gained() const { return saves_percent(least_gain, before_, after_); }
+    bool has_gained() const { return saves_tenth(before_, after_); }
     const std::vector<MeshCut>& cuts() const { return cuts_; }
 
-    /// The work of the queries in all frames, by any method.
-    Work work_by(const QueryMethod& method) {
-        method_ = method;
-        for (std::size_t side = 0; side < (one_mesh_ ? 1 : 2); ++side)
-            place(side, Mesh(sides_[side]->mesh));
-        return work_of_queries(poses_);
-    }
-
   private:
-    void place(std::size_t side, Mesh mesh) {
-        BuildOptions options = build_;
-        options.split = method_.setting.split;
-        options.fit.growth = method_.setting.growth;
-        AnyHierarchy hierarchy =
-            std::move(build_hierarchies(mesh, std::array{method_.setting.volume}, options).front());
-        const auto held =
-            std::make_shared<HeldMesh>(HeldMesh{std::move(mesh), std::move(hierarchy)});
-        if (method_.layout)
-            held->packed =
-                pack_any(*method_.layout, held->hierarchy, held->mesh, "mesh", options.threads);
-        if (is_self_) held->joined = joined_vertices(held->mesh);
-        sides_[side] = held;
-        if (one_mesh_) sides_[1] = held;
-    }
-
-    Work work_of_queries(const std::vector<Pose>& poses) const {
-        std::vector<Work> works(poses.size());
-        parallel_for(build_.threads, works.size(), [&](std::size_t i) {
-            if (!progress_.ends()) works[i] = work_of_query(poses[i]);
-        });
-        Work sum;
-        for (const Work& work : works) sum += work;
-        return sum;
-    }
-
-    Work work_of_query(const Pose& b_to_a) const {
-        const HeldMesh &a = *sides_[0], &b = *sides_[1];
-        const TuneSetting& setting = method_.setting;
-        if (method_.layout) {
-            const Collision found =
-                collision_of(collide_packed(*a.packed, a.mesh, *b.packed, b.mesh, b_to_a));
-            return {found.n_v, found.n_p, 0, layout_time(setting.volume, *method_.layout, found)};
-        }
-        CollideOptions options;
-        options.overlap = setting.overlap;
-        options.descent = setting.descent;
-        return work_of(setting.volume, setting.overlap, setting.descent,
-                       is_self_
-                           ? collide_self(a.hierarchy, a.mesh, a.joined, options)
-                           : collide(a.hierarchy, a.mesh, b.hierarchy, b.mesh, b_to_a, options));
-    }
-
-    bool is_self_, one_mesh_;
-    BuildOptions build_;
-    QueryMethod method_;
+    MeshTrial& trial_;
     const TuneProgress& progress_;
-    std::vector<Pose> poses_, few_;
-    std::array<std::shared_ptr<const HeldMesh>, 2> sides_;
     std::vector<MeshCut> cuts_;
     Work before_, after_;  // in few frames
 };
@@ -238,24 +135,23 @@ std::optional<CutTrial> try_cuts(const scenes::Scene& scene, std::size_t a, std:
     }
     if (costly[0].empty() && costly[1].empty()) return std::nullopt;
     const auto [best, best_work] = advised(tuning);
-    const QueryMethod base{tuning.base().setting};
+    const QueryMethod base{tuning.base().setting, {}};
     std::vector<QueryMethod> methods = {best};
     if (best.layout || tuning.recommended() != 0) methods.push_back(base);
     progress.begin("bodies cut", methods.size() * costly.size());
     for (const QueryMethod& method : methods) {
-        Trial trial(scene, a, b, tuning, method, progress);
+        MeshTrial trial(scene, a, b, tuning, method, progress);
+        CutSearch search(trial, progress);
         for (std::size_t side = 0; side < costly.size(); ++side) {
-            if (!costly[side].empty()) trial.cut(side, costly[side], usual);
+            if (!costly[side].empty()) search.cut(side, costly[side], usual);
             if (!progress.step()) return std::nullopt;
         }
-        if (!trial.has_gained()) continue;
-        CutTrial result{trial.cuts(), best_work, {}, tuning.base().counts, {}};
-        result.after = trial.work_by(best);
-        result.base_after = trial.work_by(base);
+        if (!search.has_gained()) continue;
+        CutTrial result{search.cuts(), {best_work, {}, tuning.base().counts, {}}};
+        result.work.after = trial.work_by(best);
+        result.work.base_after = trial.work_by(base);
         if (progress.ends()) return std::nullopt;
-        if (saves_percent(least_gain, result.before, result.after) ||
-            saves_percent(least_gain_of_base, result.base_before, result.base_after))
-            return result;
+        if (result.work.pays()) return result;
     }
     return std::nullopt;
 }

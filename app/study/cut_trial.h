@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/study/tune_run.h"
+#include "app/study/mesh_trial.h"
 #include "core/analysis/tested_triangles.h"
 
 namespace scb::app {
@@ -21,8 +21,7 @@ struct MeshCut {
 /// The same queries of meshes with cut triangles.
 struct CutTrial {
     std::vector<MeshCut> meshes;
-    Work before, after;            ///< with the recommended setting or layout, over all frames
-    Work base_before, base_after;  ///< with the base setting
+    TrialWork work;
 };
 
 /// Cuts the triangles that take most of the triangle tests, at several lengths, and takes the

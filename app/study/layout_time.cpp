@@ -6,7 +6,8 @@
 
 namespace scb::app {
 
-std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout, const Collision& found) {
+std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout,
+                          const PackedCollision& found) {
     // Of a test of two volumes: floats, quantized, indexed; nodes of 2, 4 and 8 children.
     using Times = std::array<std::array<std::uint64_t, 3>, 3>;
     constexpr Times one_slab = {

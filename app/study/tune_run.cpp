@@ -93,9 +93,11 @@ class Run {
                 found.row = r;
                 found.layout = layout;
                 for (std::size_t i = 0; i < subject_.frames() && !progress_.ends(); ++i) {
-                    const Collision at = subject_.query(in_layout, i);
+                    const PackedCollision at = subject_.query(in_layout, i);
                     found.n_v += at.n_v;
                     found.n_p += at.n_p;
+                    found.n_exact += at.n_exact;
+                    found.n_after_doubles += at.n_after_doubles;
                     found.pairs += at.pairs.size();
                     if (layout.leaf_triangles == most_leaf_triangles)
                         found.picoseconds += layout_time(rows[r].setting.volume, layout, at);
@@ -136,7 +138,7 @@ class Run {
         timing.query = [&](std::size_t s, std::size_t i) {
             return s < timed.size()
                        ? subject_.query(built[of_timed[s]], rows[timed[s]].setting, frames[i])
-                       : subject_.query(packed[s - timed.size()], frames[i]);
+                       : collision_of(subject_.query(packed[s - timed.size()], frames[i]));
         };
         timing.step = progress_.step;
         progress_.begin("settings timed",

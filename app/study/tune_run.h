@@ -30,8 +30,9 @@ struct TuneLayout {
     std::size_t row = 0;  ///< the row whose hierarchies are packed
     PackedLayout layout;
     std::uint64_t n_v = 0, n_p = 0, pairs = 0;
-    std::uint64_t picoseconds = 0;  ///< see layout_time; 0 for smaller leaves
-    bool misses_pairs = false;      ///< finds other pairs than the row, which is an error
+    std::uint64_t n_exact = 0, n_after_doubles = 0;  ///< see PackedCollision
+    std::uint64_t picoseconds = 0;                   ///< see layout_time; 0 for smaller leaves
+    bool misses_pairs = false;  ///< finds other pairs than the row, which is an error
     double bytes_per_triangle = 0;
     double build_ms = 0;  ///< of the row's hierarchies and of packing
     std::optional<TimeInterval> ms;

@@ -71,10 +71,9 @@ Collision TuneSubject::query(const BuiltSetting& built, const TuneSetting& setti
                    scene_.meshes[mesh_b_].mesh, poses_[frame], options);
 }
 
-Collision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
-    return collision_of(collide_packed(built.a, scene_.meshes[mesh_a_].mesh, built.b,
-                                       scene_.meshes[mesh_b_].mesh, poses_[frame], {},
-                                       &workspace_));
+PackedCollision TuneSubject::query(const BuiltLayout& built, std::size_t frame) {
+    return collide_packed(built.a, scene_.meshes[mesh_a_].mesh, built.b,
+                          scene_.meshes[mesh_b_].mesh, poses_[frame], {}, &workspace_);
 }
 
 void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {

@@ -41,7 +41,7 @@ class TuneSubject {
 
     Collision query(const BuiltSetting& built, const TuneSetting& setting, std::size_t frame) const;
     /// Pairs and counts, without N_u. Not for several threads at a time.
-    Collision query(const BuiltLayout& built, std::size_t frame);
+    PackedCollision query(const BuiltLayout& built, std::size_t frame);
 
     /// Makes a timed query independent of the one before it. A setting would be quicker right after
     /// one with the same hierarchies, which are then in the caches, or with the same overlap test,

@@ -201,6 +201,8 @@ Json layouts_json(const SceneTuning& tuning) {
                       {"leaf", layout.layout.leaf_triangles},
                       {"n_v", tuning.mean(layout.n_v)},
                       {"n_p", tuning.mean(layout.n_p)},
+                      {"n_exact", tuning.mean(layout.n_exact)},
+                      {"n_after_doubles", tuning.mean(layout.n_after_doubles)},
                       {"pairs", tuning.mean(layout.pairs)},
                       {"misses_pairs", layout.misses_pairs},
                       {"bytes_per_triangle", layout.bytes_per_triangle}};

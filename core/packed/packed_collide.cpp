@@ -56,6 +56,7 @@ struct PairLimit {
 void decide_undecided(const AnyQuery& query, PackedFindings& found) {
     found.n_exact += found.undecided.size();
     decide_in_doubles(query.a, query.b, query.b_to_a, query.level, found);
+    found.n_after_doubles += found.undecided.size();
     for (const IndexPair& pair : found.undecided)
         if (triangles_meet(query.a, query.b, query.b_to_a, pair)) found.pairs.push_back(pair);
     found.undecided.clear();
@@ -234,7 +235,7 @@ PackedCollision result_of(PackedFindings& found, const PairLimit& limit, bool so
     const bool complete = !limit.is_passed();
     if (!complete) found.pairs.clear();
     if (sorted) sort_pairs(found.pairs, room);
-    return {found.pairs, found.n_v, found.n_p, found.n_exact, complete};
+    return {found.pairs, found.n_v, found.n_p, found.n_exact, found.n_after_doubles, complete};
 }
 
 }  // namespace

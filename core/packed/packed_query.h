@@ -132,17 +132,18 @@ struct PackedLists {
 
 /// The results of a traversal, in no order.
 struct PackedFindings {
-    std::vector<IndexPair> pairs;      ///< triangles that certainly intersect
-    std::vector<IndexPair> undecided;  ///< triangles that floats cannot decide
-    std::uint64_t n_exact = 0;         ///< how many of these have been decided
-    PackedLists kept;                  ///< the front, if the query makes one; `pairs` is empty then
+    std::vector<IndexPair> pairs;       ///< triangles that certainly intersect
+    std::vector<IndexPair> undecided;   ///< triangles that floats cannot decide
+    std::uint64_t n_exact = 0;          ///< how many of these have been decided
+    std::uint64_t n_after_doubles = 0;  ///< see PackedCollision
+    PackedLists kept;  ///< the front, if the query makes one; `pairs` is empty then
     std::uint64_t n_v = 0, n_p = 0;
 
     void clear() {
         pairs.clear();
         undecided.clear();
         kept.clear();
-        n_v = n_p = n_exact = 0;
+        n_v = n_p = n_exact = n_after_doubles = 0;
     }
     void add(const PackedFindings& other) {
         pairs.insert(pairs.end(), other.pairs.begin(), other.pairs.end());
@@ -151,6 +152,7 @@ struct PackedFindings {
         n_v += other.n_v;
         n_p += other.n_p;
         n_exact += other.n_exact;
+        n_after_doubles += other.n_after_doubles;
     }
 };
 

@@ -26,8 +26,8 @@ class TraceRecording {
     TraceRecording(const TraceHeader& header, const std::array<TracedBody, 2>& bodies,
                    const std::string& layout = "");
 
-    /// Frames must be added ascending. The nodes of steps are those of the hierarchies. `poses`:
-    /// the poses of A and B.
+    /// Frames must be added ascending. Steps have the nodes of the hierarchies. `poses`: the poses
+    /// of A and B.
     void add(const QueryTrace& frame, const std::array<Pose, 2>& poses);
     /// The whole file. Nothing may be added after it.
     std::string finish();

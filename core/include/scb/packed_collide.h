@@ -67,6 +67,9 @@ struct PackedCollision {
     std::uint64_t n_v = 0;         ///< pairs of volumes that were tested
     std::uint64_t n_p = 0;         ///< pairs of triangles that were tested, in floats
     std::uint64_t n_exact = 0;     ///< pairs of n_p that floats could not decide
+    /// Pairs of n_exact that doubles in vector lanes could not decide either: the exact predicates
+    /// decided them, one by one.
+    std::uint64_t n_after_doubles = 0;
     /// False if the query gave up. Then `pairs` is empty, and the counts are of the work so far.
     bool complete = true;
 };

@@ -116,6 +116,55 @@ TEST(InspectAdvice, CutsLongTrianglesIfThatLowersTheCost) {
     EXPECT_TRUE(file_text(folder / "map.csv").starts_with("triangle,cut_from\n0,0\n1,1\n"));
 }
 
+/// A ball as an OBJ file. `twice`: each triangle is there twice.
+std::string ball_file(const TemporaryFolder& folder, const std::string& name, bool twice) {
+    const int rings = 24, sides = 48;
+    std::string text;
+    const double pi = std::acos(-1.0);
+    for (int i = 0; i <= rings; ++i)
+        for (int j = 0; j < sides; ++j) {
+            const double u = pi * i / rings, v = 2 * pi * j / sides;
+            text += format("v %.9g %.9g %.9g\n", std::sin(u) * std::cos(v),
+                           std::sin(u) * std::sin(v), std::cos(u));
+        }
+    for (int copy = 0; copy < (twice ? 2 : 1); ++copy)
+        for (int i = 0; i < rings; ++i)
+            for (int j = 0; j < sides; ++j) {
+                const int next = (j + 1) % sides, a = 1 + sides * i, b = a + sides;
+                if (i > 0) text += format("f %d %d %d\n", a + j, b + j, a + next);
+                if (i + 1 < rings) text += format("f %d %d %d\n", a + next, b + j, b + next);
+            }
+    return folder.write(name, text);
+}
+
+TEST(InspectAdvice, LeavesOutCopiesIfThatLowersTheCost) {
+    const TemporaryFolder folder;
+    const std::string twice = ball_file(folder, "twice.obj", true),
+                      once = ball_file(folder, "once.obj", false),
+                      pose = " --pose=1,0,0,0.7,0,1,0,0.1,0,0,1,0.2";
+    const json found = inspect(twice + " " + once + pose);
+    ASSERT_TRUE(found["settings"].contains("clean")) << found["settings"].dump().substr(0, 999);
+    const json cure = found["settings"]["clean"], mesh = cure["meshes"][0];
+    EXPECT_EQ(cure["meshes"].size(), 1u);
+    EXPECT_EQ(mesh["body"], "twice");
+    EXPECT_EQ(mesh["copies"], 2208);
+    EXPECT_EQ(mesh["degenerate"], 0);
+    // The command writes the mesh, and its queries have the work of the trial.
+    std::string command = mesh["command"];
+    const std::string clean = folder / "clean.ply";
+    command.replace(command.find("twice-clean.ply"), std::string("twice-clean.ply").size(), clean);
+    const ProgramRun written = run_scb(command.substr(4) + " --map " + folder / "map.csv");
+    EXPECT_EQ(written.status, 0) << written.err;
+    EXPECT_NE(written.err.find("2,208 copies and 0 triangles without area left out."),
+              std::string::npos)
+        << written.err;
+    const json counts =
+        json::parse(run_scb("collide " + clean + " " + once + pose + " --json").out);
+    EXPECT_NEAR(counts["mean"]["n_v"].get<double>(), cure["base"]["after"]["n_v"].get<double>(),
+                0.01 * counts["mean"]["n_v"].get<double>());
+    EXPECT_FALSE(inspect(once + " " + once + pose)["settings"].contains("clean"));
+}
+
 TEST(InspectAdvice, NamesTheLineOfCodeThatBuildsTheBestLayout) {
     const auto code = [](const std::string& asked) {
         const std::string text = run_scb("inspect " + asked).out, words = "\n  C++: ";

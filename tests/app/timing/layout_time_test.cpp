@@ -1,5 +1,7 @@
 #include "app/study/layout_time.h"
 
+#include "app/study/query_timing.h"
+
 #include <gtest/gtest.h>
 
 #include "core/analysis/assumed_time.h"
@@ -8,7 +10,7 @@ namespace scb::app {
 namespace {
 
 TEST(LayoutTime, IsTheSumOfTestsTrianglesAndPairs) {
-    Collision found;
+    PackedCollision found;
     found.n_v = 100;
     found.n_p = 10;
     found.pairs.resize(3);
@@ -17,7 +19,7 @@ TEST(LayoutTime, IsTheSumOfTestsTrianglesAndPairs) {
     for (const PackedLayout& layout : all_packed_layouts()) {
         const std::uint64_t one = layout_time(VolumeKind::scb, layout, found);
         EXPECT_LT(one, layout_time(VolumeKind::scb2, layout, found)) << packed_layout_name(layout);
-        EXPECT_LT(one, assumed_time(VolumeKind::scb, {}, DescentRule::radius, found));
+        EXPECT_LT(one, assumed_time(VolumeKind::scb, {}, DescentRule::radius, collision_of(found)));
     }
 }
 
