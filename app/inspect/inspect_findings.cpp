@@ -120,6 +120,20 @@ std::vector<std::string> causes(const InspectReport& report) {
     return sentences;
 }
 
+/// The arithmetic that decides the triangle tests of the advised layout, if floats leave a tenth of
+/// them open.
+std::vector<std::string> decisions(const InspectReport& report) {
+    if (!has_advice(report)) return {};
+    const SceneTuning& tuning = report.settings->tuning;
+    const TuneLayout* const layout = tuning.cheapest_layout();
+    if (!layout || 10 * layout->n_exact < layout->n_p || layout->n_p == 0) return {};
+    return {"Of the triangle tests with " + packed_layout_name(layout->layout) + ", " +
+            share(layout->n_p - layout->n_exact, layout->n_p) + " were decided in floats, " +
+            share(layout->n_exact - layout->n_after_doubles, layout->n_p) + " in doubles, and " +
+            share(layout->n_after_doubles, layout->n_p) +
+            " exactly: triangles touch or lie in one plane, which is slower to decide."};
+}
+
 /// The best setting of this project for the queries of a recording.
 std::string recorded_advice(const InspectSettings& settings) {
     const SceneTuning& tuning = settings.tuning;
@@ -190,6 +204,7 @@ std::vector<std::string> waste_findings(const InspectReport& report) {
         sentences.push_back(std::move(sentence));
     if (counts.wasted.volume_tests > 0)
         for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
+    for (std::string& sentence : decisions(report)) sentences.push_back(std::move(sentence));
     return sentences;
 }
 

@@ -272,7 +272,8 @@ bool QueryView::looks_closely(const std::vector<AnyVolume>& region) const {
     // Twice as large, a wide contact would leave less of the view.
     if (follows_contact()) return render::extent_in_view(whole_, region) < wide_in_view;
     return options_.camera.leaves_distance_open(sources_.front().scene()) &&
-           (options_.one_picture || sources_.front().frames().size() == 1) &&
+           (options_.one_picture || (options_.sheet && !options_.animated) ||
+            sources_.front().frames().size() == 1) &&
            render::extent_in_view(whole_, region) < small_in_view;
 }
 

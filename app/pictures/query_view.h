@@ -57,8 +57,9 @@ class QueryView {
     /// view, magnifies it, and adds a hint for a closer view to the panel.
     void show_place_of_contact(render::SceneFigure& figure,
                                const std::vector<AnyVolume>& region) const;
-    /// Whether the camera shows the region alone: if it follows the contact, or if the region is
-    /// small in the only picture of a run and no camera was asked for.
+    /// Whether the camera shows the region alone: if it follows the contact; or, without a camera
+    /// asked for, if the region is small in the only picture of a run or in a picture of a sheet.
+    /// Other pictures of several frames have one camera, since they may become a video.
     bool looks_closely(const std::vector<AnyVolume>& region) const;
     /// Whether it is the camera for all frames.
     bool is_whole(const render::Camera& camera) const;

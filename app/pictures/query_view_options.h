@@ -39,6 +39,7 @@ struct QueryViewOptions {
     /// open.
     bool seeks_contact = true;
     bool one_picture = false;  ///< of the frames, only one is drawn
+    bool animated = false;     ///< the pictures are steps of queries, and share one camera
     NamedOptions named;        ///< the command's own options that affect its pictures
 
     /// Refuses invalid options before any work is done, and reads `pick`; throws InputError.

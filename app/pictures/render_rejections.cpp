@@ -296,6 +296,7 @@ void add_render_rejections(const Command& render_command, const Console& console
         "-o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
+        options->animated = options->steps.has_value();
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -115,10 +115,14 @@ void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& fig
 }
 
 /// Sets the pane into the view, with its squares; with a panel also scale bar and remark.
-Pane pane_in_view(SceneFigure& figure, const PixelRect& view, int unit, Overlay& overlay) {
+Pane pane_in_view(SceneFigure& figure, PixelRect view, int unit, Overlay& overlay) {
     const Theme& theme = *figure.theme;
+    // Bodies fill a close view, so the bar is below it.
+    const bool is_close = figure.detail && figure.detail->shows_whole;
+    const int below = is_close && figure.with_panel ? 9 * unit / 4 : 0;
+    view.height -= below;
     if (figure.with_panel)
-        draw_scale_bar(overlay, view, figure.pane.camera, figure.center, theme, unit);
+        draw_scale_bar(overlay, view, figure.pane.camera, figure.center, theme, unit, below);
     for (const SceneMarker& marker : figure.markers) {
         // Large enough to be found.
         const double least =
@@ -169,6 +173,13 @@ Picture compose_view(SceneFigure figure, int width, int height, int unit, int sa
     Picture picture{width, height, samples, figure.theme->background, {}};
     overlay.begin();
     picture.panes.push_back(pane_in_view(figure, {0, 0, width, height}, unit, overlay));
+    if (!figure.detail || !figure.detail->shows_whole || !figure.with_panel) return picture;
+    const int side = std::min(width, height) / 4, margin = std::max(1, unit / 4);
+    Pane whole = picture.panes.front();
+    whole.viewport = {width - side - margin, margin, side, side};
+    whole.camera = figure.detail->camera;
+    draw_square_of_view(overlay, unit, whole.viewport, *figure.detail, *figure.theme);
+    picture.panes.push_back(std::move(whole));
     return picture;
 }
 

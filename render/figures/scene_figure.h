@@ -53,7 +53,8 @@ struct SceneFigure {
 
 Picture compose(SceneFigure figure, int width, int height, int samples, Overlay& overlay);
 
-/// The view alone, as large as the picture, with its markers; `unit`: the size of its text.
+/// The view alone, as large as the picture, with its markers, and a small view of the whole in a
+/// corner if the figure's detail is one; `unit`: the size of its text.
 Picture compose_view(SceneFigure figure, int width, int height, int unit, int samples,
                      Overlay& overlay);
 

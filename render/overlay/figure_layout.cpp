@@ -61,12 +61,22 @@ void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const Pixe
                           ? square.x + square.width
                           : layout.panel.x + layout.panel.width,
               beyond = std::max(0, square.x + overlay.measure(text, caption).width - right);
-    overlay.text(square.x - beyond, square.y - small_size(layout.unit) * 5 / 4, text, caption);
+    const int x = square.x - beyond, y = square.y - small_size(layout.unit) * 5 / 4;
+    const TextSize size = overlay.measure(text, caption);
+    overlay.rectangle({x, y, size.width, size.height}, theme.panel);
+    overlay.text(x, y, text, caption);
+    if (detail.shows_whole) return draw_square_of_view(overlay, layout.unit, square, detail, theme);
     overlay.frame(square, theme.accent, thickness);
-    const auto marker = detail.shows_whole
-                            ? marker_of(square, detail.camera, detail.center, detail.radius)
-                            : marker_of(layout.view, camera, detail.center, detail.radius);
-    if (marker) overlay.frame(*marker, theme.accent, thickness);
+    if (const auto marker = marker_of(layout.view, camera, detail.center, detail.radius))
+        overlay.frame(*marker, theme.accent, thickness);
+}
+
+void draw_square_of_view(Overlay& overlay, int unit, const PixelRect& square, const Detail& detail,
+                         const Theme& theme) {
+    const int thickness = std::max(1, unit / 10);
+    overlay.frame(square, theme.accent, thickness);
+    if (const auto marker = marker_of(square, detail.camera, detail.center, detail.radius))
+        overlay.frame(*marker, theme.accent, thickness);
 }
 
 namespace {
@@ -155,11 +165,11 @@ std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
 }
 
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
-                    const Theme& theme, int unit) {
+                    const Theme& theme, int unit, int below) {
     const double scale = pixels_per_unit(camera, at, view.height);
     if (!(scale > 0) || !std::isfinite(scale)) return;
-    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2, view.width / 5,
-                   scale, {theme, unit});
+    draw_scale_bar(overlay, view.x + unit / 2, view.y + view.height - unit / 2 + below,
+                   view.width / 5, scale, {theme, unit});
 }
 
 void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,

@@ -44,6 +44,10 @@ std::optional<PixelRect> detail_square(const FigureLayout& layout, int below);
 void draw_detail_frames(Overlay& overlay, const FigureLayout& layout, const PixelRect& square,
                         const Camera& camera, const Detail& detail, const Theme& theme);
 
+/// The frames of a view of the whole in its square, without words.
+void draw_square_of_view(Overlay& overlay, int unit, const PixelRect& square, const Detail& detail,
+                         const Theme& theme);
+
 inline double aspect_of(const PixelRect& rect) {
     return static_cast<double>(rect.width) / rect.height;
 }
@@ -64,10 +68,10 @@ std::string fitted_text(Overlay& overlay, std::string_view text, const TextStyle
 std::vector<std::string> wrapped_text(Overlay& overlay, std::string_view text,
                                       const TextStyle& style, int width);
 
-/// Draws a length bar in the lower left corner of a view: the length of a round number of scene
-/// units at `at`.
+/// Draws a length bar in the lower left corner of a view, or `below` pixels lower: the length of a
+/// round number of scene units at `at`.
 void draw_scale_bar(Overlay& overlay, const PixelRect& view, const Camera& camera, const Vec3& at,
-                    const Theme& theme, int unit);
+                    const Theme& theme, int unit, int below = 0);
 
 /// Draws a sentence at the top left of a view, in the accent color, on a panel.
 void draw_remark(Overlay& overlay, const PixelRect& view, std::string_view remark,

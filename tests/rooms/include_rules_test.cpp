@@ -91,7 +91,7 @@ TEST(IncludeRules, AreSeenToBreak) {
         {"core/fit/fit.cpp", "core/overlap/overlap_slabs.h"},
         {"core/fit/fit.cpp", "scb/collide.h"},
         {"core/packed/collapse.cpp", "core/analysis/trace.h"},
-        {"core/analysis/trace.cpp", "scb/packed_scb.h"},
+        {"core/packed/collapse.cpp", "core/model/tree.h"},
         {"core/explain/exact_overlap.h", "scb/collide.h"},
         {"core/include/scb/fit.h", "core/fit/dop26.h"},
         {"core/include/scb_record.h", "scb/vec.h"},

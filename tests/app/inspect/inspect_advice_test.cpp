@@ -165,6 +165,25 @@ TEST(InspectAdvice, LeavesOutCopiesIfThatLowersTheCost) {
     EXPECT_FALSE(inspect(once + " " + once + pose)["settings"].contains("clean"));
 }
 
+TEST(InspectAdvice, SaysHowTheTriangleTestsOfTouchingPartsAreDecided) {
+    const json found = inspect("stack --frames 0");
+    const auto layout = found["settings"]["best"]["layout"].get<std::size_t>();
+    const json packed = found["settings"]["layouts"][layout];
+    const double all = packed["n_p"], exact = packed["n_exact"], left = packed["n_after_doubles"];
+    EXPECT_GT(all, exact);
+    EXPECT_GT(exact, left);
+    EXPECT_GT(left, 0);
+    const std::string words = format("%.1f %% were decided in floats, %.1f %% in doubles, and %.1f",
+                                     100 * (1 - exact / all), 100 * (exact - left) / all,
+                                     100 * left / all);
+    std::string text = run_scb("inspect stack --frames 0").out;
+    for (std::size_t at = 0; (at = text.find("\n  ", at)) != text.npos;) text.replace(at, 3, " ");
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    // Triangles that only cross are decided in floats.
+    EXPECT_EQ(run_scb("inspect spheres-l1 --frames 100").out.find("decided in floats"),
+              std::string::npos);
+}
+
 TEST(InspectAdvice, NamesTheLineOfCodeThatBuildsTheBestLayout) {
     const auto code = [](const std::string& asked) {
         const std::string text = run_scb("inspect " + asked).out, words = "\n  C++: ";
