@@ -15,6 +15,7 @@
 #include "core/platform/text_lines.h"
 #include "core/platform/tokens.h"
 #include "scb/error.h"
+#include "scb/triangle_distance.h"
 
 namespace scb::app {
 namespace {
@@ -225,8 +226,7 @@ PairComparison::Difference PairComparison::add(std::size_t i, int frame,
     for (const IndexPair pair : only_expected) {
         const auto [of_a, of_b] = corners_of(pair);
         const TriangleContact contact = triangle_contact(of_a, of_b);
-        const bool meet = contact != TriangleContact::apart;
-        difference.not_found.push_back({pair, contact, meet ? 0 : triangle_gap(of_a, of_b)});
+        difference.not_found.push_back({pair, contact, triangle_distance(of_a, of_b).distance});
     }
     std::ranges::stable_sort(difference.missing, std::greater{}, &Difference::Missing::depth);
     std::ranges::stable_sort(difference.not_found, std::greater{}, &Difference::False::distance);

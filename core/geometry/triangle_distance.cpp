@@ -1,52 +1,158 @@
-#include "core/geometry/triangle_segment.h"
+#include "scb/triangle_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "core/geometry/triangle_segment.h"
 
 namespace scb {
 namespace {
 
-double clamped_share(double part, double whole) {
-    return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
-}
+/// Two points, and their squared distance.
+struct PointPair {
+    Vec3 p, q;
+    double squared = HUGE_VAL;
 
-double squared_distance(const Vec3& p, const Vec3& q) { return squared_norm(Vec3(p - q)); }
-
-/// The squared distance of a point and the segment from s to t.
-double squared_distance(const Vec3& p, const Vec3& s, const Vec3& t) {
-    const Vec3 along = t - s;
-    return squared_distance(
-        p, Vec3(s + clamped_share(dot(Vec3(p - s), along), squared_norm(along)) * along));
-}
-
-/// The squared distance of the segments from p to q and from s to t: between the closest points of
-/// their lines if both are on the segments, else at an end of one.
-double squared_distance(const Vec3& p, const Vec3& q, const Vec3& s, const Vec3& t) {
-    double least = std::min({squared_distance(p, s, t), squared_distance(q, s, t),
-                             squared_distance(s, p, q), squared_distance(t, p, q)});
-    const Vec3 u = q - p, v = t - s, w = p - s;
-    const double uu = squared_norm(u), vv = squared_norm(v), uv = dot(u, v);
-    const double determinant = uu * vv - uv * uv;
-    if (determinant > 0) {
-        const double of_u = (uv * dot(v, w) - vv * dot(u, w)) / determinant,
-                     of_v = (uu * dot(v, w) - uv * dot(u, w)) / determinant;
-        if (of_u > 0 && of_u < 1 && of_v > 0 && of_v < 1)
-            least = std::min(least, squared_distance(Vec3(p + of_u * u), Vec3(s + of_v * v)));
+    PointPair() = default;
+    PointPair(const Vec3& of_a, const Vec3& of_b)
+        : p(of_a), q(of_b), squared(squared_norm(Vec3(of_a - of_b))) {}
+    PointPair reversed() const {
+        PointPair pair = *this;
+        std::swap(pair.p, pair.q);
+        return pair;
     }
-    return least;
+};
+
+bool is_before(const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
 }
 
-/// The squared distance of a point and a triangle if the point is above its inside; else infinity,
-/// since then an edge is as close.
-double squared_distance_above(const Vec3& p, const TriangleCorners& t) {
-    const Vec3 normal = cross(Vec3(t[1] - t[0]), Vec3(t[2] - t[0]));
-    for (std::size_t k = 0; k < 3; ++k)
-        if (!(dot(cross(normal, Vec3(t[(k + 1) % 3] - t[k])), Vec3(p - t[k])) >= 0))
-            return HUGE_VAL;
-    const double length = std::sqrt(squared_norm(normal));
-    if (!(length > 0)) return HUGE_VAL;
-    const double height = dot(normal, Vec3(p - t[0])) / length;
-    return height * height;
+/// A triangle whose corners are in the order of their coordinates.
+struct OrderedTriangle {
+    TriangleCorners corners;
+
+    explicit OrderedTriangle(const TriangleCorners& given) : corners(given) {
+        std::sort(corners.begin(), corners.end(), is_before);
+    }
+    const Vec3& corner(std::size_t i) const { return corners[i]; }
+    /// The ends of edge i, in their order.
+    std::pair<Vec3, Vec3> edge(std::size_t i) const {
+        return {corners[i == 2 ? 1 : 0], corners[i == 0 ? 1 : 2]};
+    }
+};
+
+/// The edge from `from` on.
+struct Edge {
+    Vec3 from, along;
+    double squared_length;
+
+    explicit Edge(const std::pair<Vec3, Vec3>& ends)
+        : from(ends.first), along(ends.second - ends.first), squared_length(squared_norm(along)) {}
+    Vec3 at(double share) const { return from + share * along; }
+    /// The share at which the line of the edge is nearest to a point.
+    double nearest(const Vec3& point) const {
+        const double share = dot(Vec3(point - from), along) / squared_length;
+        return share + dot(Vec3(point - at(share)), along) / squared_length;
+    }
+};
+
+bool is_inside(double share) { return share > 0 && share < 1; }
+
+/// A point and the inside of an edge; infinitely far if an end of the edge is as close.
+PointPair closest(const Vec3& point, const Edge& edge) {
+    const double share = edge.squared_length > 0 ? edge.nearest(point) : 0;
+    return is_inside(share) ? PointPair(point, edge.at(share)) : PointPair();
+}
+
+/// The insides of two edges; infinitely far if a corner is as close.
+PointPair closest(const Edge& a, const Edge& b) {
+    const double ab = dot(a.along, b.along),
+                 determinant = a.squared_length * b.squared_length - ab * ab;
+    if (!(determinant > 0)) return {};
+    const Vec3 between = a.from - b.from;
+    const double share =
+        (ab * dot(b.along, between) - b.squared_length * dot(a.along, between)) / determinant;
+    if (!is_inside(share)) return {};
+    // Each is projected onto the other's line, since the determinant of nearly parallel edges is
+    // inexact.
+    const double of_b = b.nearest(a.at(share));
+    if (!is_inside(of_b)) return {};
+    const double of_a = a.nearest(b.at(of_b));
+    return is_inside(of_a) ? PointPair(a.at(of_a), b.at(of_b)) : PointPair();
+}
+
+/// A triangle's inside, by its longest edge and the height on it.
+class Face {
+  public:
+    explicit Face(const OrderedTriangle& t) {
+        std::size_t longest = 0;
+        for (std::size_t i = 1; i < 3; ++i)
+            if (Edge(t.edge(i)).squared_length > Edge(t.edge(longest)).squared_length) longest = i;
+        std::tie(from_, to_) = t.edge(longest);
+        apex_ = t.corner(2 - longest);
+        along_ = to_ - from_;
+        squared_length_ = squared_norm(along_);
+        if (!(squared_length_ > 0)) return;
+        // Twice: a needle's apex is nearly on the edge.
+        height_ = apex_ - from_;
+        for (int k = 0; k < 2; ++k) height_ -= dot(height_, along_) / squared_length_ * along_;
+        foot_ = dot(Vec3(apex_ - from_), along_) / squared_length_;
+        squared_height_ = squared_norm(height_);
+    }
+
+    /// A point and the inside of the face; infinitely far if an edge is as close.
+    PointPair closest(const Vec3& point) const {
+        if (!(squared_height_ > 0)) return {};
+        Vec3 shares = Vec3::Zero();  // of the apex, the first and the second end of the edge
+        Vec3 rest = point - from_;
+        for (int k = 0; k < 2; ++k) {
+            const double of_apex = dot(rest, height_) / squared_height_,
+                         of_end = dot(rest, along_) / squared_length_ - of_apex * foot_;
+            shares[0] += of_apex;
+            shares[2] += of_end;
+            rest = point - at(shares);
+        }
+        shares[1] = 1 - shares[0] - shares[2];
+        if (!(shares.minCoeff() > 0)) return {};
+        return {point, at(shares)};
+    }
+
+  private:
+    Vec3 at(const Vec3& shares) const {
+        return from_ + shares[0] * Vec3(apex_ - from_) + shares[2] * along_;
+    }
+
+    Vec3 from_, to_, apex_, along_, height_ = Vec3::Zero();
+    double squared_length_ = 0, squared_height_ = 0, foot_ = 0;
+};
+
+/// The closest features; of equal distances the first. Triangles that intersect may have a positive
+/// distance here, since an edge goes through a face.
+PointPair closest_features(const TriangleCorners& given_a, const TriangleCorners& given_b) {
+    const OrderedTriangle a(given_a), b(given_b);
+    PointPair best;
+    const auto take = [&best](const PointPair& pair) {
+        if (pair.squared < best.squared) best = pair;
+    };
+    const std::array<Edge, 3> edges_a = {Edge(a.edge(0)), Edge(a.edge(1)), Edge(a.edge(2))},
+                              edges_b = {Edge(b.edge(0)), Edge(b.edge(1)), Edge(b.edge(2))};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            take({a.corner(i), b.corner(j)});
+            take(closest(a.corner(i), edges_b[j]));
+            take(closest(b.corner(j), edges_a[i]).reversed());
+            take(closest(edges_a[i], edges_b[j]));
+        }
+    const Face face_a(a), face_b(b);
+    for (std::size_t i = 0; i < 3; ++i) {
+        take(face_b.closest(a.corner(i)));
+        take(face_a.closest(b.corner(i)).reversed());
+    }
+    return best;
 }
 
 /// The overlap of the extents along a direction, the smaller of both sides; infinity if the
@@ -66,14 +172,16 @@ double overlap_along(const Vec3& direction, const TriangleCorners& a, const Tria
 
 }  // namespace
 
-double triangle_gap(const TriangleCorners& a, const TriangleCorners& b) {
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < 3; ++i) {
-        least = std::min({least, squared_distance_above(a[i], b), squared_distance_above(b[i], a)});
-        for (std::size_t j = 0; j < 3; ++j)
-            least = std::min(least, squared_distance(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
+TriangleDistance triangle_distance(const TriangleCorners& a, const TriangleCorners& b) {
+    if (const auto common = triangles_intersection(a, b)) {
+        const Vec3 point = (common->a + common->b) / 2;
+        return {0, point, point};
     }
-    return std::sqrt(least);
+    const PointPair closest = closest_features(a, b);
+    double distance = std::sqrt(closest.squared);
+    // The square of a small distance may underflow.
+    if (!(distance > 0)) distance = (closest.p - closest.q).cwiseAbs().maxCoeff();
+    return {std::max(distance, std::numeric_limits<double>::denorm_min()), closest.p, closest.q};
 }
 
 double triangle_depth(const TriangleCorners& a, const TriangleCorners& b) {

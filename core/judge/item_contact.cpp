@@ -5,6 +5,7 @@
 
 #include "core/geometry/triangle_segment.h"
 #include "core/judge/query_contacts.h"
+#include "scb/triangle_distance.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
@@ -66,7 +67,7 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
     }
     const auto [a, b] = triangles_of(query, b_to_a, items);
     const bool meet = triangles_overlap(a, b);
-    const double margin = meet ? triangle_depth(a, b) : triangle_gap(a, b);
+    const double margin = meet ? triangle_depth(a, b) : triangle_distance(a, b).distance;
     return {meet, margin <= query.triangle_tolerance, margin};
 }
 

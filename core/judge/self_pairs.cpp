@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/geometry/triangle_pair.h"
-#include "core/geometry/triangle_segment.h"
 #include "core/hierarchy/mesh_topology.h"
+#include "scb/triangle_distance.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb {
@@ -16,7 +16,7 @@ namespace {
 /// The distance of an edge from a triangle; 0 if they meet.
 double edge_gap(const Vec3& from, const Vec3& to, const TriangleCorners& triangle) {
     const TriangleCorners edge{from, to, to};
-    return triangles_overlap(edge, triangle) ? 0 : triangle_gap(edge, triangle);
+    return triangle_distance(edge, triangle).distance;
 }
 
 /// For two triangles with a common edge from corner 0 to corner 1: whether the free corners lie on
@@ -81,7 +81,7 @@ bool SelfPairs::may_meet_elsewhere(std::uint32_t i, std::uint32_t j, double tole
     TriangleCorners a, b;
     switch (arrange(i, j, a, b)) {
         case 0:
-            return triangles_overlap(a, b) || triangle_gap(a, b) <= tolerance;
+            return triangle_distance(a, b).distance <= tolerance;
         case 1:
             return std::min(edge_gap(a[1], a[2], b), edge_gap(b[1], b[2], a)) <= tolerance;
         case 2:

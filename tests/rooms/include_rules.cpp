@@ -49,7 +49,7 @@ const std::map<std::string, Floors> rooms = {
 // To which room of core a public header belongs.
 const std::map<std::string, std::vector<std::string>> public_headers = {
     {"base", {"vec", "pose", "error", "simd_level"}},
-    {"geometry", {"mesh", "triangle_overlap"}},
+    {"geometry", {"mesh", "triangle_distance", "triangle_overlap"}},
     {"volumes",
      {"scb", "scb2", "ball", "obb", "aabb", "convex", "fit_points", "kdop", "rss", "capsule",
       "volume", "placement"}},
