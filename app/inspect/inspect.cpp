@@ -87,22 +87,27 @@ int status_of(const InspectReport& report, const Console& console) {
 int run(InspectOptions& options, const Console& console) {
     // The queries, the settings and the layouts share hierarchies.
     scenes::keep_hierarchies();
-    options.take_layout(console);
+    options.check();
+    const InterruptWatch watch;
+    if (options.take_layout(console, watch) && watch.signal() != 0) {
+        console.note("scb: interrupted; no query was inspected.");
+        return exit_interrupted(watch.signal());
+    }
     const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
     if (recorded)
         refuse_with_shard(options.picture.shards, true, "SCENE",
                           "another engine's recording is judged as a whole");
-    options.check();
     options.picture.shards.check_folder(options.picture.output);
     InspectedQueries inspected = recorded ? open_recording(options) : open_scene(options, console);
     std::optional<PictureRun> pictures;
     InspectReport& report = inspected.report;
-    const InterruptWatch watch;
     if (options.time && options.no_advice && !recorded)
         console.note("scb: --time has no effect with --no-advice: it is of other settings.");
     if (recorded) {
         if (options.time)
-            console.note("scb: --time has no effect on the recording of another engine.");
+            console.note(
+                "scb: --time has no effect on recorded queries" +
+                std::string(options.scene.recorded ? ", and --layout records them." : "."));
         judge(inspected, options, console, watch);
     } else {
         Parts parts(
@@ -225,16 +230,25 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             for (const char* option : {"--layout", "--leaf", "--volume", "--growth", "--split"})
                 of_scene.emplace_back(option);
         options->of_scene = given_text(command, of_scene);
+        options->of_packed =
+            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--volume",
+                                 "--growth", "--margin", "--split"});
+        options->of_layout = given_text(command, {"--layout", "--leaf"});
         options->of_files = given_text(command, {"SCENE", "--models"});
-        options->of_meshes = given_text(command, {"SCENE", "--bodies", "--query", "--tag"});
+        std::vector<std::string> of_meshes = {"SCENE", "--bodies", "--query", "--tag"};
+        if (command.count("--layout") > 0)
+            for (const char* option : {"--pose", "--poses", "--models", "--margin"})
+                of_meshes.emplace_back(option);
+        options->of_meshes = given_text(command, of_meshes);
         options->of_frames = given_text(command, {"--frames"});
         options->view.note_given(command);
         options->view.descent = given_text(command, {"--descent"});
         options->explain = "scb explain" + given_text(command, of_queries);
-        options->command = "scb inspect" + given_text(command, of_queries) +
-                           given_text(command, {"--descent", "--frames", "--max-pairs", "--levels",
-                                                "--top", "--size", "--background"}) +
-                           " -o DIR";
+        options->command =
+            "scb inspect" + given_text(command, of_queries) +
+            given_text(command, {"--descent", "--frames", "--max-pairs", "--levels", "--layout",
+                                 "--leaf", "--no-advice", "--top", "--size", "--background"}) +
+            " -o DIR";
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -127,22 +127,33 @@ std::vector<std::string> decisions(const InspectReport& report) {
     const SceneTuning& tuning = report.settings->tuning;
     const TuneLayout* const layout = tuning.cheapest_layout();
     if (!layout || 10 * layout->n_exact < layout->n_p || layout->n_p == 0) return {};
-    return {"Of the triangle tests with " + packed_layout_name(layout->layout) + ", " +
-            share(layout->n_p - layout->n_exact, layout->n_p) + " were decided in floats, " +
+    return {"With the advised " + packed_layout_name(layout->layout) + ", " +
+            share(layout->n_p - layout->n_exact, layout->n_p) +
+            " of the triangle tests are decided in floats, " +
             share(layout->n_exact - layout->n_after_doubles, layout->n_p) + " in doubles, and " +
             share(layout->n_after_doubles, layout->n_p) +
-            " exactly: triangles touch or lie in one plane, which is slower to decide."};
+            " exactly: triangles that touch, or lie in one plane, take longer."};
 }
 
 /// The best setting of this project for the queries of a recording.
 std::string recorded_advice(const InspectSettings& settings) {
     const SceneTuning& tuning = settings.tuning;
     const TuneLayout* const layout = tuning.cheapest_layout();
+    const std::string where = " in " + render::frames_text(tuning.frames);
+    if (settings.packed_cost) {
+        const std::uint64_t least =
+            layout ? layout->picoseconds : tuning.rows[tuning.recommended()].counts.picoseconds;
+        if (least >= *settings.packed_cost)
+            return "No setting costs less than the inspected queries" + where + ".";
+        return "Best setting" + where + ": " + recommended_text(tuning) +
+               format(", with %.3f of the cost of the inspected queries.",
+                      multiple_of(least, *settings.packed_cost));
+    }
     const Work found = layout ? Work{layout->n_v, layout->n_p}
                               : tuning.rows[tuning.recommended()].counts,
                &recorded = *settings.recorded;
-    std::string text = "Best of this project's hierarchies in " +
-                       render::frames_text(tuning.frames) + ": " + recommended_text(tuning) +
+    std::string text = "Best of this project's hierarchies" + where + ": " +
+                       recommended_text(tuning) +
                        format(", with %.2f of the recorded N_v",
                               multiple_of(found.volume_tests, recorded.volume_tests));
     if (recorded.triangle_tests > 0)

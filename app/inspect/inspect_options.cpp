@@ -12,12 +12,18 @@ constexpr int most_pictured = 200;
 
 }  // namespace
 
-void InspectOptions::take_layout(const Console& console) {
-    const std::optional<SceneOptions> packed =
-        packed_queries(scene, hierarchy, query, limits, layout, console);
-    if (!packed) return;
-    scene = *packed;
+bool InspectOptions::take_layout(const Console& console, const InterruptWatch& watch) {
+    if (!layout.packed(hierarchy, query, limits)) {
+        layout.note_doubts(console.notes());
+        return false;
+    }
+    refuse_with_shard(picture.shards, true, "--layout " + layout.layout,
+                      "queries of packed hierarchies are judged as a whole");
+    scene = packed_queries(scene, hierarchy, query, limits, layout, console, watch);
+    // The recording has these bodies as A and B.
+    query.bodies.clear();
     recording.clear();
+    return true;
 }
 
 void InspectOptions::check() {

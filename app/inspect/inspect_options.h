@@ -22,6 +22,7 @@ struct InspectOptions {
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< the given options of the scene, see given_text
     std::string of_files;                  ///< the given options of the meshes
+    std::string of_packed, of_layout;      ///< see ViewOptions
     // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
     std::string of_meshes, of_frames;
     ViewOptions view;  ///< only its texts of given options
@@ -33,9 +34,9 @@ struct InspectOptions {
     bool no_advice = false;  ///< no other settings are tried
 
     bool draws() const { return !picture.output.empty(); }
-    /// With a packed layout, makes its queries, which are then inspected as a recording. Throws
-    /// InputError.
-    void take_layout(const Console& console);
+    /// With a packed layout, makes its queries until interrupted. They are then inspected as a
+    /// recording. Returns whether it has a packed layout. Throws InputError.
+    bool take_layout(const Console& console, const InterruptWatch& watch);
     /// Throws InputError.
     void check();
 };

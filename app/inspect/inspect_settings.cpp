@@ -1,10 +1,12 @@
 #include "app/inspect/inspect_settings.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/cli/command_text.h"
+#include "app/study/layout_time.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
@@ -97,9 +99,11 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     if (!recording.refusal.empty() && !recording.changes_meshes)
         throw InputError(recording.refusal);
     std::vector<std::pair<int, Work>> of_frames;
+    std::map<int, std::uint64_t> pairs_of;
     Work all;
     for (const InspectedFrame& frame : findings.frames) {
         of_frames.emplace_back(frame.frame, frame.found.counts.all);
+        pairs_of[frame.frame] = frame.found.pairs;
         all += of_frames.back().second;
     }
     if (all.volume_tests == 0) throw InputError(path + ": no tests of volumes were recorded.");
@@ -113,12 +117,16 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
             of_frames.begin())};
     std::vector<int> counted;
     Work recorded;
+    std::uint64_t pairs = 0;
     for (const std::size_t i : places) {
+        pairs += pairs_of[of_frames[i].first];
         counted.push_back(of_frames[i].first);
         recorded += of_frames[i].second;
     }
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
+    asked.base.growth = options.hierarchy.growth;
+    asked.build = options.hierarchy.build();
     asked.layouts = widest_layouts();
     asked.gives_up = true;
     const TuneProgress progress = tune_progress(console, watch);
@@ -131,6 +139,10 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     result.tuning = std::move(*tuning);
     result.engine = render::volume_title(source.header());
     result.recorded = recorded;
+    const auto inspected = layouts_of(options.layout.layout, options.layout.leaf_triangles).front();
+    if (inspected && inspected->leaf_triangles == most_leaf_triangles)
+        result.packed_cost = layout_time(options.hierarchy.kind(), *inspected,
+                                         recorded.volume_tests, recorded.triangle_tests, pairs);
     result.cuts = try_cuts(scene, a, b, result.tuning, findings.tested, progress);
     result.clean = try_clean_meshes(scene, a, b, result.tuning, progress);
     result.scene = options.of_files;

@@ -24,6 +24,8 @@ struct InspectSettings {
     /// Of a recording: the engine and its volumes, and its work in the frames of `tuning`.
     std::string engine;
     std::optional<Work> recorded;
+    /// The assumed time of that work if it is of packed hierarchies with leaves of four triangles.
+    std::optional<std::uint64_t> packed_cost;
     std::optional<CutTrial> cuts;    ///< of the triangles in most tests
     std::optional<CureTrial> clean;  ///< of copies and degenerate triangles
     std::string scene;               ///< its meshes in a command

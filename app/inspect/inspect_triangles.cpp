@@ -176,6 +176,7 @@ std::vector<std::string> mesh_sentences(const InspectReport& report) {
         sentences.push_back(clean_sentence(report, *report.settings->clean));
     return sentences;
 }
+
 std::vector<std::string> mesh_commands(const InspectReport& report) {
     if (!has_advice(report)) return {};
     std::vector<std::string> commands = cut_commands(report);

@@ -108,8 +108,10 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
             .type_name("A,B")
             .shareable();
         command
-            .add_flag("--sheet", options.sheet,
-                      "Also draw a sheet of all pictures, small, with their counts")
+            .add_flag(
+                "--sheet", options.sheet,
+                "Also draw a sheet of all pictures, small, with their counts. A contact that is "
+                "small in a picture is then shown closely in it")
             .shareable();
     } else {
         add_picture_options(command, options.picture);

@@ -13,6 +13,7 @@
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_clean.h"
 #include "core/geometry/mesh_cut.h"
+#include "core/geometry/triangle_pair.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
 #include "core/volumes/any_volume.h"
@@ -101,6 +102,18 @@ ChangedMesh cut(const Mesh& mesh, const std::string& body, const ExportOptions& 
 
 ChangedMesh cleaned(const Mesh& mesh) {
     CleanMesh clean = clean_mesh(mesh);
+    if (clean.origin.size() == 1 && is_degenerate(corners(clean.mesh, 0)))
+        throw InputError("--clean: all triangles of the mesh are without area; nothing is left.");
+    // All formats have floats.
+    Mesh rounded = clean.mesh;
+    for (Vec3& vertex : rounded.vertices) vertex = vertex.cast<float>().cast<double>();
+    std::size_t faults = clean_mesh(rounded).copies;
+    for (std::uint32_t i = 0; i < rounded.triangles.size(); ++i)
+        faults += is_degenerate(corners(rounded, i));
+    if (faults > 0)
+        throw InputError("-o: the file would round coordinates to 32 bits, by which " +
+                         counted(faults, "triangle", "triangles") +
+                         " would have no area or be copies; move the mesh nearer to its origin.");
     return {std::move(clean.mesh), std::move(clean.origin),
             counted(clean.copies, "copy", "copies") + " and " +
                 counted(clean.degenerate, "triangle without area", "triangles without area") +

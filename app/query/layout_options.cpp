@@ -69,6 +69,9 @@ std::optional<PackedLayout> LayoutOptions::packed(const HierarchyOptions& hierar
         if (is_given)
             throw InputError("--layout " + layout + ": " + name +
                              " is of the reference only; leave one of them out.");
+    if (hierarchy.kinds().size() != 1)
+        throw InputError("--layout " + layout + ": --volume " + hierarchy.volumes +
+                         " names several; give --volume scb or scb2.");
     if (!can_pack(hierarchy.kind()))
         throw InputError("--layout " + layout + ": " +
                          std::string(volume_kind_name(hierarchy.kind())) +
@@ -100,13 +103,11 @@ void add_layout_options(const Command& command, LayoutOptions& options,
     add_leaf_option(command, options.leaf_triangles);
 }
 
-std::optional<SceneOptions> packed_queries(const SceneOptions& scene,
-                                           const HierarchyOptions& hierarchy,
-                                           const QueryOptions& query, const QueryLimits& limits,
-                                           const LayoutOptions& options, const Console& console) {
-    options.note_doubts(console.notes());
+SceneOptions packed_queries(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                            const QueryOptions& query, const QueryLimits& limits,
+                            const LayoutOptions& options, const Console& console,
+                            const InterruptWatch& watch) {
     const std::optional<PackedLayout> layout = options.packed(hierarchy, query, limits);
-    if (!layout) return std::nullopt;
     if (scene.is_trace())
         throw InputError("--layout " + options.layout + ": " + scene.names[0] +
                          " is a trace of queries already; give its scene, or leave --layout out.");
@@ -118,6 +119,7 @@ std::optional<SceneOptions> packed_queries(const SceneOptions& scene,
     scenes::TraceRecording recording = recording_of(scene, queries, options.layout);
     Progress progress(console, queries.frames.size());
     for (const int frame : queries.frames) {
+        if (watch.signal() != 0) break;
         recording.add(traced_query(queries, frame), queries.poses(frame));
         progress.step("queries");
     }

@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/cli/interrupt.h"
 #include "app/study/scene_query.h"
 #include "scb/packed_hierarchy.h"
 
@@ -45,13 +46,13 @@ struct LayoutOptions {
 void add_layout_options(const Command& command, LayoutOptions& options,
                         const std::string& description);
 
-/// Makes the queries of a scene on packed hierarchies, if `options` has a packed layout, and
-/// returns them as a recording in memory. Else nothing. Throws InputError as open_query does, and
-/// if the scene is a recording or a trace.
-std::optional<SceneOptions> packed_queries(const SceneOptions& scene,
-                                           const HierarchyOptions& hierarchy,
-                                           const QueryOptions& query, const QueryLimits& limits,
-                                           const LayoutOptions& options, const Console& console);
+/// The queries of two bodies on packed hierarchies, as a recording in memory; `options` must have a
+/// packed layout. Of another engine's recording, the meshes and poses are taken. Ends early if
+/// interrupted. Throws InputError as open_query does, and if the scene is a trace.
+SceneOptions packed_queries(const SceneOptions& scene, const HierarchyOptions& hierarchy,
+                            const QueryOptions& query, const QueryLimits& limits,
+                            const LayoutOptions& options, const Console& console,
+                            const InterruptWatch& watch);
 
 /// --threads, for check_threads.
 void add_threads_option(const Command& command, int& threads, const std::string& description);

@@ -233,7 +233,7 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_query_options(command, options->query, false);
     add_query_limits(command, options->limits);
     add_layout_options(command, options->layout,
-                       "Record the queries on packed hierarchies, with --records");
+                       "Record the queries on packed hierarchies, as --records does");
     command.add_option("-o,--output", options->output, "Write the trace to this file")
         .file({".scbrec"})
         .only_typed();
@@ -252,7 +252,9 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbrec\n"
         "  scb trace spheres.scbrec --frames 250 --events");
     command.callback([&action, &console, command, options] {
-        const std::vector<std::string> given = given_recording_options(command);
+        std::vector<std::string> given = given_recording_options(command);
+        for (const char* option : {"--layout", "--leaf"})
+            if (command.count(option) > 0) given.emplace_back(option);
         action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
             const bool recorded = names.size() == 1 &&

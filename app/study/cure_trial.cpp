@@ -14,7 +14,7 @@ constexpr std::size_t least_percent = 1;
 
 std::optional<CureTrial> try_clean_meshes(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                           const SceneTuning& tuning, const TuneProgress& progress) {
-    std::vector<std::pair<std::size_t, Mesh>> cleaned;
+    std::array<std::optional<Mesh>, 2> cleaned;
     CureTrial result;
     const std::size_t meshes = scene.bodies[a].mesh == scene.bodies[b].mesh ? 1 : 2;
     for (std::size_t side = 0; side < meshes; ++side) {
@@ -23,12 +23,11 @@ std::optional<CureTrial> try_clean_meshes(const scenes::Scene& scene, std::size_
         if (100 * (clean.copies + clean.degenerate) < least_percent * mesh.triangles.size())
             continue;
         result.meshes.push_back({side, clean.copies, clean.degenerate});
-        cleaned.emplace_back(side, std::move(clean.mesh));
+        cleaned[side] = std::move(clean.mesh);
     }
-    if (cleaned.empty()) return std::nullopt;
+    if (result.meshes.empty()) return std::nullopt;
     const auto [best, best_work] = advised(tuning);
-    MeshTrial trial(scene, a, b, tuning, best, progress);
-    for (auto& [side, mesh] : cleaned) trial.place(side, std::move(mesh));
+    MeshTrial trial(scene, a, b, tuning, best, progress, std::move(cleaned));
     result.work = {best_work, trial.work_by(best), tuning.base().counts,
                    trial.work_by({tuning.base().setting, {}})};
     if (progress.ends() || !result.work.pays()) return std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace scb::app {
 
-std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout,
-                          const PackedCollision& found) {
+std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout, std::uint64_t n_v,
+                          std::uint64_t n_p, std::uint64_t pairs) {
     // Of a test of two volumes: floats, quantized, indexed; nodes of 2, 4 and 8 children.
     using Times = std::array<std::array<std::uint64_t, 3>, 3>;
     constexpr Times one_slab = {
@@ -22,8 +22,7 @@ std::uint64_t layout_time(VolumeKind volume, const PackedLayout& layout,
                       width = std::bit_width(static_cast<unsigned>(layout.width)) - 2u;
     const Times& times = volume == VolumeKind::scb ? one_slab : two_slabs;
     constexpr std::uint64_t pair = 40'000;
-    return times[numbers][width] * found.n_v + (indexed ? 11'400 : 7'900) * found.n_p +
-           pair * found.pairs.size();
+    return times[numbers][width] * n_v + (indexed ? 11'400 : 7'900) * n_p + pair * pairs;
 }
 
 }  // namespace scb::app

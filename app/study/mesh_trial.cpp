@@ -34,7 +34,7 @@ std::pair<QueryMethod, Work> advised(const SceneTuning& tuning) {
 
 MeshTrial::MeshTrial(const scenes::Scene& scene, std::size_t a, std::size_t b,
                      const SceneTuning& tuning, const QueryMethod& method,
-                     const TuneProgress& progress)
+                     const TuneProgress& progress, std::array<std::optional<Mesh>, 2> meshes)
     : is_self_(a == b),
       one_mesh_(scene.bodies[a].mesh == scene.bodies[b].mesh),
       build_(tuning.build),
@@ -45,8 +45,9 @@ MeshTrial::MeshTrial(const scenes::Scene& scene, std::size_t a, std::size_t b,
                                        scenes::pose_at(scene.bodies[b].motion, frame)));
     const std::size_t step = (poses_.size() + most_few_frames - 1) / most_few_frames;
     for (std::size_t i = 0; i < poses_.size(); i += step) few_.push_back(poses_[i]);
-    place(0, scene.meshes[scene.bodies[a].mesh].mesh);
-    if (!one_mesh_) place(1, scene.meshes[scene.bodies[b].mesh].mesh);
+    for (std::size_t side = 0; side < mesh_count(); ++side)
+        place(side, meshes[side] ? std::move(*meshes[side])
+                                 : Mesh(scene.meshes[scene.bodies[side == 0 ? a : b].mesh].mesh));
 }
 
 void MeshTrial::place(std::size_t side, Mesh mesh) {
@@ -65,6 +66,7 @@ void MeshTrial::place(std::size_t side, Mesh mesh) {
 }
 
 Work MeshTrial::work_by(const QueryMethod& method) {
+    if (method == method_) return work_of_queries(poses_);
     method_ = method;
     for (std::size_t side = 0; side < mesh_count(); ++side) place(side, Mesh(sides_[side]->mesh));
     return work_of_queries(poses_);
@@ -85,7 +87,9 @@ Work MeshTrial::work_of_query(const Pose& b_to_a) const {
     const TuneSetting& setting = method_.setting;
     if (method_.layout) {
         const PackedCollision found = collide_packed(*a.packed, a.mesh, *b.packed, b.mesh, b_to_a);
-        return {found.n_v, found.n_p, 0, layout_time(setting.volume, *method_.layout, found)};
+        return {
+            found.n_v, found.n_p, 0,
+            layout_time(setting.volume, *method_.layout, found.n_v, found.n_p, found.pairs.size())};
     }
     CollideOptions options;
     options.overlap = setting.overlap;

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/study/tune_run.h"
@@ -14,6 +15,13 @@ namespace scb::app {
 struct QueryMethod {
     TuneSetting setting;
     std::optional<PackedLayout> layout;  ///< none: not packed
+
+    bool operator==(const QueryMethod& other) const {
+        const auto name = [](const std::optional<PackedLayout>& some) {
+            return some ? packed_layout_name(*some) + std::to_string(some->leaf_triangles) : "";
+        };
+        return setting == other.setting && name(layout) == name(other.layout);
+    }
 };
 
 /// The work of the same queries before and after a change of the meshes, in all frames of the
@@ -46,9 +54,10 @@ class MeshTrial {
     using Sides = std::array<std::shared_ptr<const TrialMesh>, 2>;
 
     /// `tuning` has the frames and how hierarchies are built. If both bodies have one mesh, a side
-    /// replaces both. Refers to `progress`.
+    /// replaces both. `meshes`: in place of the scene's meshes of A and B. Refers to `progress`.
     MeshTrial(const scenes::Scene& scene, std::size_t a, std::size_t b, const SceneTuning& tuning,
-              const QueryMethod& method, const TuneProgress& progress);
+              const QueryMethod& method, const TuneProgress& progress,
+              std::array<std::optional<Mesh>, 2> meshes = {});
 
     const Sides& sides() const { return sides_; }
     /// Takes back replacements.

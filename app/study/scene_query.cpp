@@ -70,6 +70,14 @@ void SceneQuery::trace_packed() {
         packed_trees.push_back(packed_tree(packed[m], *topologies[m].topology));
 }
 
+Collision SceneQuery::whole(Collision found, int frame) const {
+    if (!found.complete)
+        throw InputError("--layout: frame " + std::to_string(frame) + " has more than " +
+                         std::to_string(options.max_pairs) +
+                         " pairs, and a packed query lists all or none; leave --layout out.");
+    return found;
+}
+
 Collision SceneQuery::packed_query(int frame) const {
     PackedOptions limits;
     limits.give_up_after = options.max_pairs;
@@ -78,12 +86,7 @@ Collision SceneQuery::packed_query(int frame) const {
                                   packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame), limits));
     };
     if (options.max_pairs == 1) return of([](const auto&... sides) { return touches(sides...); });
-    Collision found = of([](const auto&... sides) { return collide_packed(sides...); });
-    if (!found.complete)
-        throw InputError("--layout: frame " + std::to_string(frame) + " has more than " +
-                         std::to_string(options.max_pairs) +
-                         " pairs, and a packed query lists all or none; leave --layout out.");
-    return found;
+    return whole(of([](const auto&... sides) { return collide_packed(sides...); }), frame);
 }
 
 Collision SceneQuery::collide(int frame) const {
@@ -98,8 +101,12 @@ Collision SceneQuery::collide(int frame) const {
 Collision SceneQuery::packed_query(int frame, StepRecorder& recorder) const {
     const std::size_t of_a = scene.bodies[a].mesh, of_b = scene.bodies[b].mesh;
     const std::size_t first = recorder.steps.volumes.size();
-    Collision found = collision_of(collide_packed(packed[of_a], mesh(a), packed[of_b], mesh(b),
-                                                  b_to_a(frame), {}, calls_of(recorder)));
+    PackedOptions limits;
+    limits.give_up_after = options.max_pairs;
+    Collision found =
+        whole(collision_of(collide_packed(packed[of_a], mesh(a), packed[of_b], mesh(b),
+                                          b_to_a(frame), limits, calls_of(recorder))),
+              frame);
     for (std::size_t i = first; i < recorder.steps.volumes.size(); ++i) {
         IndexPair& nodes = recorder.steps.volumes[i].nodes;
         nodes = {packed_trees[of_a].binary.at(nodes.a), packed_trees[of_b].binary.at(nodes.b)};

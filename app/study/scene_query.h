@@ -50,6 +50,8 @@ struct SceneQuery {
     Collision collide(int frame, StepRecorder& recorder) const;
 
   private:
+    /// Throws InputError if a packed query gave up.
+    Collision whole(Collision found, int frame) const;
     Collision packed_query(int frame) const;
     Collision packed_query(int frame, StepRecorder& recorder) const;
     /// The options with the error of `mutation`; pictures and tables show `options`.

@@ -100,7 +100,8 @@ class Run {
                     found.n_after_doubles += at.n_after_doubles;
                     found.pairs += at.pairs.size();
                     if (layout.leaf_triangles == most_leaf_triangles)
-                        found.picoseconds += layout_time(rows[r].setting.volume, layout, at);
+                        found.picoseconds += layout_time(rows[r].setting.volume, layout, at.n_v,
+                                                         at.n_p, at.pairs.size());
                     found.misses_pairs |= at.pairs.size() != pairs_[r][i];
                 }
                 found.bytes_per_triangle = subject_.bytes_per_triangle(in_layout);
@@ -172,7 +173,7 @@ class Run {
                             setting.volume == VolumeKind::dop18 ||
                             setting.volume == VolumeKind::dop26;
         return is_dop && fewest &&
-               assumed_test_time(setting.volume, setting.overlap.test) * (*fewest / 2) >
+               least_test_time(setting.volume, setting.overlap.test) * (*fewest / 2) >
                    hopeless_cost * *least_cost_;
     }
 

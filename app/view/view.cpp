@@ -12,21 +12,37 @@
 #include "core/base/text_format.h"
 #include "core/platform/number_list.h"
 #include "core/platform/output_file.h"
+#include "scb/error.h"
 
 namespace scb::app {
 namespace {
 
+/// Takes the query of one frame on packed hierarchies in place of the scene.
+void take_packed(ViewOptions& options, const LayoutOptions& layout, const Console& console) {
+    LevelOptions& level = options.level;
+    if (!options.compare.empty())
+        throw InputError("--layout " + layout.layout + ": --compare " + options.compare +
+                         " compares queries that are not packed; leave one of them out.");
+    if (options.queries != "auto")
+        throw InputError("--layout " + layout.layout + ": --queries " + options.queries +
+                         " has no effect, since the page has the query of one frame; name that "
+                         "with --frames.");
+    QueryOptions query = options.query;
+    query.frames = level.scene.frames.empty() ? auto_frames : level.scene.frames;
+    const InterruptWatch watch;
+    level.scene = packed_queries(level.scene, level.hierarchy, query, {}, layout, console, watch);
+    // The recording has these bodies as A and B.
+    options.query.bodies.clear();
+    level.recording.clear();
+}
+
 int run(ViewOptions& options, const LayoutOptions& layout, const Console& console) {
     options.check();
     const PictureOptions& picture = options.level.picture;
-    LevelOptions& level = options.level;
-    QueryOptions query = options.query;
-    query.frames = level.scene.frames.empty() ? auto_frames : level.scene.frames;
-    if (const std::optional<SceneOptions> packed =
-            packed_queries(level.scene, level.hierarchy, query, {}, layout, console)) {
-        level.scene = *packed;
-        level.recording.clear();
-    }
+    if (layout.packed(options.level.hierarchy, options.query, {}))
+        take_packed(options, layout, console);
+    else
+        layout.note_doubts(console.notes());
     const std::string html = view_page(options, console);
     check_output(picture.output, "-o");
     write_file_whole(picture.output, html);
@@ -98,6 +114,10 @@ void add_view(const Command& program, const Console& console, Action& action) {
             if (command.count(option) > 0) recording.emplace_back(option);
         options->note_given(command);
         options->levels = given_text(command, {"--color-by"});
+        options->of_packed =
+            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--volume",
+                                 "--growth", "--margin", "--split"});
+        options->layout = given_text(command, {"--layout", "--leaf"});
         action = [&console, options, layout] { return run(*options, *layout, console); };
     });
 }

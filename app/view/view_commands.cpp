@@ -104,6 +104,8 @@ std::vector<ColumnList> compared(const ViewOptions& options, const ColumnList& a
 std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions& options,
                                                               const ViewSubject& subject) {
     std::map<std::string, std::vector<std::string>> commands;
+    if (options.level.scene.recorded)
+        commands["verdicts"] = {"scb inspect" + options.of_packed + options.layout};
     if (options.level.scene.given) return commands;
     ColumnList all;
     for (const ViewColumn& column : subject.columns) all.push_back(&column);
@@ -128,6 +130,7 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
 }
 
 std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
+    if (column.query && options.level.scene.recorded) return "scb explain" + options.of_packed;
     if (!column.query || column.is_recorded() || options.level.scene.given) return "";
     return "scb explain" + query_words(options, column);
 }

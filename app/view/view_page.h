@@ -24,6 +24,8 @@ struct ViewOptions {
     // Options that were given, see given_text: of the scene, of bodies, other options of
     // hierarchies, of levels only, of overlap tests, and of the descent.
     std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{};
+    /// Of packed queries: the scene and its hierarchies, and the layout.
+    std::string of_packed{}, layout{};
 
     /// Sets these texts except `levels` and `descent`, and sets `has_theme`.
     void note_given(const Command& command);

@@ -18,16 +18,20 @@ namespace scb {
 ///
 /// The constants are least-squares fits of the relative error over 27 scenes, of smooth meshes, of
 /// CAD and of parts that lie on each other, on one core of an Intel Xeon at 2.3 GHz with AVX-512
-/// (GCC 12.2, -O3). The constants of a volume's ends are drawn to one constant, since the counts of
-/// these ends grow together. All are scaled by one factor to an idle machine. In 23 of the 27
-/// scenes, the volume that they prefer is the quickest; in the others it takes up to 1.21 of the
-/// least time. Nine of ten queries take 0.8 to 1.4 of the assumed time. Where parts lie on each
-/// other, queries take up to 2.6 of it, since triangles are then decided exactly.
+/// (GCC 12.2, -O3). The constants of a volume's ends are drawn to one constant, and are at least a
+/// third of it, since the counts of these ends grow together. All are scaled by one factor to an
+/// idle machine. In 23 of the 27 scenes, the volume that they prefer is the quickest; in the others
+/// it takes up to 1.21 of the least time. Nine of ten queries take 0.8 to 1.4 of the assumed time.
+/// Where parts lie on each other, queries take up to 2.6 of it, since triangles are then decided
+/// exactly.
 std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, DescentRule descent,
                            const Collision& found);
 
 /// The assumed time of one test of two volumes, in picoseconds.
 std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test);
+
+/// The least assumed time of a test, of any end.
+std::uint64_t least_test_time(VolumeKind volume, OverlapTest test);
 
 /// The assumed time of one test of two triangles, in picoseconds.
 inline constexpr std::uint64_t assumed_triangle_time = 45'000;

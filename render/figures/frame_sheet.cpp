@@ -33,8 +33,9 @@ int draw_legend(Overlay& overlay, const FrameSheet& sheet, int y) {
         return draw_side_panel(overlay, box, *sheet.theme, unit, {scale});
     }
     int x = sheet_margin;
-    for (const PanelKey& key : sheet.keys) {
+    for (PanelKey key : sheet.keys) {
         const TextStyle style{unit, FontWeight::regular, sheet.theme->text};
+        key.text = fitted_text(overlay, key.text, style, right - sheet_margin - unit * 3 / 2);
         const int width = unit * 5 / 4 + overlay.measure(key.text, style).width + unit / 4;
         if (x > sheet_margin && x + width > right) {
             x = sheet_margin;

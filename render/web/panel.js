@@ -121,7 +121,7 @@ export class Panel {
 
   showCommands() {
     const { app } = this, { state } = app, commands = app.commands(), drawsAll = state.isolated || (state.without.length > 0 && !commands.some((command) => command.includes('--body ')));
-    const notes = commands.length === 0 ? [Object.keys(app.manifest.commands).length ? 'scb draws two kinds of volumes at a time.' : 'None: the scene was made in a program.'] : [...(drawsAll ? ['They draw all bodies, and all that is hidden here.'] : []), 'Files are named as in the folder where the page was made.'];
+    const notes = commands.length === 0 ? [app.manifest.commands[state.mode] ? 'scb draws two kinds of volumes at a time.' : Object.keys(app.manifest.commands).length ? 'None: scb inspect draws packed queries, see Verdicts.' : 'None: the scene was made in a program.'] : [...(drawsAll ? ['They draw all bodies, and all that is hidden here.'] : []), 'Files are named as in the folder where the page was made.'];
     this.commands.replaceChildren(...commands.map((command) => element('code', { textContent: command })), ...notes.map(faint));
   }
 

@@ -173,9 +173,10 @@ TEST(InspectAdvice, SaysHowTheTriangleTestsOfTouchingPartsAreDecided) {
     EXPECT_GT(all, exact);
     EXPECT_GT(exact, left);
     EXPECT_GT(left, 0);
-    const std::string words = format("%.1f %% were decided in floats, %.1f %% in doubles, and %.1f",
-                                     100 * (1 - exact / all), 100 * (exact - left) / all,
-                                     100 * left / all);
+    const std::string words = format(
+        "%.1f %% of the triangle tests are decided in floats, %.1f %% in "
+        "doubles, and %.1f %% exactly",
+        100 * (1 - exact / all), 100 * (exact - left) / all, 100 * left / all);
     std::string text = run_scb("inspect stack --frames 0").out;
     for (std::size_t at = 0; (at = text.find("\n  ", at)) != text.npos;) text.replace(at, 3, " ");
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;

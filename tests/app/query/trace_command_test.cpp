@@ -121,6 +121,35 @@ TEST_F(TraceCommand, ALayoutRefusesOptionsOfTheReference) {
     EXPECT_FALSE(fs::exists(folder / "out.scbrec"));
 }
 
+TEST_F(TraceCommand, AdviceForALayoutIsACommandForTheSameQueries) {
+    const std::string arguments = " " SCB_SOURCE_DIR "/scenes/samples/bracket.ply " SCB_SOURCE_DIR
+                                  "/scenes/samples/pin.obj --pose 1,0,0,0,0,1,0,-20,0,0,1,30";
+    const json report = json::parse(
+        run_scb("inspect" + arguments + " --layout quantized4 --bodies B,A --json").out);
+    const std::string command = report["settings"]["command"];
+    EXPECT_NE(command.find("--pose 1,0,0,0,0,1,0,-20,0,0,1,30"), std::string::npos) << command;
+    const json advised = json::parse(run_scb(command.substr(4) + " --json").out);
+    EXPECT_GT(advised["frames"][0]["pairs"], 0);
+    EXPECT_EQ(advised["frames"][0]["pairs"], report["frames"][0]["pairs"]);
+}
+
+TEST_F(TraceCommand, ALayoutIsNotIgnored) {
+    const std::string file = record("--frames 100", folder / "t.scbrec"), page = folder / "v.html";
+    const std::vector<std::string> commands = {
+        "trace " + file + " --layout float2",
+        "trace " + file + " --leaf 2",
+        "view spheres-l1 --layout float2 --compare corrected,printed -o " + page,
+        "view spheres-l1 --layout float2 --queries 0,10 -o " + page,
+        "inspect spheres-l1 --layout float2 --top 0",
+        "inspect spheres-l1 --layout float2 --shard 1/2 -o " + (folder / "out")};
+    for (const std::string& command : commands) {
+        const ProgramRun run = run_scb(command);
+        EXPECT_EQ(run.status, 2) << command;
+        EXPECT_NE(run.err.find("--"), std::string::npos) << run.err;
+    }
+    EXPECT_FALSE(fs::exists(page));
+}
+
 TEST_F(TraceCommand, DiffNamesTheTestAtWhichCorrectedAndPrintedPart) {
     record_both();
     const ProgramRun text = run_scb("diff " + corrected + " " + printed);

@@ -56,10 +56,16 @@ TEST(AssumedTime, OfADescentByAreaIncludesTheMeasuresOfDivisions) {
 }
 
 TEST(AssumedTime, EachVolumeAndTestHasOne) {
-    const Collision found = query(1, 0, 0, 0);
     for (const VolumeKind volume : all_volume_kinds())
         for (const OverlapTest test : all_overlap_tests())
-            EXPECT_GE(assumed_time(volume, {test}, DescentRule::radius, found), 11'000u);
+            for (std::size_t stage = 0; stage < stage_count; ++stage) {
+                Collision found;
+                found.n_v = 1;
+                found.stages[stage] = 1;
+                const std::uint64_t time = assumed_time(volume, {test}, DescentRule::radius, found);
+                EXPECT_GE(time, 6'000u);
+                EXPECT_GE(time, least_test_time(volume, test));
+            }
 }
 
 }  // namespace
