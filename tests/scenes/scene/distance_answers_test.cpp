@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "scb/any_hierarchy.h"
+#include "scb/distance.h"
+#include "scenes/meshes/mesh_file.h"
+#include "tests/core/hierarchy/built_mesh.h"
+#include "tests/real_models.h"
+#include "tests/unless_sanitized.h"
+
+// Distances of real meshes that PQP, FCL and a third program agree on, and the numbers of triangles
+// within a tolerance. The README beside these answers says how they were made.
+
+namespace scb::scenes {
+namespace {
+
+constexpr std::size_t most_triangles = unless_sanitized(5000, 1300);
+
+/// A table with a header, whose first character is '#', and tabs.
+class Answers {
+  public:
+    explicit Answers(const std::string& file) : in_(models_folder() / ".." / "answers" / file) {
+        std::string line;
+        if (!std::getline(in_, line)) return;
+        const std::vector<std::string> names = cells(line.substr(1));
+        for (std::size_t i = 0; i < names.size(); ++i) columns_[names[i]] = i;
+    }
+    bool next() {
+        std::string line;
+        if (!std::getline(in_, line)) return false;
+        row_ = cells(line);
+        return true;
+    }
+    const std::string& text(const std::string& name) const { return row_[columns_.at(name)]; }
+    double number(const std::string& name) const { return std::stod(text(name)); }
+    Pose pose() const {
+        Pose pose;
+        for (int i = 0; i < 3; ++i) {
+            const std::string row = std::to_string(i);
+            for (int j = 0; j < 3; ++j) pose.rotation(i, j) = number("r" + row + std::to_string(j));
+            pose.translation[i] = number("t" + row);
+        }
+        return pose;
+    }
+
+  private:
+    static std::vector<std::string> cells(const std::string& line) {
+        std::vector<std::string> result;
+        std::istringstream in(line);
+        for (std::string cell; std::getline(in, cell, '\t');) result.push_back(cell);
+        return result;
+    }
+    std::ifstream in_;
+    std::map<std::string, std::size_t> columns_;
+    std::vector<std::string> row_;
+};
+
+/// Meshes by name, with their hierarchies; null if a mesh is too large.
+class Built {
+  public:
+    const BuiltMesh* find(const std::string& name) {
+        const auto [at, is_new] = built_.try_emplace(name);
+        if (!is_new) return at->second.get();
+        const Mesh mesh = load_mesh(models_folder() / (name + ".ply"));
+        if (mesh.triangles.size() <= most_triangles) at->second = std::make_unique<BuiltMesh>(mesh);
+        return at->second.get();
+    }
+
+  private:
+    std::map<std::string, std::unique_ptr<BuiltMesh>> built_;
+};
+
+double largest_coordinate(const Mesh& a, const Mesh& b, const Pose& b_to_a) {
+    double most = 0;
+    for (const Vec3& v : a.vertices) most = std::max(most, v.cwiseAbs().maxCoeff());
+    for (const Vec3& v : b.vertices)
+        most = std::max(most, transform_point(b_to_a, v).cwiseAbs().maxCoeff());
+    return most;
+}
+
+/// Calls `use` with the colliders of a kind of volume.
+template <class Use>
+void with_kind(const BuiltMesh& a, const BuiltMesh& b, std::size_t kind, const Use& use) {
+    std::visit(
+        [&]<Volume V>(const Hierarchy<V>& of_a) {
+            use(Collider<V>{of_a, a.mesh},
+                Collider<V>{std::get<Hierarchy<V>>(b.hierarchies[kind]), b.mesh});
+        },
+        a.hierarchies[kind]);
+}
+
+TEST(DistanceAnswers, AreFoundByEveryVolume) {
+    if (!has_model_file("horse.ply", "distances of real meshes")) GTEST_SKIP();
+    Answers answers("distances.tsv");
+    Built built;
+    int rows = 0;
+    while (answers.next()) {
+        const BuiltMesh *a = built.find(answers.text("meshA")),
+                        *b = built.find(answers.text("meshB"));
+        if (!a || !b) continue;
+        SCOPED_TRACE(answers.text("row"));
+        ++rows;
+        const Pose pose = answers.pose();
+        const double allowed = 4 * 0x1p-52 * largest_coordinate(a->mesh, b->mesh, pose),
+                     answer = answers.number("dist_ref");
+        std::optional<Distance> first;
+        for (std::size_t kind = 0; kind < all_volume_kinds().size(); ++kind) {
+            SCOPED_TRACE(volume_kind_name(all_volume_kinds()[kind]));
+            with_kind(*a, *b, kind, [&](const auto& of_a, const auto& of_b) {
+                const Distance found = distance(of_a, of_b, pose);
+                ASSERT_TRUE(found.triangles);
+                EXPECT_NEAR(found.found.distance, answer, allowed);
+                EXPECT_EQ(found.found.distance == 0, answer == 0);
+                if (answer == 0) return;
+                const std::string pair = std::to_string(found.triangles->a) + ":" +
+                                         std::to_string(found.triangles->b),
+                                  ties = "," + answers.text("tied_pairs") + ",";
+                EXPECT_TRUE(ties.find("," + pair + ",") != ties.npos || ties.ends_with("...,"))
+                    << pair;
+                if (!first) first = found;
+                EXPECT_EQ(found.found.distance, first->found.distance);
+                EXPECT_EQ(found.triangles, first->triangles);
+            });
+        }
+    }
+    EXPECT_GT(rows, unless_sanitized(20, 5));
+}
+
+TEST(DistanceAnswers, WithinATolerance) {
+    if (!has_model_file("horse.ply", "triangles of real meshes within a tolerance")) GTEST_SKIP();
+    Answers answers("within.tsv");
+    Built built;
+    int rows = 0;
+    while (answers.next()) {
+        const BuiltMesh *a = built.find(answers.text("meshA")),
+                        *b = built.find(answers.text("meshB"));
+        if (!a || !b) continue;
+        SCOPED_TRACE(answers.text("row"));
+        ++rows;
+        for (const VolumeKind volume : {VolumeKind::scb2, VolumeKind::obb})
+            with_kind(*a, *b, static_cast<std::size_t>(volume),
+                      [&](const auto& of_a, const auto& of_b) {
+                          const Collision found =
+                              within(of_a, of_b, answers.pose(), answers.number("tolerance"));
+                          EXPECT_EQ(std::to_string(found.pairs.size()), answers.text("pairs_own"));
+                      });
+    }
+    EXPECT_GT(rows, unless_sanitized(5, 0));
+}
+
+}  // namespace
+}  // namespace scb::scenes
