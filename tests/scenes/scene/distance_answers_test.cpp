@@ -18,12 +18,12 @@
 namespace scb::scenes {
 namespace {
 
-constexpr std::size_t most_triangles = unless_sanitized(5000, 1300);
+constexpr std::size_t largest_mesh = unless_sanitized(5000, 1300);
 
 /// A table with a header, whose first character is '#', and tabs.
-class Answers {
+class AnswerTable {
   public:
-    explicit Answers(const std::string& file) : in_(models_folder() / ".." / "answers" / file) {
+    explicit AnswerTable(const std::string& file) : in_(models_folder() / ".." / "answers" / file) {
         std::string line;
         if (!std::getline(in_, line)) return;
         const std::vector<std::string> names = cells(line.substr(1));
@@ -60,13 +60,13 @@ class Answers {
 };
 
 /// Meshes by name, with their hierarchies; null if a mesh is too large.
-class Built {
+class BuiltModels {
   public:
     const BuiltMesh* find(const std::string& name) {
         const auto [at, is_new] = built_.try_emplace(name);
         if (!is_new) return at->second.get();
         const Mesh mesh = load_mesh(models_folder() / (name + ".ply"));
-        if (mesh.triangles.size() <= most_triangles) at->second = std::make_unique<BuiltMesh>(mesh);
+        if (mesh.triangles.size() <= largest_mesh) at->second = std::make_unique<BuiltMesh>(mesh);
         return at->second.get();
     }
 
@@ -95,8 +95,8 @@ void with_kind(const BuiltMesh& a, const BuiltMesh& b, std::size_t kind, const U
 
 TEST(DistanceAnswers, AreFoundByEveryVolume) {
     if (!has_model_file("horse.ply", "distances of real meshes")) GTEST_SKIP();
-    Answers answers("distances.tsv");
-    Built built;
+    AnswerTable answers("distances.tsv");
+    BuiltModels built;
     int rows = 0;
     while (answers.next()) {
         const BuiltMesh *a = built.find(answers.text("meshA")),
@@ -132,8 +132,8 @@ TEST(DistanceAnswers, AreFoundByEveryVolume) {
 
 TEST(DistanceAnswers, WithinATolerance) {
     if (!has_model_file("horse.ply", "triangles of real meshes within a tolerance")) GTEST_SKIP();
-    Answers answers("within.tsv");
-    Built built;
+    AnswerTable answers("within.tsv");
+    BuiltModels built;
     int rows = 0;
     while (answers.next()) {
         const BuiltMesh *a = built.find(answers.text("meshA")),
