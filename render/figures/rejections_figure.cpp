@@ -1,5 +1,7 @@
 #include "render/figures/rejections_figure.h"
 
+#include "render/figures/contact_areas.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -202,7 +204,14 @@ Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const O
         mesh.backdrop = true;
         pane.meshes.push_back(std::move(mesh));
     }
+    // Faces that lie on each other have equal depths. Where they meet, their ending is drawn.
+    if (!contact.empty()) pane.areas = contact_areas(bodies, frame);
     pane.segments = meeting_lines(bodies, frame, outcomes, std::move(contact), style);
+    if (pane.segments.empty()) pane.areas.clear();
+    for (Area& area : pane.areas) {
+        area.color = pane.segments.front().color;
+        area.id = 0;
+    }
     return pane;
 }
 
