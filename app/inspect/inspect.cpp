@@ -230,10 +230,6 @@ void add_inspect(const Command& program, const Console& console, Action& action)
             for (const char* option : {"--layout", "--leaf", "--volume", "--growth", "--split"})
                 of_scene.emplace_back(option);
         options->of_scene = given_text(command, of_scene);
-        options->of_packed =
-            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--volume",
-                                 "--growth", "--margin", "--split"});
-        options->of_layout = given_text(command, {"--layout", "--leaf"});
         options->of_files = given_text(command, {"SCENE", "--models"});
         std::vector<std::string> of_meshes = {"SCENE", "--bodies", "--query", "--tag"};
         if (command.count("--layout") > 0)

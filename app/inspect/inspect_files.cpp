@@ -56,8 +56,6 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.level.picture.gl = options.picture.gl;
     view.query = options.query;
     view.level.recording = options.recording;
-    view.of_packed = options.of_packed;
-    view.layout = options.of_layout;
     if (report.recording) {
         // The page has one frame of a recording, and one pair of bodies.
         view.query.bodies = report.header.bodies[0].name + "," + report.header.bodies[1].name;

@@ -22,7 +22,6 @@ struct InspectOptions {
     std::string command, explain;          ///< see InspectPage
     std::string of_scene;                  ///< the given options of the scene, see given_text
     std::string of_files;                  ///< the given options of the meshes
-    std::string of_packed, of_layout;      ///< see ViewOptions
     // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
     std::string of_meshes, of_frames;
     ViewOptions view;  ///< only its texts of given options

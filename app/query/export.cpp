@@ -111,9 +111,10 @@ ChangedMesh cleaned(const Mesh& mesh) {
     for (std::uint32_t i = 0; i < rounded.triangles.size(); ++i)
         faults += is_degenerate(corners(rounded, i));
     if (faults > 0)
-        throw InputError("-o: the file would round coordinates to 32 bits, by which " +
+        throw InputError("-o: the file rounds coordinates to 32 bits. " +
                          counted(faults, "triangle", "triangles") +
-                         " would have no area or be copies; move the mesh nearer to its origin.");
+                         " would lose its area or become a copy; move the mesh nearer to its "
+                         "origin.");
     return {std::move(clean.mesh), std::move(clean.origin),
             counted(clean.copies, "copy", "copies") + " and " +
                 counted(clean.degenerate, "triangle without area", "triangles without area") +

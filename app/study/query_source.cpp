@@ -1,9 +1,8 @@
 #include "app/study/query_source.h"
 
-#include "app/study/recorded_query.h"
-
 #include <algorithm>
 
+#include "app/study/recorded_query.h"
 #include "core/analysis/level_overlaps.h"
 #include "core/base/text_format.h"
 #include "core/platform/input_files.h"

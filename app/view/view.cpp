@@ -114,10 +114,6 @@ void add_view(const Command& program, const Console& console, Action& action) {
             if (command.count(option) > 0) recording.emplace_back(option);
         options->note_given(command);
         options->levels = given_text(command, {"--color-by"});
-        options->of_packed =
-            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--volume",
-                                 "--growth", "--margin", "--split"});
-        options->layout = given_text(command, {"--layout", "--leaf"});
         action = [&console, options, layout] { return run(*options, *layout, console); };
     });
 }

@@ -86,6 +86,9 @@ void ViewOptions::note_given(const Command& command) {
     bodies = given_text(command, {"--bodies", "--query", "--tag"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});
+    of_packed = given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies",
+                                     "--volume", "--growth", "--margin", "--split"});
+    layout = given_text(command, {"--layout", "--leaf"});
     has_theme = !given_text(command, {"--background"}).empty();
 }
 

@@ -1,13 +1,12 @@
 #include "render/figures/rejections_figure.h"
 
-#include "render/figures/contact_areas.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "core/geometry/surface.h"
+#include "render/figures/contact_areas.h"
 #include "render/figures/pairs_figure.h"
 #include "render/plots/ending_colors.h"
 #include "scb/triangle_overlap.h"
@@ -130,12 +129,13 @@ std::vector<char> meeting_triangles(const QueryBody& body, const QueryTrace& fra
     return meet;
 }
 
-/// The lines in which triangles meet, in front of everything. Found pairs are the rarest ending and
-/// the most interesting one, but most of these triangles are more often apart from others.
-std::vector<Segment> meeting_lines(const QueryBodies& bodies, const QueryTrace& frame,
-                                   const Outcomes& outcomes, std::vector<Segment> contact,
-                                   const RejectionsStyle& style) {
-    if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return {};
+/// Draws where triangles meet, in front of everything: lines, and areas where they lie on each
+/// other, since bodies have equal depths there. Found pairs are the rarest ending and the most
+/// interesting one, but most of these triangles are more often apart from others.
+void add_meetings(Pane& pane, const QueryBodies& bodies, const QueryTrace& frame,
+                  const Outcomes& outcomes, std::vector<Segment> contact,
+                  const RejectionsStyle& style) {
+    if (style.by == NodeColor::share || !is_shown(Stage::triangles_meet, style)) return;
     std::array<std::vector<char>, 2> shown;
     for (std::size_t side = 0; side < 2; ++side)
         if (style.sides[side])
@@ -143,19 +143,27 @@ std::vector<Segment> meeting_lines(const QueryBodies& bodies, const QueryTrace& 
     const auto is_shown_of = [&](std::size_t side, std::uint32_t triangle) {
         return triangle < shown[side].size() && shown[side][triangle] != 0;
     };
-    std::vector<Segment> lines;
+    const Rgba8 color = ending_color(Stage::triangles_meet, *style.theme);
     for (Segment& line : contact) {
         const IndexPair pair = frame.found.pairs[line.id];
         const bool of_a = is_shown_of(0, pair.a);
         if (!of_a && !is_shown_of(1, pair.b)) continue;
         line.id =
             of_a ? bodies[0].first_triangle_id + pair.a : bodies[1].first_triangle_id + pair.b;
-        line.color = ending_color(Stage::triangles_meet, *style.theme);
+        line.color = color;
         line.width = 1.5;
         line.on_top = true;
-        lines.push_back(line);
+        pane.segments.push_back(line);
     }
-    return lines;
+    // Without lines there is no area, whose outline is among them.
+    if (pane.segments.empty()) return;
+    for (Area& area : contact_areas(bodies, frame)) {
+        const IndexPair pair = frame.found.pairs[area.id];
+        if (!is_shown_of(0, pair.a) && !is_shown_of(1, pair.b)) continue;
+        area.color = color;
+        area.id = 0;
+        pane.areas.push_back(std::move(area));
+    }
 }
 
 }  // namespace
@@ -204,14 +212,7 @@ Pane rejections_pane(const QueryBodies& bodies, const QueryTrace& frame, const O
         mesh.backdrop = true;
         pane.meshes.push_back(std::move(mesh));
     }
-    // Faces that lie on each other have equal depths. Where they meet, their ending is drawn.
-    if (!contact.empty()) pane.areas = contact_areas(bodies, frame);
-    pane.segments = meeting_lines(bodies, frame, outcomes, std::move(contact), style);
-    if (pane.segments.empty()) pane.areas.clear();
-    for (Area& area : pane.areas) {
-        area.color = pane.segments.front().color;
-        area.id = 0;
-    }
+    add_meetings(pane, bodies, frame, outcomes, std::move(contact), style);
     return pane;
 }
 

@@ -39,8 +39,8 @@ struct DistanceOptions {
     /// Pairs of nodes are skipped unless their bound is below the distance so far, over 1 plus this
     /// number. The answer is then at most so much too large. 0 or more.
     double relative_error = 0;
-    /// Triangles to begin with, such as the closest pair of the frame before: the nearer they are,
-    /// the fewer tests follow.
+    /// Triangles of A and B to begin with, such as the closest pair of the frame before: the nearer
+    /// they are, the fewer tests follow.
     std::optional<IndexPair> seed = std::nullopt;
     /// Nothing beyond this distance is looked for.
     double limit = std::numeric_limits<double>::infinity();
@@ -62,8 +62,9 @@ struct Distance {
 /// The smallest distance of a triangle of A and a triangle of B, B moved by `b_to_a` into A's
 /// frame; 0 if and only if some triangles intersect. Bodies inside of each other have the distance
 /// of their surfaces. Distances are of the corners as transform_point rounds them. Without limits,
-/// errors and `enough`, the result is the same for each volume, order, split and seed. `b_to_a`
-/// must be rigid, see check_rigid. Thread-safe; throws nothing but std::bad_alloc.
+/// errors and `enough`, the result is the same for each volume, order, split and seed; if the
+/// distance is 0, only the distance is. `b_to_a` must be rigid, see check_rigid. Thread-safe;
+/// throws nothing but std::bad_alloc.
 ///
 /// The traversal is after Larsen, Gottschalk, Lin and Manocha, "Fast Proximity Queries with Swept
 /// Sphere Volumes" (1999), with a heap as in Johnson and Cohen, "A Framework for Efficient Minimum

@@ -1,13 +1,12 @@
 #include "core/geometry/triangle_segment.h"
 
-#include "scb/triangle_distance.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/base/random.h"
 #include "core/geometry/triangle_pair.h"
+#include "scb/triangle_distance.h"
 #include "scb/triangle_overlap.h"
 #include "tests/core/fit/point_sets.h"
 #include "tests/core/geometry/triangle_pairs.h"
@@ -218,9 +217,12 @@ TriangleCorners random_triangle(Random& random, double size) {
 TEST(TriangleDistance, IsThatOfKnownPairs) {
     const TriangleCorners floor = {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
     // A corner above the inside, one above an edge's outside, and an edge across an edge.
-    EXPECT_DOUBLE_EQ(triangle_distance(floor, {Vec3(1, 1, 2), Vec3(1, 1, 5), Vec3(2, 1, 5)}).distance, 2);
-    EXPECT_DOUBLE_EQ(triangle_distance(floor, {Vec3(-3, 1, 4), Vec3(-9, 1, 4), Vec3(-9, 2, 8)}).distance, 5);
-    EXPECT_DOUBLE_EQ(triangle_distance(floor, {Vec3(1, -2, -3), Vec3(1, -2, 3), Vec3(1, -8, 0)}).distance, 2);
+    EXPECT_DOUBLE_EQ(
+        triangle_distance(floor, {Vec3(1, 1, 2), Vec3(1, 1, 5), Vec3(2, 1, 5)}).distance, 2);
+    EXPECT_DOUBLE_EQ(
+        triangle_distance(floor, {Vec3(-3, 1, 4), Vec3(-9, 1, 4), Vec3(-9, 2, 8)}).distance, 5);
+    EXPECT_DOUBLE_EQ(
+        triangle_distance(floor, {Vec3(1, -2, -3), Vec3(1, -2, 3), Vec3(1, -8, 0)}).distance, 2);
     // A needle that is stuck through the floor, 0.25 from its edge and 0.5 below it.
     EXPECT_NEAR(triangle_depth(floor, {Vec3(1, 0.25, -0.5), Vec3(1, 0.25, 9), Vec3(1.01, 0.25, 9)}),
                 0.25, 1e-12);

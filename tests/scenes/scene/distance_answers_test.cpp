@@ -93,9 +93,10 @@ void with_kind(const BuiltMesh& a, const BuiltMesh& b, std::size_t kind, const U
         a.hierarchies[kind]);
 }
 
-TEST(DistanceAnswers, AreFoundByEveryVolume) {
-    if (!has_model_file("horse.ply", "distances of real meshes")) GTEST_SKIP();
-    AnswerTable answers("distances.tsv");
+/// Calls `use` with each row of a table whose meshes are small enough. Returns the number of rows.
+template <class Use>
+int for_each_row(const std::string& file, const Use& use) {
+    AnswerTable answers(file);
     BuiltModels built;
     int rows = 0;
     while (answers.next()) {
@@ -104,13 +105,21 @@ TEST(DistanceAnswers, AreFoundByEveryVolume) {
         if (!a || !b) continue;
         SCOPED_TRACE(answers.text("row"));
         ++rows;
-        const Pose pose = answers.pose();
-        const double allowed = 4 * 0x1p-52 * largest_coordinate(a->mesh, b->mesh, pose),
-                     answer = answers.number("dist_ref");
+        use(answers, *a, *b);
+    }
+    return rows;
+}
+
+TEST(DistanceAnswers, AreFoundByEveryVolume) {
+    if (!has_model_file("horse.ply", "distances of real meshes")) GTEST_SKIP();
+    const auto check = [](const AnswerTable& row, const BuiltMesh& a, const BuiltMesh& b) {
+        const Pose pose = row.pose();
+        const double allowed = 4 * 0x1p-52 * largest_coordinate(a.mesh, b.mesh, pose),
+                     answer = row.number("dist_ref");
         std::optional<Distance> first;
         for (std::size_t kind = 0; kind < all_volume_kinds().size(); ++kind) {
             SCOPED_TRACE(volume_kind_name(all_volume_kinds()[kind]));
-            with_kind(*a, *b, kind, [&](const auto& of_a, const auto& of_b) {
+            with_kind(a, b, kind, [&](const auto& of_a, const auto& of_b) {
                 const Distance found = distance(of_a, of_b, pose);
                 ASSERT_TRUE(found.triangles);
                 EXPECT_NEAR(found.found.distance, answer, allowed);
@@ -118,7 +127,7 @@ TEST(DistanceAnswers, AreFoundByEveryVolume) {
                 if (answer == 0) return;
                 const std::string pair = std::to_string(found.triangles->a) + ":" +
                                          std::to_string(found.triangles->b),
-                                  ties = "," + answers.text("tied_pairs") + ",";
+                                  ties = "," + row.text("tied_pairs") + ",";
                 EXPECT_TRUE(ties.find("," + pair + ",") != ties.npos || ties.ends_with("...,"))
                     << pair;
                 if (!first) first = found;
@@ -126,30 +135,21 @@ TEST(DistanceAnswers, AreFoundByEveryVolume) {
                 EXPECT_EQ(found.triangles, first->triangles);
             });
         }
-    }
-    EXPECT_GT(rows, unless_sanitized(20, 5));
+    };
+    EXPECT_GT(for_each_row("distances.tsv", check), unless_sanitized(20, 5));
 }
 
 TEST(DistanceAnswers, WithinATolerance) {
     if (!has_model_file("horse.ply", "triangles of real meshes within a tolerance")) GTEST_SKIP();
-    AnswerTable answers("within.tsv");
-    BuiltModels built;
-    int rows = 0;
-    while (answers.next()) {
-        const BuiltMesh *a = built.find(answers.text("meshA")),
-                        *b = built.find(answers.text("meshB"));
-        if (!a || !b) continue;
-        SCOPED_TRACE(answers.text("row"));
-        ++rows;
+    const auto check = [](const AnswerTable& row, const BuiltMesh& a, const BuiltMesh& b) {
         for (const VolumeKind volume : {VolumeKind::scb2, VolumeKind::obb})
-            with_kind(*a, *b, static_cast<std::size_t>(volume),
-                      [&](const auto& of_a, const auto& of_b) {
-                          const Collision found =
-                              within(of_a, of_b, answers.pose(), answers.number("tolerance"));
-                          EXPECT_EQ(std::to_string(found.pairs.size()), answers.text("pairs_own"));
-                      });
-    }
-    EXPECT_GT(rows, unless_sanitized(5, 0));
+            with_kind(
+                a, b, static_cast<std::size_t>(volume), [&](const auto& of_a, const auto& of_b) {
+                    const Collision found = within(of_a, of_b, row.pose(), row.number("tolerance"));
+                    EXPECT_EQ(std::to_string(found.pairs.size()), row.text("pairs_own"));
+                });
+    };
+    EXPECT_GT(for_each_row("within.tsv", check), unless_sanitized(5, 0));
 }
 
 }  // namespace
