@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "core/geometry/triangle_segment.h"
@@ -88,14 +87,14 @@ PointPair closest(const Edge& a, const Edge& b) {
 /// A triangle's inside, by its longest edge and the height on it.
 class Face {
   public:
-    explicit Face(const OrderedTriangle& t) {
+    Face(const OrderedTriangle& t, const std::array<Edge, 3>& edges) {
         std::size_t longest = 0;
         for (std::size_t i = 1; i < 3; ++i)
-            if (Edge(t.edge(i)).squared_length > Edge(t.edge(longest)).squared_length) longest = i;
-        std::tie(from_, to_) = t.edge(longest);
+            if (edges[i].squared_length > edges[longest].squared_length) longest = i;
+        from_ = edges[longest].from;
         apex_ = t.corner(2 - longest);
-        along_ = to_ - from_;
-        squared_length_ = squared_norm(along_);
+        along_ = edges[longest].along;
+        squared_length_ = edges[longest].squared_length;
         if (!(squared_length_ > 0)) return;
         // Twice: a needle's apex is nearly on the edge.
         height_ = apex_ - from_;
@@ -126,7 +125,7 @@ class Face {
         return from_ + shares[0] * Vec3(apex_ - from_) + shares[2] * along_;
     }
 
-    Vec3 from_, to_, apex_, along_, height_ = Vec3::Zero();
+    Vec3 from_, apex_, along_, height_ = Vec3::Zero();
     double squared_length_ = 0, squared_height_ = 0, foot_ = 0;
 };
 
@@ -147,7 +146,7 @@ PointPair closest_features(const TriangleCorners& given_a, const TriangleCorners
             take(closest(b.corner(j), edges_a[i]).reversed());
             take(closest(edges_a[i], edges_b[j]));
         }
-    const Face face_a(a), face_b(b);
+    const Face face_a(a, edges_a), face_b(b, edges_b);
     for (std::size_t i = 0; i < 3; ++i) {
         take(face_b.closest(a.corner(i)));
         take(face_a.closest(b.corner(i)).reversed());
