@@ -199,6 +199,8 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     add_merge(root, console, run_again, action);
     add_inspect(root, console, action);
     add_collide(root, console, action);
+    add_distance(root, console, action);
+    add_inside(root, action);
     add_bench(root, console, action);
     add_tune(root, console, action);
     add_trace(root, console, action);

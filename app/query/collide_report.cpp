@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <set>
 
+#include "app/query/query_title.h"
 #include "app/report/build_text.h"
 #include "app/report/count_table.h"
 #include "app/report/scene_report.h"
-#include "app/report/trace_report.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
 #include "scb/triangle_overlap.h"
@@ -29,36 +28,10 @@ std::vector<Cell> mean_cells(const SceneQuery& query, const CollideSums& sums,
     return cells;
 }
 
-bool is_of_many(const SceneQuery& query) { return query.pairs.size() > 1; }
-
-/// The two bodies of the queries; with several pairs, all bodies of the scene.
-std::vector<std::size_t> queried_bodies(const SceneQuery& query) {
-    if (!is_of_many(query)) return {query.a, query.b};
-    std::vector<std::size_t> all(query.scene.bodies.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-}
-
-const std::string& name_of(const SceneQuery& query, std::size_t body) {
-    return query.scene.bodies[body].name;
-}
-
-/// "pin and bracket".
-std::string pair_words(const SceneQuery& query) {
-    return name_of(query, query.a) + " and " + name_of(query, query.b);
-}
-
 /// `left_out`: see TraceEngine.
 Json json_of(const CollideCommandOptions& options, const SceneQuery& query, const CollideSums& sums,
              Json frames, std::uint64_t left_out) {
-    const auto body = [&](std::size_t i) -> Json {
-        return body_json({query.scene.bodies[i].name, fingerprint(query.mesh(i))});
-    };
-    Json result = {{"version", SCB_VERSION},
-                   {"scene", query.scene.name},
-                   {"source", utf8_names(options.scene.names)}};
-    for (const std::size_t i : queried_bodies(query)) result["bodies"].push_back(body(i));
-    result["volume"] = volume_kind_name(query.kind);
+    Json result = bodies_json(options.scene, query);
     if (query.is_self()) result["query"] = "self";
     if (query.is_packed()) {
         result["layout"] = options.layout.layout;
@@ -71,9 +44,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
         }
         result["descent"] = descent_rule_name(options.query.descent);
     }
-    result["growth"] = ball_growth_name(options.hierarchy.growth);
-    result["margin"] = options.hierarchy.margin;
-    result["split"] = split_method_name(options.hierarchy.split);
+    result.update(build_json(query.build));
     result["max_pairs"] = query.options.max_pairs;
     if (!options.contacts.empty()) result["contacts"] = options.contacts;
     const int level = query.options.stop_level;
@@ -89,19 +60,7 @@ Json json_of(const CollideCommandOptions& options, const SceneQuery& query, cons
 }
 
 std::string title_of(const CollideCommandOptions& options, const SceneQuery& query) {
-    const auto body = [&query](std::size_t i) {
-        return query.scene.bodies[i].name + " (" +
-               counted(query.mesh(i).triangles.size(), "triangle", "triangles") + ")";
-    };
-    const std::vector<std::size_t> bodies = queried_bodies(query);
-    std::string text = query.scene.name + ": " + body(bodies[0]);
-    if (query.is_self())
-        text += " against itself";
-    else
-        for (std::size_t i = 1; i < bodies.size(); ++i)
-            text += (i + 1 < bodies.size() ? ", " : " and ") + body(bodies[i]);
-    if (is_of_many(query)) text += format(", %zu pairs of bodies", query.pairs.size());
-    text += ", " + std::string(volume_kind_name(query.kind)) + " hierarchies";
+    std::string text = bodies_title(query);
     if (query.is_packed())
         return text + ", layout " + options.layout.layout + ", at most " +
                counted(static_cast<std::uint64_t>(options.layout.leaf_triangles), "triangle",
@@ -148,7 +107,7 @@ std::string nothing_text(const SceneQuery& query, const InsideReport& inside) {
     return "\nNo triangles intersect: the boxes of " + names + format(" are %.6g apart", least) +
            (frames == 1 ? "" : format(" in frame %d, where they are nearest", nearest)) +
            format(" (x %.6g, y %.6g, z %.6g in the frame of ", gap[0], gap[1], gap[2]) +
-           name_of(query, query.a) + ").\n";
+           body_name(query, query.a) + ").\n";
 }
 
 }  // namespace
@@ -270,8 +229,8 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
     if (!options_.pairs_out.empty())
         for (const IndexPair& pair : found.pairs)
             pairs_ += format("%d,", frame) +
-                      (is_of_many(query_) ? csv_field(name_of(query_, query_.a)) + "," +
-                                                csv_field(name_of(query_, query_.b)) + ","
+                      (is_of_many(query_) ? csv_field(body_name(query_, query_.a)) + "," +
+                                                csv_field(body_name(query_, query_.b)) + ","
                                           : "") +
                       format("%u,%u\n", pair.a, pair.b);
 }
@@ -284,7 +243,7 @@ void CollideReport::add_json(int frame, const Collision& found, std::size_t touc
     if (is_all_contacts()) counts["touching"] = touching;
     if (difference) counts["expected"] = json_of(*difference);
     if (is_of_many(query_)) {
-        Json query = {{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}}};
+        Json query = {{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}}};
         counts.erase("frame");
         query.update(counts);
         json_frames_.back()["queries"].push_back(std::move(query));
@@ -316,8 +275,8 @@ void CollideReport::add_row(int frame, const Collision& found, std::size_t touch
         cells.emplace_back(difference->not_found.size());
     }
     if (is_of_many(query_)) {
-        cells.emplace_back(name_of(query_, query_.a));
-        cells.emplace_back(name_of(query_, query_.b));
+        cells.emplace_back(body_name(query_, query_.a));
+        cells.emplace_back(body_name(query_, query_.b));
         cells.emplace_back(pair_words(query_));
     }
     table_.add(std::move(cells), count_note(found));
@@ -382,13 +341,11 @@ std::string CollideReport::contact_words() {
     }
     if (count == 0) return "";
     if (count > most_named_pairs) text += format("; and %zu more pairs", count - most_named_pairs);
-    const std::vector<int>& frames = query_.frames;
-    const bool are_all = static_cast<std::size_t>(frames.back() - frames.front()) < frames.size();
     return "\n" +
            std::string(!leaves_out_contacts()            ? "In contact: "
                        : options_.contacts == "crossing" ? "Crossing: "
                                                          : "Touching: ") +
-           text + (are_all ? ".\n" : ", of those queried.\n");
+           text + among_queried(query_.frames);
 }
 
 Json CollideReport::contact_json() {
@@ -396,7 +353,7 @@ Json CollideReport::contact_json() {
     for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
         if (intervals_[i].empty()) continue;
         query_.choose(query_.pairs[i]);
-        list.push_back({{"bodies", {name_of(query_, query_.a), name_of(query_, query_.b)}},
+        list.push_back({{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}},
                         {"frames", intervals_[i].json()}});
     }
     return list;

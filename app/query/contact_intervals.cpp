@@ -35,4 +35,9 @@ Json ContactIntervals::json() const {
     return json;
 }
 
+std::string among_queried(const std::vector<int>& frames) {
+    const bool are_all = static_cast<std::size_t>(frames.back() - frames.front()) < frames.size();
+    return are_all ? ".\n" : ", of those queried.\n";
+}
+
 }  // namespace scb::app

@@ -29,4 +29,7 @@ class ContactIntervals {
     bool was_in_contact_ = false;
 };
 
+/// The end of a sentence that lists such intervals: whether frames between were left out.
+std::string among_queried(const std::vector<int>& frames);
+
 }  // namespace scb::app

@@ -18,6 +18,9 @@ class InsideReport {
 
     /// Adds a frame in which no triangles intersect. Lists what lies inside the other body there.
     nlohmann::ordered_json add(int frame);
+    /// Whether the last frame that was added was judged in full: no part may lie inside a body that
+    /// is not closed.
+    bool is_judged() const { return !last_[0].not_judged && !last_[1].not_judged; }
     /// Names of the bodies that are not closed: whether something lies inside them is unknown.
     std::vector<std::string> not_closed() const;
 

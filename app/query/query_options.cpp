@@ -14,17 +14,16 @@
 namespace scb::app {
 namespace {
 
-/// File endings of scenes, meshes in common formats, traces and recordings.
-std::vector<std::string> scene_endings() {
-    return {".json", ".ply", ".obj", ".stl", ".off", ".gltf",   ".glb",
-            ".dae",  ".3ds", ".fbx", ".ac",  ".x",   ".scbrec", ".jsonl"};
-}
-
 std::vector<std::string> test_words() {
     return words_of(choices_of(all_overlap_tests(), overlap_test_name));
 }
 
 }  // namespace
+
+std::vector<std::string> scene_endings() {
+    return {".json", ".ply", ".obj", ".stl", ".off", ".gltf",   ".glb",
+            ".dae",  ".3ds", ".fbx", ".ac",  ".x",   ".scbrec", ".jsonl"};
+}
 
 std::vector<std::string> builtin_names() {
     std::vector<std::string> names;
@@ -176,8 +175,7 @@ void add_bodies_option(const Command& command, QueryOptions& options) {
         .shareable();
 }
 
-void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
-    add_overlap_options(command, options, several_tests);
+void add_traversal_options(const Command& command, QueryOptions& options) {
     const std::vector<Choice<DescentRule>> rules =
         choices_of(all_descent_rules(), descent_rule_name);
     add_choice(command, "--descent", options.descent, rules,
@@ -193,6 +191,11 @@ void add_query_options(const Command& command, QueryOptions& options, bool sever
         .show_default()
         .shareable();
     add_bodies_option(command, options);
+}
+
+void add_query_options(const Command& command, QueryOptions& options, bool several_tests) {
+    add_overlap_options(command, options, several_tests);
+    add_traversal_options(command, options);
 }
 
 void add_query_limits(const Command& command, QueryLimits& limits) {

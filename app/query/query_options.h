@@ -9,6 +9,9 @@ namespace scb::app {
 
 class Command;
 
+/// File endings of scenes, meshes in common formats, traces and recordings.
+std::vector<std::string> scene_endings();
+
 /// Names of built-in scenes, in the order of `scb scenes`.
 std::vector<std::string> builtin_names();
 
@@ -24,6 +27,8 @@ void add_overlap_options(const Command& command, QueryOptions& options, bool sev
 /// Names that --compare accepts: overlap tests and volumes.
 std::vector<std::string> compared_words();
 void add_bodies_option(const Command& command, QueryOptions& options);
+/// --descent, --frames and --bodies.
+void add_traversal_options(const Command& command, QueryOptions& options);
 /// The options above and all others of a query.
 void add_query_options(const Command& command, QueryOptions& options, bool several_tests);
 void add_query_limits(const Command& command, QueryLimits& limits);

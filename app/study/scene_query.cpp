@@ -125,6 +125,15 @@ Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
     return found;
 }
 
+Distance SceneQuery::distance(int frame, const DistanceOptions& limits) const {
+    return scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), limits);
+}
+
+Collision SceneQuery::within(int frame, double tolerance) const {
+    return scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), tolerance,
+                       options.descent);
+}
+
 void SceneQuery::choose(const BodyPair& pair) {
     std::tie(a, b) = std::pair(pair[0], pair[1]);
     if (is_self()) joined = joined_vertices(mesh(a));

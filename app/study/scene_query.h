@@ -4,6 +4,7 @@
 #include "core/analysis/trace.h"
 #include "core/model/packed_tree.h"
 #include "scb/any_collide.h"
+#include "scb/any_distance.h"
 #include "scb/any_packed.h"
 #include "scenes/scene/scene_hierarchies.h"
 
@@ -48,6 +49,10 @@ struct SceneQuery {
     Pose b_to_a(int frame) const;
     Collision collide(int frame) const;
     Collision collide(int frame, StepRecorder& recorder) const;
+    /// The distance of A and B; they must be two bodies.
+    Distance distance(int frame, const DistanceOptions& limits) const;
+    /// The triangles of A and B that are at most this far apart; they must be two bodies.
+    Collision within(int frame, double tolerance) const;
 
   private:
     /// Throws InputError if a packed query gave up.

@@ -1,30 +1,13 @@
 #include "scb/any_collide.h"
 
 #include <array>
-#include <string>
 
 #include "core/base/enum_names.h"
 #include "core/collide/dual_traversal.h"
+#include "core/hierarchy/same_volumes.h"
 #include "scb/collide.h"
-#include "scb/error.h"
 
 namespace scb {
-namespace {
-
-/// Calls `use` with both hierarchies in their own type. Throws InputError if the types differ.
-template <class Use>
-Collision with_both(const AnyHierarchy& a, const AnyHierarchy& b, Use&& use) {
-    if (a.index() != b.index())
-        throw InputError(
-            "the two hierarchies have volumes of different types; build both with one.");
-    return std::visit(
-        [&]<class V>(const Hierarchy<V>& of_a) {
-            return use(of_a, *std::get_if<Hierarchy<V>>(&b));
-        },
-        a);
-}
-
-}  // namespace
 
 Collision collide(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const CollideOptions& options) {

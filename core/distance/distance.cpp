@@ -196,6 +196,7 @@ Distance distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a
         traverse_by_key(policy, none, pending);
     }
     result.n_v = test_count(result.stages);
+    result.n_u = result.n_v * transforms_per_gap<V>();
     return result;
 }
 
@@ -209,6 +210,7 @@ Collision within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
     KeyedDepthFirst<NoObserver, GapKey> pending;
     traverse_by_key(policy, none, pending);
     result.n_v = test_count(result.stages);
+    result.n_u = result.n_v * transforms_per_gap<V>();
     std::sort(result.pairs.begin(), result.pairs.end());
     return result;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
+#include <iterator>
 
 #include "scb/placement.h"
 #include "scb/stage.h"
@@ -65,9 +67,17 @@ std::array<Vec3, 3> thin_frame(const V& v, const Vec3& to_other) {
         return {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 }
 
-/// The axis along which a long volume extends; zero if it has none.
+/// Whether a volume may be longer along one axis than across.
 template <class V>
-Vec3 long_direction(const V& v) {
+inline constexpr bool has_long_direction = std::same_as<V, Scb2> || std::same_as<V, Obb> ||
+                                           requires(const V& v) {
+    v.half_axis;
+}
+|| requires(const V& v) { v.half_sides; };
+
+/// The axis along which a long volume extends.
+template <class V>
+requires has_long_direction<V> Vec3 long_direction(const V& v) {
     if constexpr (std::same_as<V, Scb2>) {
         return long_axis(v);
     } else if constexpr (std::same_as<V, Obb>) {
@@ -77,10 +87,8 @@ Vec3 long_direction(const V& v) {
         return v.axes.col(longest);
     } else if constexpr (requires { v.half_axis; }) {
         return v.half_axis;
-    } else if constexpr (requires { v.half_sides; }) {
-        return v.half_sides[squared_norm(v.half_sides[0]) < squared_norm(v.half_sides[1]) ? 1 : 0];
     } else {
-        return Vec3::Zero();
+        return v.half_sides[squared_norm(v.half_sides[0]) < squared_norm(v.half_sides[1]) ? 1 : 0];
     }
 }
 
@@ -142,6 +150,17 @@ class GapSearch {
     Vec3 to_b_;
 };
 
+/// The points and directions that volume_gap moves from one frame to the other: B's center, and the
+/// line of the centers; A's three axes; two axes of B, and three back; the long axis and the
+/// product; each face of a k-DOP, and those of B back.
+template <Volume V>
+constexpr std::uint64_t transforms_per_gap() {
+    if constexpr (std::same_as<V, Ball>) return 2;
+    std::uint64_t count = has_long_direction<V> ? 12 : 10;
+    if constexpr (requires { V::which; }) count += 3 * std::size(V::which);
+    return count;
+}
+
 /// The largest of these bounds: along the line of the centers; the gaps along A's axes as a root of
 /// squares, and along B's; along the product of the long axes; and along the faces of k-DOPs. Of
 /// equal bounds, the first.
@@ -165,8 +184,10 @@ VolumeGap volume_gap(const V& a, const V& b, const Placement& placed) {
         const std::array<Vec3, 3> own = thin_frame(b, search.to_frame_of_b(Vec3(-search.to_b())));
         const std::array<Vec3, 3> of_b = frame_about(to_a(own[0]), to_a(own[1]));
         take(search.along_frame(of_b), Stage::slab_b);
-        const Vec3 product = unit_or_zero(cross(long_direction(a), to_a(long_direction(b))));
-        take(search.along(product), Stage::long_axes);
+        if constexpr (has_long_direction<V>) {
+            const Vec3 product = unit_or_zero(cross(long_direction(a), to_a(long_direction(b))));
+            take(search.along(product), Stage::long_axes);
+        }
         if constexpr (requires { V::which; })
             for (const int which : V::which) {
                 const auto& d = dop_directions[static_cast<std::size_t>(which)];

@@ -10,7 +10,7 @@
 namespace scb {
 namespace {
 
-std::optional<std::size_t> number_in(std::string_view digits) {
+std::optional<std::size_t> shard_number(std::string_view digits) {
     std::size_t number = 0;
     const char* end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, number);
@@ -23,7 +23,7 @@ std::optional<std::size_t> number_in(std::string_view digits) {
 Shard parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash != std::string_view::npos) {
-        const auto k = number_in(text.substr(0, slash)), n = number_in(text.substr(slash + 1));
+        const auto k = shard_number(text.substr(0, slash)), n = shard_number(text.substr(slash + 1));
         if (k && n && *k >= 1 && *k <= *n) return {*k, *n};
     }
     throw InputError("\"" + std::string(text) +

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string_view>
 
 #include "core/base/text_format.h"
 #include "core/platform/input_files.h"
-#include "core/platform/text_lines.h"
-#include "core/platform/tokens.h"
+#include "core/platform/number_rows.h"
 #include "scb/error.h"
 #include "scenes/scene/pose_rows.h"
 #include "scenes/scene/scene.h"
@@ -16,38 +14,11 @@
 namespace scb::scenes {
 namespace {
 
-using Cells = std::vector<std::string_view>;
-
 constexpr std::size_t of_matrix = 12, of_position = 3, of_quaternion = 4,
                       of_trajectory = of_position + of_quaternion;
 
-/// What blanks, commas or semicolons separate; blanks about a comma or semicolon belong to it.
-Cells cells_of(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
-    const auto skip_blanks = [&] {
-        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    };
-    Cells cells;
-    skip_blanks();
-    while (true) {
-        const std::size_t end = std::min(line.find_first_of(separators), line.size());
-        cells.push_back(line.substr(0, end));
-        line.remove_prefix(end);
-        skip_blanks();
-        if (line.empty()) return cells;
-        if (line.front() != ',' && line.front() != ';') continue;
-        line.remove_prefix(1);
-        skip_blanks();
-    }
-}
-
-bool has_number(const Cells& cells) {
-    return std::any_of(cells.begin(), cells.end(),
-                       [](std::string_view cell) { return number_in(cell).has_value(); });
-}
-
 /// Whether a header names w before z, as other formats write quaternions.
-bool names_w_first(const Cells& header) {
+bool names_w_first(const std::vector<std::string>& header) {
     const auto ends_with = [](char letter) {
         return [letter](std::string_view cell) { return cell.ends_with(letter); };
     };
@@ -58,14 +29,10 @@ bool names_w_first(const Cells& header) {
 /// The rows of one log.
 class LogReader {
   public:
-    LogReader(const std::string& path, bool exact) : path_(path), lines_(path), exact_(exact) {}
+    LogReader(const std::string& path, bool exact) : path_(path), rows_(path), exact_(exact) {}
 
     Motion read() {
-        while (const std::optional<std::string_view> line = lines_.next()) {
-            const Cells cells = cells_of(*line);
-            const bool is_blank = cells.size() == 1 && cells[0].empty();
-            if (!is_blank && !cells[0].starts_with('#')) add(cells);
-        }
+        while (const std::optional<NumberRows::Cells> cells = rows_.next()) add(*cells);
         if (motion_.told.empty())
             throw InputError(path_ +
                              ": it has no poses; give rows of 12 numbers, [R|t] row by row, or of "
@@ -75,25 +42,16 @@ class LogReader {
     }
 
   private:
-    [[noreturn]] void refuse(const std::string& sentence) const {
-        throw InputError(lines_.place() + ": " + sentence);
-    }
-
-    void add(const Cells& cells) {
-        if (!has_header_ && motion_.told.empty() && !has_number(cells)) {
-            has_header_ = true;
-            has_w_first_ = names_w_first(cells);
-            return;
-        }
+    void add(const NumberRows::Cells& cells) {
         check_count(cells.size());
         if (motion_.told.size() == static_cast<std::size_t>(most_frames))
-            refuse("more than " + counted(most_frames, "pose", "poses") +
-                   "; give a part of the log.");
-        const Pose pose = pose_of(numbers_of(cells));
-        const NearestPose nearest = rigid_pose(pose, exact_, lines_.place());
+            rows_.refuse("more than " + counted(most_frames, "pose", "poses") +
+                         "; give a part of the log.");
+        const Pose pose = pose_of(rows_.numbers(cells, max_coordinate));
+        const NearestPose nearest = rigid_pose(pose, exact_, rows_.place());
         if (nearest.correction > motion_.correction) {
             motion_.correction = nearest.correction;
-            motion_.corrected_line = lines_.number();
+            motion_.corrected_line = rows_.line();
         }
         motion_.told.push_back({static_cast<int>(motion_.told.size()), nearest.pose});
     }
@@ -101,27 +59,18 @@ class LogReader {
     void check_count(std::size_t count) {
         if (columns_ == 0) {
             if (count != of_matrix && count != of_trajectory && count != of_trajectory + 1)
-                refuse(sentence("it has ", counted(count, "column", "columns"),
-                                "; give 12 numbers, [R|t] row by row, or tx ty tz qx qy qz qw, "
-                                "with or without a time stamp before."));
-            if (count != of_matrix && has_w_first_)
-                refuse("the header names w before z; write quaternions as qx qy qz qw.");
+                rows_.refuse(
+                    sentence("it has ", counted(count, "column", "columns"),
+                             "; give 12 numbers, [R|t] row by row, or tx ty tz qx qy qz qw, "
+                             "with or without a time stamp before."));
+            if (count != of_matrix && names_w_first(rows_.header()))
+                rows_.refuse("the header names w before z; write quaternions as qx qy qz qw.");
             columns_ = count;
         }
         if (count != columns_)
-            refuse(sentence("it has ", counted(count, "column", "columns"),
-                            ", and the rows before have ", columns_, "; give one pose per row."));
-    }
-
-    std::vector<double> numbers_of(const Cells& cells) const {
-        std::vector<double> numbers;
-        for (const std::string_view cell : cells) {
-            const std::optional<double> number = number_in(cell);
-            if (!number || !(std::abs(*number) <= max_coordinate))
-                refuse("'" + excerpt(cell) + "' is not a number within 1e70; correct the row.");
-            numbers.push_back(*number);
-        }
-        return numbers;
+            rows_.refuse(sentence("it has ", counted(count, "column", "columns"),
+                                  ", and the rows before have ", columns_,
+                                  "; give one pose per row."));
     }
 
     Pose pose_of(const std::vector<double>& numbers) const {
@@ -144,9 +93,9 @@ class LogReader {
                      squared = x * x + y * y + z * z + w * w, length = std::sqrt(squared),
                      defect = std::abs(squared - 1);
         if (!(defect <= (exact_ ? 1e-9 : 1e-3)))
-            refuse(sentence("the squared length of the quaternion differs from 1 by ", defect, ", ",
-                            exact_ ? "1e-9" : "1e-3",
-                            " is allowed; give qx qy qz qw of a unit quaternion."));
+            rows_.refuse(sentence("the squared length of the quaternion differs from 1 by ", defect,
+                                  ", ", exact_ ? "1e-9" : "1e-3",
+                                  " is allowed; give qx qy qz qw of a unit quaternion."));
         Mat3 m;
         m << x * x - y * y - z * z + w * w, 2 * (x * y - z * w), 2 * (x * z + y * w),  //
             2 * (x * y + z * w), y * y - x * x - z * z + w * w, 2 * (y * z - x * w),   //
@@ -155,9 +104,8 @@ class LogReader {
     }
 
     std::string path_;
-    TextLines lines_;
+    NumberRows rows_;
     bool exact_;
-    bool has_header_ = false, has_w_first_ = false;
     std::size_t columns_ = 0;  ///< of each row; 0: before the first
     Motion motion_;
 };

@@ -58,7 +58,7 @@ const std::map<std::string, std::vector<std::string>> public_headers = {
     {"hierarchy", {"topology", "hierarchy", "any_hierarchy", "level_cover"}},
     {"traverse", {"observer", "step_recorder"}},
     {"collide", {"collide", "any_collide"}},
-    {"distance", {"distance"}},
+    {"distance", {"distance", "any_distance"}},
     {"packed",
      {"packed_scb", "packed_scb2", "node_codec", "packed_layout", "packed_hierarchy",
       "packed_front", "packed_collide", "any_packed"}},

@@ -56,6 +56,7 @@ struct Distance {
     std::optional<IndexPair> triangles;
     std::uint64_t n_v = 0;  ///< pairs of volumes whose bound was computed
     std::uint64_t n_p = 0;  ///< pairs of triangles whose distance was computed
+    std::uint64_t n_u = 0;  ///< points and directions of volumes transformed for these bounds
     StageCounts stages{};   ///< of the volumes by the largest bound
 };
 

@@ -1,0 +1,152 @@
+#include <cmath>
+#include <memory>
+
+#include "app/cli/choice.h"
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/validators.h"
+#include "app/query/distance_report.h"
+#include "app/query/output_guard.h"
+#include "app/query/query_options.h"
+#include "core/base/exit_status.h"
+#include "core/base/text_format.h"
+#include "core/platform/output_file.h"
+#include "scb/error.h"
+
+namespace scb::app {
+namespace {
+
+/// Throws InputError for a number that is negative or not finite.
+void check_length(const std::string& option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw InputError(option + format(" %g: give 0 or more.", value));
+}
+
+void check(const DistanceCommandOptions& options) {
+    if (options.json && options.csv)
+        throw InputError("--json and --csv exclude each other; give one of them.");
+    if (options.within) check_length("--within", *options.within);
+    check_length("--relative-error", options.limits.relative_error);
+    if (std::isnan(options.limits.limit) || options.limits.limit < 0)
+        throw InputError(format("--limit %g: give 0 or more.", options.limits.limit));
+    const DistanceOptions defaults;
+    for (const auto& [name, is_given] :
+         {std::pair("--relative-error", options.limits.relative_error > 0),
+          std::pair("--limit", std::isfinite(options.limits.limit)),
+          std::pair("--order", options.limits.order != defaults.order),
+          std::pair("--seed", options.seeded && !options.first)})
+        if (is_given && options.within)
+            throw InputError(std::string(name) +
+                             " is of the smallest distance, and --within asks for all triangles "
+                             "within a distance; leave one of them out.");
+    for (const auto& [name, is_given, needs] :
+         {std::tuple("--first", options.first, options.within.has_value()),
+          std::tuple("--pairs-out", !options.pairs_out.empty(), options.within && !options.first)})
+        if (is_given && !needs)
+            throw InputError(std::string(name) +
+                             " is of the triangles within a distance: give --within T" +
+                             (options.within ? " without --first." : "."));
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
+}
+
+int run(DistanceCommandOptions& options, const Console& console) {
+    check(options);
+    SceneQuery query = open_query(options.scene, options.hierarchy, options.query, QueryLimits{},
+                                  QueriedBodies::all_pairs);
+    for (const BodyPair& pair : query.pairs)
+        if (pair[0] == pair[1])
+            throw InputError("--bodies " + options.query.bodies +
+                             ": the distance of a body from itself is 0; name two bodies.");
+    note_doubts(options.hierarchy, {query.kind}, console.notes());
+    note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
+    DistanceReport report(options, query);
+    const InterruptWatch watch;
+    Progress progress(console, query.frames.size());
+    for (const int frame : query.frames) {
+        if (watch.signal() != 0) break;
+        report.add(frame);
+        progress.step("frames");
+    }
+    if (!options.pairs_out.empty() && report.frames() > 0)
+        write_file_whole(options.pairs_out, report.pairs());
+    print_result(report.text());
+    if (report.frames() == query.frames.size()) return exit_done;
+    console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
+                 std::to_string(query.frames.size()) + " frames are finished.");
+    return exit_interrupted(watch.signal());
+}
+
+}  // namespace
+
+void add_distance(const Command& program, const Console& console, Action& action) {
+    const Command command = program.add_subcommand(
+        "distance", "Measure how far apart bodies are, with the closest points and counts");
+    const auto options = std::make_shared<DistanceCommandOptions>();
+    options->hierarchy.volumes = volume_kind_name(VolumeKind::scb2);
+    options->hierarchy.split = SplitMethod::cost;
+    add_scene_options(command, options->scene, false);
+    add_hierarchy_options(command, options->hierarchy, false);
+    add_traversal_options(command, options->query);
+    command.get_option("--bodies").description("Names of two bodies. Default: all pairs of bodies");
+    constexpr std::array orders = {DistanceOrder::nearest, DistanceOrder::depth_first,
+                                   DistanceOrder::hybrid};
+    add_choice(command, "--order", options->limits.order,
+               choices_of(std::span<const DistanceOrder>(orders), distance_order_name),
+               "The pair of nodes to divide next: the one with the least bound (nearest), the "
+               "nearer child (depth-first), or the least bound while few pairs wait (hybrid). The "
+               "distance is the same, the counts are not")
+        .type_name("ORDER")
+        .shareable();
+    command
+        .add_option("--within", options->within,
+                    "Count the pairs of triangles that are at most this far apart, in units of the "
+                    "mesh")
+        .check(real_number)
+        .type_name("T");
+    command.add_flag("--first", options->first,
+                     "With --within: end at the first pair, which answers whether any triangles "
+                     "are that near");
+    command
+        .add_option("--relative-error", options->limits.relative_error,
+                    "Allow a distance that is too large by at most this share: 0.01 is 1 %")
+        .check(real_number)
+        .type_name("E")
+        .show_default();
+    command
+        .add_option("--limit", options->limits.limit,
+                    "Look for nothing beyond this distance. Default: no limit")
+        .check(real_number)
+        .type_name("T");
+    command.add_flag("--seed", options->seeded,
+                     "Begin each frame with the closest triangles of the frame before: the same "
+                     "distances with fewer tests, whose number then depends on --frames");
+    command
+        .add_option("--pairs-out", options->pairs_out,
+                    "With --within: write the pairs to this CSV file: numbers of triangles from 0, "
+                    "in the order of the mesh files")
+        .file({".csv"})
+        .only_typed();
+    command.add_flag("--csv", options->csv, "Print CSV instead of a table");
+    command.add_flag("--json", options->json, "Print JSON instead of a table");
+    command.footer(
+        "distance: the smallest distance of two triangles, 0 if and only if triangles intersect. "
+        "If one body lies inside the\n"
+        "other, the line says so, and signed_distance in --csv and --json is negative. N_v: pairs "
+        "of volumes; N_p: pairs of\n"
+        "triangles; N_u: points and directions that were transformed. near: volumes that are "
+        "nearer than the answer so far;\n"
+        "the other columns count the pairs that were left out, by the direction of the largest "
+        "bound. Distances are equal for\n"
+        "all volumes and orders, and on every machine. Points are in the frame of the first "
+        "body.\n\n"
+        "Examples:\n"
+        "  scb distance spheres-l1 --frames 0:499:50\n"
+        "  scb distance a.ply b.ply --poses log.csv --json\n"
+        "  scb distance a.ply b.ply --poses log.csv --within 0.5 --pairs-out near.csv");
+    command.callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb::app

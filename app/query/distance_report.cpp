@@ -1,0 +1,322 @@
+#include "app/query/distance_report.h"
+
+#include <cmath>
+#include <set>
+
+#include "app/query/query_title.h"
+#include "app/report/build_text.h"
+#include "app/report/scene_report.h"
+#include "core/base/text_format.h"
+#include "core/collide/index_pairs.h"
+
+namespace scb::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// In a distance query, volumes that are not rejected are nearer than the answer so far.
+std::string name_of(Stage stage) {
+    return stage == Stage::overlapping ? "near" : std::string(stage_name(stage));
+}
+
+Json point_json(const Vec3& p) { return {p[0], p[1], p[2]}; }
+
+std::string point_text(const Vec3& p) { return format("(%.6g, %.6g, %.6g)", p[0], p[1], p[2]); }
+
+/// The distance, the triangles and the points; null where nothing is near enough.
+Json found_json(const Distance& d) {
+    if (!d.triangles) return {{"distance", Json()}, {"triangles", Json()}, {"points", Json()}};
+    return {{"distance", d.found.distance},
+            {"triangles", {d.triangles->a, d.triangles->b}},
+            {"points", {point_json(d.found.point_a), point_json(d.found.point_b)}}};
+}
+
+std::vector<Cell> found_cells(const Distance& d) {
+    if (!d.triangles) {
+        std::vector<Cell> cells(9);
+        for (std::size_t i = 0; i < 3; ++i) cells[i].text = "-";
+        return cells;
+    }
+    std::vector<Cell> cells = {Cell(d.found.distance, "%.6g"), d.triangles->a, d.triangles->b};
+    for (const Vec3& p : {d.found.point_a, d.found.point_b})
+        for (int i = 0; i < 3; ++i) cells.emplace_back(p[i], "%.6g");
+    return cells;
+}
+
+std::vector<Column> found_columns() {
+    std::vector<Column> columns = {{"distance", "distance", 12},
+                                   {"triangle A", "triangle_a", 11},
+                                   {"triangle B", "triangle_b", 11}};
+    for (const char* coordinate :
+         {"point_a_x", "point_a_y", "point_a_z", "point_b_x", "point_b_y", "point_b_z"})
+        columns.push_back({"", coordinate});
+    return columns;
+}
+
+}  // namespace
+
+DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery& query)
+    : options_(options), query_(query), stages_{Stage::overlapping} {
+    for (const Stage stage : distance_stages(query.kind)) stages_.push_back(stage);
+    for (const BodyPair& pair : query.pairs) {
+        query.choose(pair);
+        bodies_.push_back({InsideReport(query), {}, {}});
+    }
+    pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
+             "triangle_a,triangle_b\n";
+    std::vector<Column> columns = {{"frame", "frame", 5}};
+    if (lists_pairs())
+        columns.push_back({"pairs", "pairs", 9});
+    else
+        for (Column& column : found_columns()) columns.push_back(std::move(column));
+    for (const auto& [title, key] :
+         {std::pair("N_v", "n_v"), std::pair("N_p", "n_p"), std::pair("N_u", "n_u")})
+        columns.push_back({title, key, 10});
+    for (const Stage stage : stages_)
+        columns.push_back(
+            {name_of(stage), name_of(stage), std::max<std::size_t>(9, name_of(stage).size() + 1)});
+    columns.push_back({"", "inside"});
+    if (!lists_pairs() && !options.first) columns.push_back({"", "signed_distance"});
+    if (is_of_many(query)) {
+        columns.push_back({"", "body_a"});
+        columns.push_back({"", "body_b"});
+        columns.push_back({"bodies", "", 0, Align::left, 2});
+    }
+    table_ = Table(std::move(columns));
+}
+
+void DistanceReport::add(int frame) {
+    if (is_of_many(query_)) json_frames_.push_back({{"frame", frame}});
+    for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
+        query_.choose(query_.pairs[i]);
+        if (lists_pairs())
+            add_pairs(bodies_[i], frame);
+        else
+            add_distance(bodies_[i], frame);
+    }
+    ++frames_;
+}
+
+DistanceOptions DistanceReport::limits(const Bodies& bodies) const {
+    DistanceOptions limits = options_.limits;
+    limits.descent = options_.query.descent;
+    if (options_.seeded) limits.seed = bodies.closest;
+    if (options_.within) {
+        limits.order = DistanceOrder::depth_first;
+        limits.enough = limits.limit = *options_.within;
+    }
+    return limits;
+}
+
+void DistanceReport::add_distance(Bodies& bodies, int frame) {
+    const Distance found = query_.distance(frame, limits(bodies));
+    bodies.closest = found.triangles;
+    bodies.near.add(frame, found.triangles && (options_.within || found.found.distance == 0));
+    if (found.triangles && (!least_ || found.found.distance < least_->found.found.distance))
+        least_ = {found, frame, {query_.a, query_.b}};
+    found_ += found.triangles.has_value();
+    // A query that ends at the first pair says nothing about the others.
+    const bool is_apart = found.triangles ? !options_.first && found.found.distance > 0 : true;
+    add_row(bodies, frame, found, found_cells(found), found_json(found), is_apart);
+}
+
+void DistanceReport::add_pairs(Bodies& bodies, int frame) {
+    const Collision found = query_.within(frame, *options_.within);
+    bodies.near.add(frame, !found.pairs.empty());
+    found_ += found.pairs.size();
+    if (!options_.pairs_out.empty())
+        for (const IndexPair& pair : found.pairs)
+            pairs_ += format("%d,", frame) +
+                      (is_of_many(query_) ? csv_field(body_name(query_, query_.a)) + "," +
+                                                csv_field(body_name(query_, query_.b)) + ","
+                                          : "") +
+                      format("%u,%u\n", pair.a, pair.b);
+    Distance work;
+    work.n_v = found.n_v;
+    work.n_p = found.n_p;
+    work.n_u = found.n_u;
+    work.stages = found.stages;
+    add_row(bodies, frame, work, {found.pairs.size()},
+            {{"pairs", found.pairs.size()}, {"pairs_hash", hash_text(pairs_hash(found.pairs))}},
+            found.pairs.empty());
+}
+
+void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
+                             std::vector<Cell> cells, Json json, bool judges_inside) {
+    work_.n_v += work.n_v;
+    work_.n_p += work.n_p;
+    work_.n_u += work.n_u;
+    for (std::size_t s = 0; s < stage_count; ++s) work_.stages[s] += work.stages[s];
+
+    Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
+    const bool is_judged = !judges_inside || bodies.inside.is_judged();
+    std::string note;
+    for (Json& part : inside) {
+        part.erase("frame");
+        const bool is_whole = part["parts"] == part["of"];
+        note += (note.empty() ? "" : "; ") + std::string(is_whole ? "" : "parts of ") +
+                part["body"].get<std::string>() + " inside " + part["in"].get<std::string>();
+    }
+    Json signed_distance;
+    if (!lists_pairs() && work.triangles && (is_judged || !inside.empty()))
+        signed_distance = inside.empty() ? work.found.distance : -work.found.distance;
+
+    cells.insert(cells.begin(), frame);
+    Json stages = Json::object();
+    for (const std::uint64_t count : {work.n_v, work.n_p, work.n_u}) cells.emplace_back(count);
+    for (const Stage stage : stages_) {
+        const std::uint64_t count = work.stages[static_cast<std::size_t>(stage)];
+        cells.emplace_back(count);
+        stages[name_of(stage)] = count;
+    }
+    cells.emplace_back(Json(note.empty() && !is_judged ? "not judged" : note), std::string());
+    if (!lists_pairs() && !options_.first) cells.emplace_back(signed_distance, std::string());
+    if (is_of_many(query_)) {
+        cells.emplace_back(body_name(query_, query_.a));
+        cells.emplace_back(body_name(query_, query_.b));
+        cells.emplace_back(pair_words(query_));
+    }
+    table_.add(std::move(cells), note.empty() ? "" : "  " + note);
+
+    if (!options_.json) return;
+    Json query;
+    if (is_of_many(query_))
+        query["bodies"] = {body_name(query_, query_.a), body_name(query_, query_.b)};
+    else
+        query["frame"] = frame;
+    query["pose"] = pose_json(query_.b_to_a(frame));
+    if (options_.first) query["within"] = work.triangles.has_value();
+    query.update(json);
+    if (!options_.first) {
+        if (!lists_pairs()) query["signed_distance"] = signed_distance;
+        query["inside"] = is_judged || !inside.empty() ? std::move(inside) : Json();
+    }
+    query["n_v"] = work.n_v;
+    query["n_p"] = work.n_p;
+    query["n_u"] = work.n_u;
+    query["stages"] = std::move(stages);
+    if (is_of_many(query_))
+        json_frames_.back()["queries"].push_back(std::move(query));
+    else
+        json_frames_.push_back(std::move(query));
+}
+
+std::vector<Cell> DistanceReport::mean_cells() const {
+    const auto mean = [&](std::uint64_t sum) {
+        return Cell(static_cast<double>(sum) / static_cast<double>(frames_), "%.1f");
+    };
+    std::vector<Cell> cells = {"mean"};
+    if (lists_pairs())
+        cells.push_back(mean(found_));
+    else
+        cells.resize(1 + found_columns().size());
+    for (const std::uint64_t sum : {work_.n_v, work_.n_p, work_.n_u}) cells.push_back(mean(sum));
+    for (const Stage stage : stages_)
+        cells.push_back(mean(work_.stages[static_cast<std::size_t>(stage)]));
+    return cells;
+}
+
+std::string DistanceReport::title() const {
+    std::string text = bodies_title(query_);
+    if (options_.within)
+        text += options_.first ? format(", any triangles at most %g apart?", *options_.within)
+                               : format(", triangles at most %g apart", *options_.within);
+    else
+        text += ", order " + std::string(distance_order_name(options_.limits.order));
+    text += ", descent by " + std::string(descent_rule_name(options_.query.descent)) +
+            build_text(query_.build);
+    if (options_.limits.relative_error > 0)
+        text += format(", relative error up to %g", options_.limits.relative_error);
+    if (std::isfinite(options_.limits.limit)) text += format(", limit %g", options_.limits.limit);
+    if (options_.seeded) text += ", each frame begins with the pair before";
+    return text + "\n\n";
+}
+
+std::string DistanceReport::least_words() {
+    if (!least_) return "";
+    const auto& [found, frame, bodies] = *least_;
+    query_.choose(bodies);
+    const std::string a = body_name(query_, query_.a), b = body_name(query_, query_.b);
+    std::string text = options_.within ? "\nNearest pair that was found: " : "\nLeast distance: ";
+    text += format("%.9g", found.found.distance);
+    if (frames_ > 1) text += format(" in frame %d", frame);
+    text += ", of triangle " + std::to_string(found.triangles->a) + " of " + a + " and triangle " +
+            std::to_string(found.triangles->b) + " of " + b + ".\n";
+    text += "Closest points, in the frame of " + a + ": " + point_text(found.found.point_a) +
+            " and " + point_text(found.found.point_b) + ".\n";
+    return text;
+}
+
+std::string DistanceReport::inside_words() const {
+    std::string claims, doubts;
+    for (const Bodies& bodies : bodies_) {
+        if (const std::string claim = bodies.inside.claims(frames_); !claim.empty())
+            claims += (claims.empty() ? "" : "; ") + claim;
+        else
+            doubts += bodies.inside.doubts();
+    }
+    return (claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n") +
+           (doubts.empty() || options_.first ? "" : "\n" + doubts);
+}
+
+std::string DistanceReport::near_words() {
+    if (frames_ < 2) return "";
+    std::string text;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (bodies_[i].near.empty()) continue;
+        query_.choose(query_.pairs[i]);
+        text += (text.empty() ? "" : "; ") +
+                (is_of_many(query_) ? pair_words(query_) + " in " : std::string()) +
+                bodies_[i].near.words();
+    }
+    const std::string name =
+        options_.within ? format("At most %g apart", *options_.within) : "In contact";
+    return "\n" + name + ": " + (text.empty() ? "in no frame" : text) +
+           among_queried(query_.frames);
+}
+
+Json DistanceReport::json() {
+    Json json = bodies_json(options_.scene, query_);
+    json["query"] = options_.within ? "within" : "distance";
+    if (options_.within) json["tolerance"] = *options_.within;
+    if (!options_.within) {
+        json["order"] = distance_order_name(options_.limits.order);
+        json["relative_error"] = options_.limits.relative_error;
+        json["seeded"] = options_.seeded;
+        const double limit = options_.limits.limit;
+        json["limit"] = std::isfinite(limit) ? Json(limit) : Json();
+    }
+    json["descent"] = descent_rule_name(options_.query.descent);
+    json.update(build_json(query_.build));
+    json["poses"] = poses_json(query_.scene, query_.frames);
+    json["frames"] = std::move(json_frames_);
+    if (least_) {
+        json["least"] = {{"frame", least_->frame}};
+        if (is_of_many(query_))
+            json["least"]["bodies"] = {body_name(query_, least_->bodies[0]),
+                                       body_name(query_, least_->bodies[1])};
+        json["least"].update(found_json(least_->found));
+    }
+    Json intervals = Json::array();
+    std::set<std::string> not_closed;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        query_.choose(query_.pairs[i]);
+        for (std::string& name : bodies_[i].inside.not_closed()) not_closed.insert(std::move(name));
+        if (!bodies_[i].near.empty())
+            intervals.push_back(
+                {{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}},
+                 {"frames", bodies_[i].near.json()}});
+    }
+    json[options_.within ? "within_intervals" : "contact_intervals"] = std::move(intervals);
+    if (!not_closed.empty()) json["not_closed"] = not_closed;
+    return json;
+}
+
+std::string DistanceReport::text() {
+    if (options_.json) return json().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (options_.csv) return table_.csv_header() + table_.csv_rows();
+    if (frames_ > 1) table_.add(mean_cells());
+    return title() + table_.text() + least_words() + inside_words() + near_words();
+}
+
+}  // namespace scb::app

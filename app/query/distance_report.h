@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/query/contact_intervals.h"
+#include "app/query/inside_report.h"
+#include "app/query/query_options.h"
+#include "app/report/table.h"
+#include "app/study/scene_query.h"
+
+namespace scb::app {
+
+struct DistanceCommandOptions {
+    SceneOptions scene;
+    HierarchyOptions hierarchy;
+    QueryOptions query;
+    DistanceOptions limits;
+    std::optional<double> within;  ///< --within
+    bool first = false, seeded = false, json = false, csv = false;
+    std::string pairs_out;
+};
+
+/// Output of the command, frame by frame: a table, CSV or JSON, and the pairs of triangles within a
+/// tolerance. If the scene has several pairs of bodies, each row or query names its bodies.
+class DistanceReport {
+  public:
+    /// Refers to its arguments.
+    DistanceReport(const DistanceCommandOptions& options, SceneQuery& query);
+
+    /// Makes the queries of a frame.
+    void add(int frame);
+
+    std::size_t frames() const { return frames_; }
+    /// The pairs within the tolerance, as CSV.
+    const std::string& pairs() const { return pairs_; }
+    /// The text of all frames so far; to be called once.
+    std::string text();
+
+  private:
+    /// What is kept of each pair of bodies.
+    struct Bodies {
+        InsideReport inside;
+        ContactIntervals near;  ///< frames with contact, or with triangles within the tolerance
+        std::optional<IndexPair> closest;  ///< the triangles of the frame before
+    };
+    /// The smallest distance of all queries.
+    struct Least {
+        Distance found;
+        int frame = 0;
+        BodyPair bodies{};
+    };
+
+    bool lists_pairs() const { return options_.within && !options_.first; }
+    DistanceOptions limits(const Bodies& bodies) const;
+    void add_distance(Bodies& bodies, int frame);
+    void add_pairs(Bodies& bodies, int frame);
+    /// Adds a row for the chosen bodies, and its JSON. `inside`: whether bodies without contact are
+    /// to be judged.
+    void add_row(Bodies& bodies, int frame, const Distance& work, std::vector<Cell> cells,
+                 nlohmann::ordered_json json, bool judges_inside);
+    std::vector<Cell> mean_cells() const;
+    std::string title() const;
+    std::string least_words();
+    std::string inside_words() const;
+    std::string near_words();
+    nlohmann::ordered_json json();
+
+    const DistanceCommandOptions& options_;
+    SceneQuery& query_;
+    std::vector<Stage> stages_;
+    Table table_;
+    std::string pairs_;
+    nlohmann::ordered_json json_frames_ = nlohmann::ordered_json::array();
+    std::deque<Bodies> bodies_;  ///< per pair of bodies
+    std::optional<Least> least_;
+    std::size_t frames_ = 0;   ///< whole frames
+    std::uint64_t found_ = 0;  ///< pairs of triangles within the tolerance
+    Distance work_;            ///< the sums of the counts
+};
+
+}  // namespace scb::app
