@@ -191,6 +191,7 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     const Console& console = options.console;
     const Command render = root.add_subcommand("render", "Draw pictures");
     render.require_subcommand();
+    add_render_distance(render, console, action);
     add_render_levels(render, console, action);
     add_render_pairs(render, console, action);
     add_render_rejections(render, console, action);

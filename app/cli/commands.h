@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 using RunAgain = std::function<int(const std::vector<std::string>& words)>;
 
 // Each adds one command to the program. When it is chosen, it sets `action`.
+void add_render_distance(const Command& render, const Console& console, Action& action);
 void add_render_levels(const Command& render, const Console& console, Action& action);
 void add_render_pairs(const Command& render, const Console& console, Action& action);
 void add_render_rejections(const Command& render, const Console& console, Action& action);

@@ -62,7 +62,7 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
                                             const std::function<bool(const char*)>& common) {
     std::vector<std::string> parts;
     const TraceHeader& of_scb = header.volume == VolumeKind::scb ? header : other;
-    if (of_scb.volume == VolumeKind::scb) {
+    if (of_scb.volume == VolumeKind::scb && !is_of_distance(header.kind)) {
         const OverlapOptions& overlap = of_scb.options.overlap;
         // For two kinds of volumes the captions name the test, since only one kind has it.
         if (common("test") && other.volume == header.volume)
@@ -193,7 +193,7 @@ void QueryView::seek_contact() {
     const std::vector<render::Segment> contact =
         render::contact_segments(at_frame, source.header(), *most);
     std::vector<AnyVolume> region;
-    if (follows_contact())
+    if (follows_contact() || is_of_distance(source.header().kind))
         region = near_contact(render::contact_region(at_frame, source.header(), *most, contact));
     seek(render::contact_subject(at_frame, source.header(), *most, contact), most->frame, region);
 }
@@ -254,7 +254,11 @@ double QueryView::least_radius() const {
 std::vector<AnyVolume> QueryView::near_contact(std::vector<AnyVolume> region) const {
     if (region.empty()) return region;
     const Ball contact = render::ball_about_centers(region);
-    region.emplace_back(Ball{contact.center, std::max(2 * contact.radius, least_radius())});
+    // A gap is often small, and empty about its line.
+    const double radius = is_of_distance(sources_.front().header().kind) && contact.radius > 0
+                              ? std::max(3 * contact.radius, least_radius() / 50)
+                              : std::max(2 * contact.radius, least_radius());
+    region.emplace_back(Ball{contact.center, radius});
     return region;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/console.h"
+#include "app/query/distance_options.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "core/platform/number_list.h"
@@ -16,6 +17,7 @@ void QueryViewOptions::check() {
     hierarchy.kind();
     hierarchy.build();
     query.collide();
+    if (query.distance) check_distance(*query.distance);
     for (const std::string& name : scene.names)
         if (scenes::names_trace(name)) refuse_for_trace(recording, name);
     picture.video.check(picture.output);
@@ -77,8 +79,13 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
                                  : "a trace (see `scb trace`), another engine's recording, or two "
                                    "of these to compare"));
     add_hierarchy_options(command, options.hierarchy, false);
-    add_query_options(command, options.query, false);
-    add_query_limits(command, options.limits);
+    if (options.query.distance) {
+        add_traversal_options(command, options.query);
+        add_distance_options(command, *options.query.distance);
+    } else {
+        add_query_options(command, options.query, false);
+        add_query_limits(command, options.limits);
+    }
     options.shown = shown;
     if (shown != Shown::nothing) {
         add_picture_options(command, options.picture, options.camera);
@@ -99,14 +106,15 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
                 "Print the node or triangle under a pixel, counted from the left and the top")
             .type_name("X,Y")
             .shareable();
-        command
-            .add_option("--compare", options.compare,
-                        "Two overlap tests (corrected,printed) or two volumes (scb,ball): draw "
-                        "both side by side, and outline the differences")
-            .any_case()
-            .offer_list(compared_words())
-            .type_name("A,B")
-            .shareable();
+        if (!options.query.distance)
+            command
+                .add_option("--compare", options.compare,
+                            "Two overlap tests (corrected,printed) or two volumes (scb,ball): draw "
+                            "both side by side, and outline the differences")
+                .any_case()
+                .offer_list(compared_words())
+                .type_name("A,B")
+                .shareable();
         command
             .add_flag(
                 "--sheet", options.sheet,

@@ -51,7 +51,8 @@ struct QueryViewOptions {
     std::optional<SheetRun> planned_sheet(
         std::size_t count, const std::optional<render::ComparisonLayout>& layout) const;
 };
-/// Sets QueryViewOptions::shown; with Shown::nothing, adds no options of a view.
+/// If QueryOptions::distance is set, the options are of a query of distances. Sets
+/// QueryViewOptions::shown; with Shown::nothing, adds no options of a view.
 void add_query_view_options(const Command& command, QueryViewOptions& options, Shown shown);
 
 }  // namespace scb::app

@@ -1,11 +1,11 @@
-#include <cmath>
 #include <memory>
+#include <optional>
+#include <tuple>
 
-#include "app/cli/choice.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/cli/validators.h"
+#include "app/query/distance_options.h"
 #include "app/query/distance_report.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
@@ -17,36 +17,22 @@
 namespace scb::app {
 namespace {
 
-/// Throws InputError for a number that is negative or not finite.
-void check_length(const std::string& option, double value) {
-    if (!std::isfinite(value) || value < 0)
-        throw InputError(option + format(" %g: give 0 or more.", value));
-}
-
 void check(const DistanceCommandOptions& options) {
+    const std::optional<double>& within = options.query.distance->within;
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
-    if (options.within) check_length("--within", *options.within);
-    check_length("--relative-error", options.limits.relative_error);
-    if (std::isnan(options.limits.limit) || options.limits.limit < 0)
-        throw InputError(format("--limit %g: give 0 or more.", options.limits.limit));
-    const DistanceOptions defaults;
-    for (const auto& [name, is_given] :
-         {std::pair("--relative-error", options.limits.relative_error > 0),
-          std::pair("--limit", std::isfinite(options.limits.limit)),
-          std::pair("--order", options.limits.order != defaults.order),
-          std::pair("--seed", options.seeded && !options.first)})
-        if (is_given && options.within)
-            throw InputError(std::string(name) +
-                             " is of the smallest distance, and --within asks for all triangles "
-                             "within a distance; leave one of them out.");
+    check_distance(*options.query.distance);
+    if (within && options.seeded)
+        throw InputError(
+            "--seed is of the smallest distance, and --within asks for all triangles within a "
+            "distance; leave one of them out.");
     for (const auto& [name, is_given, needs] :
-         {std::tuple("--first", options.first, options.within.has_value()),
-          std::tuple("--pairs-out", !options.pairs_out.empty(), options.within && !options.first)})
+         {std::tuple("--first", options.first, within.has_value()),
+          std::tuple("--pairs-out", !options.pairs_out.empty(), within && !options.first)})
         if (is_given && !needs)
             throw InputError(std::string(name) +
                              " is of the triangles within a distance: give --within T" +
-                             (options.within ? " without --first." : "."));
+                             (within ? " without --first." : "."));
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
 }
 
@@ -54,10 +40,6 @@ int run(DistanceCommandOptions& options, const Console& console) {
     check(options);
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, QueryLimits{},
                                   QueriedBodies::all_pairs);
-    for (const BodyPair& pair : query.pairs)
-        if (pair[0] == pair[1])
-            throw InputError("--bodies " + options.query.bodies +
-                             ": the distance of a body from itself is 0; name two bodies.");
     note_doubts(options.hierarchy, {query.kind}, console.notes());
     note_doubts(options.scene, query.scene, options.query, {query.kind}, console.notes());
     DistanceReport report(options, query);
@@ -83,41 +65,15 @@ void add_distance(const Command& program, const Console& console, Action& action
     const Command command = program.add_subcommand(
         "distance", "Measure how far apart bodies are, with the closest points and counts");
     const auto options = std::make_shared<DistanceCommandOptions>();
-    options->hierarchy.volumes = volume_kind_name(VolumeKind::scb2);
-    options->hierarchy.split = SplitMethod::cost;
+    set_distance_defaults(options->hierarchy, options->query);
     add_scene_options(command, options->scene, false);
     add_hierarchy_options(command, options->hierarchy, false);
     add_traversal_options(command, options->query);
     command.get_option("--bodies").description("Names of two bodies. Default: all pairs of bodies");
-    constexpr std::array orders = {DistanceOrder::nearest, DistanceOrder::depth_first,
-                                   DistanceOrder::hybrid};
-    add_choice(command, "--order", options->limits.order,
-               choices_of(std::span<const DistanceOrder>(orders), distance_order_name),
-               "The pair of nodes to divide next: the one with the least bound (nearest), the "
-               "nearer child (depth-first), or the least bound while few pairs wait (hybrid). The "
-               "distance is the same, the counts are not")
-        .type_name("ORDER")
-        .shareable();
-    command
-        .add_option("--within", options->within,
-                    "Count the pairs of triangles that are at most this far apart, in units of the "
-                    "mesh")
-        .check(real_number)
-        .type_name("T");
+    add_distance_options(command, *options->query.distance);
     command.add_flag("--first", options->first,
                      "With --within: end at the first pair, which answers whether any triangles "
                      "are that near");
-    command
-        .add_option("--relative-error", options->limits.relative_error,
-                    "Allow a distance that is too large by at most this share: 0.01 is 1 %")
-        .check(real_number)
-        .type_name("E")
-        .show_default();
-    command
-        .add_option("--limit", options->limits.limit,
-                    "Look for nothing beyond this distance. Default: no limit")
-        .check(real_number)
-        .type_name("T");
     command.add_flag("--seed", options->seeded,
                      "Begin each frame with the closest triangles of the frame before: the same "
                      "distances with fewer tests, whose number then depends on --frames");

@@ -5,6 +5,7 @@
 
 #include "app/query/query_title.h"
 #include "app/report/build_text.h"
+#include "app/report/count_table.h"
 #include "app/report/scene_report.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
@@ -19,17 +20,7 @@ std::string name_of(Stage stage) {
     return stage == Stage::overlapping ? "near" : std::string(stage_name(stage));
 }
 
-Json point_json(const Vec3& p) { return {p[0], p[1], p[2]}; }
-
 std::string point_text(const Vec3& p) { return format("(%.6g, %.6g, %.6g)", p[0], p[1], p[2]); }
-
-/// The distance, the triangles and the points; null where nothing is near enough.
-Json found_json(const Distance& d) {
-    if (!d.triangles) return {{"distance", Json()}, {"triangles", Json()}, {"points", Json()}};
-    return {{"distance", d.found.distance},
-            {"triangles", {d.triangles->a, d.triangles->b}},
-            {"points", {point_json(d.found.point_a), point_json(d.found.point_b)}}};
-}
 
 std::vector<Cell> found_cells(const Distance& d) {
     if (!d.triangles) {
@@ -56,8 +47,7 @@ std::vector<Column> found_columns() {
 }  // namespace
 
 DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery& query)
-    : options_(options), query_(query), stages_{Stage::overlapping} {
-    for (const Stage stage : distance_stages(query.kind)) stages_.push_back(stage);
+    : options_(options), query_(query), stages_(counted_distance_stages(query.kind)) {
     for (const BodyPair& pair : query.pairs) {
         query.choose(pair);
         bodies_.push_back({InsideReport(query), {}, {}});
@@ -98,30 +88,31 @@ void DistanceReport::add(int frame) {
 }
 
 DistanceOptions DistanceReport::limits(const Bodies& bodies) const {
-    DistanceOptions limits = options_.limits;
+    DistanceOptions limits = asked().limits;
     limits.descent = options_.query.descent;
     if (options_.seeded) limits.seed = bodies.closest;
-    if (options_.within) {
+    if (asked().within) {
         limits.order = DistanceOrder::depth_first;
-        limits.enough = limits.limit = *options_.within;
+        limits.enough = limits.limit = *asked().within;
     }
     return limits;
 }
 
 void DistanceReport::add_distance(Bodies& bodies, int frame) {
-    const Distance found = query_.distance(frame, limits(bodies));
+    const Distance found = query_.nearest(frame, limits(bodies));
     bodies.closest = found.triangles;
-    bodies.near.add(frame, found.triangles && (options_.within || found.found.distance == 0));
+    bodies.near.add(frame, found.triangles && (asked().within || found.found.distance == 0));
     if (found.triangles && (!least_ || found.found.distance < least_->found.found.distance))
         least_ = {found, frame, {query_.a, query_.b}};
     found_ += found.triangles.has_value();
     // A query that ends at the first pair says nothing about the others.
     const bool is_apart = found.triangles ? !options_.first && found.found.distance > 0 : true;
-    add_row(bodies, frame, found, found_cells(found), found_json(found), is_apart);
+    add_row(bodies, frame, found, found_cells(found), found_json(found.triangles, found.found),
+            is_apart);
 }
 
 void DistanceReport::add_pairs(Bodies& bodies, int frame) {
-    const Collision found = query_.within(frame, *options_.within);
+    const Collision found = query_.within(frame, *asked().within);
     bodies.near.add(frame, !found.pairs.empty());
     found_ += found.pairs.size();
     if (!options_.pairs_out.empty())
@@ -150,13 +141,8 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
 
     Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
     const bool is_judged = !judges_inside || bodies.inside.is_judged();
-    std::string note;
-    for (Json& part : inside) {
-        part.erase("frame");
-        const bool is_whole = part["parts"] == part["of"];
-        note += (note.empty() ? "" : "; ") + std::string(is_whole ? "" : "parts of ") +
-                part["body"].get<std::string>() + " inside " + part["in"].get<std::string>();
-    }
+    const std::string note = app::inside_words(inside);
+    for (Json& part : inside) part.erase("frame");
     Json signed_distance;
     if (!lists_pairs() && work.triangles && (is_judged || !inside.empty()))
         signed_distance = inside.empty() ? work.found.distance : -work.found.distance;
@@ -218,16 +204,16 @@ std::vector<Cell> DistanceReport::mean_cells() const {
 
 std::string DistanceReport::title() const {
     std::string text = bodies_title(query_);
-    if (options_.within)
-        text += options_.first ? format(", any triangles at most %g apart?", *options_.within)
-                               : format(", triangles at most %g apart", *options_.within);
+    if (asked().within)
+        text += options_.first ? format(", any triangles at most %g apart?", *asked().within)
+                               : format(", triangles at most %g apart", *asked().within);
     else
-        text += ", order " + std::string(distance_order_name(options_.limits.order));
+        text += ", order " + std::string(distance_order_name(asked().limits.order));
     text += ", descent by " + std::string(descent_rule_name(options_.query.descent)) +
             build_text(query_.build);
-    if (options_.limits.relative_error > 0)
-        text += format(", relative error up to %g", options_.limits.relative_error);
-    if (std::isfinite(options_.limits.limit)) text += format(", limit %g", options_.limits.limit);
+    if (asked().limits.relative_error > 0)
+        text += format(", relative error up to %g", asked().limits.relative_error);
+    if (std::isfinite(asked().limits.limit)) text += format(", limit %g", asked().limits.limit);
     if (options_.seeded) text += ", each frame begins with the pair before";
     return text + "\n\n";
 }
@@ -237,7 +223,7 @@ std::string DistanceReport::least_words() {
     const auto& [found, frame, bodies] = *least_;
     query_.choose(bodies);
     const std::string a = body_name(query_, query_.a), b = body_name(query_, query_.b);
-    std::string text = options_.within ? "\nNearest pair that was found: " : "\nLeast distance: ";
+    std::string text = asked().within ? "\nNearest pair that was found: " : "\nLeast distance: ";
     text += format("%.9g", found.found.distance);
     if (frames_ > 1) text += format(" in frame %d", frame);
     text += ", of triangle " + std::to_string(found.triangles->a) + " of " + a + " and triangle " +
@@ -270,20 +256,20 @@ std::string DistanceReport::near_words() {
                 bodies_[i].near.words();
     }
     const std::string name =
-        options_.within ? format("At most %g apart", *options_.within) : "In contact";
+        asked().within ? format("At most %g apart", *asked().within) : "In contact";
     return "\n" + name + ": " + (text.empty() ? "in no frame" : text) +
            among_queried(query_.frames);
 }
 
 Json DistanceReport::json() {
     Json json = bodies_json(options_.scene, query_);
-    json["query"] = options_.within ? "within" : "distance";
-    if (options_.within) json["tolerance"] = *options_.within;
-    if (!options_.within) {
-        json["order"] = distance_order_name(options_.limits.order);
-        json["relative_error"] = options_.limits.relative_error;
+    json["query"] = asked().within ? "within" : "distance";
+    if (asked().within) json["tolerance"] = *asked().within;
+    if (!asked().within) {
+        json["order"] = distance_order_name(asked().limits.order);
+        json["relative_error"] = asked().limits.relative_error;
         json["seeded"] = options_.seeded;
-        const double limit = options_.limits.limit;
+        const double limit = asked().limits.limit;
         json["limit"] = std::isfinite(limit) ? Json(limit) : Json();
     }
     json["descent"] = descent_rule_name(options_.query.descent);
@@ -295,7 +281,7 @@ Json DistanceReport::json() {
         if (is_of_many(query_))
             json["least"]["bodies"] = {body_name(query_, least_->bodies[0]),
                                        body_name(query_, least_->bodies[1])};
-        json["least"].update(found_json(least_->found));
+        json["least"].update(found_json(least_->found.triangles, least_->found.found));
     }
     Json intervals = Json::array();
     std::set<std::string> not_closed;
@@ -307,7 +293,7 @@ Json DistanceReport::json() {
                 {{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}},
                  {"frames", bodies_[i].near.json()}});
     }
-    json[options_.within ? "within_intervals" : "contact_intervals"] = std::move(intervals);
+    json[asked().within ? "within_intervals" : "contact_intervals"] = std::move(intervals);
     if (!not_closed.empty()) json["not_closed"] = not_closed;
     return json;
 }

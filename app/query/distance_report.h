@@ -20,8 +20,6 @@ struct DistanceCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
-    DistanceOptions limits;
-    std::optional<double> within;  ///< --within
     bool first = false, seeded = false, json = false, csv = false;
     std::string pairs_out;
 };
@@ -56,7 +54,8 @@ class DistanceReport {
         BodyPair bodies{};
     };
 
-    bool lists_pairs() const { return options_.within && !options_.first; }
+    const DistanceQuery& asked() const { return *options_.query.distance; }
+    bool lists_pairs() const { return asked().within && !options_.first; }
     DistanceOptions limits(const Bodies& bodies) const;
     void add_distance(Bodies& bodies, int frame);
     void add_pairs(Bodies& bodies, int frame);

@@ -33,6 +33,15 @@ nlohmann::ordered_json InsideReport::add(int frame) {
     return json;
 }
 
+std::string inside_words(const nlohmann::ordered_json& found) {
+    std::string text;
+    for (const nlohmann::ordered_json& part : found)
+        text += (text.empty() ? "" : "; ") +
+                std::string(part["parts"] == part["of"] ? "" : "parts of ") +
+                part["body"].get<std::string>() + " inside " + part["in"].get<std::string>();
+    return text;
+}
+
 std::vector<std::string> InsideReport::not_closed() const {
     std::vector<std::string> names;
     for (std::size_t side = 0; side < 2; ++side)

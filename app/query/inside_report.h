@@ -41,4 +41,7 @@ class InsideReport {
     std::array<std::size_t, 2> whole_{}, some_{}, not_judged_{};
 };
 
+/// "A inside B; parts of B inside A": what InsideReport::add listed.
+std::string inside_words(const nlohmann::ordered_json& found);
+
 }  // namespace scb::app

@@ -24,10 +24,16 @@ StageTests stage_tests(const Collision& found, const std::vector<Stage>& stages)
     return tests;
 }
 
+/// The stages that the queries of a trace count.
+std::vector<Stage> header_stages(const TraceHeader& header) {
+    return is_of_distance(header.kind) ? counted_distance_stages(header.volume)
+                                       : counted_stages(header.volume, header.options.overlap);
+}
+
 /// The tests by stage of a frame of a trace.
 StageTests stage_tests(const TraceHeader& header, const QueryTrace& frame) {
     if (header.engine) return tests_by_stage(header, frame);
-    return stage_tests(frame.found, counted_stages(header.volume, header.options.overlap));
+    return stage_tests(frame.found, header_stages(header));
 }
 
 std::vector<Column> columns_of(const StageTests& stages) {
@@ -66,6 +72,12 @@ std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options
     return stages;
 }
 
+std::vector<Stage> counted_distance_stages(VolumeKind kind) {
+    std::vector<Stage> stages = {Stage::overlapping};
+    for (const Stage stage : distance_stages(kind)) stages.push_back(stage);
+    return stages;
+}
+
 std::vector<Column> count_columns(const std::vector<Stage>& stages) {
     return columns_of(stage_tests({}, stages));
 }
@@ -95,9 +107,23 @@ std::string count_table_row(const TraceHeader& header, const QueryTrace& frame) 
     return table.text_row(0);
 }
 
+nlohmann::ordered_json found_json(const std::optional<IndexPair>& triangles,
+                                  const TriangleDistance& found) {
+    if (!triangles) return {{"distance", nullptr}, {"triangles", nullptr}, {"points", nullptr}};
+    const auto xyz = [](const Vec3& p) { return nlohmann::ordered_json{p[0], p[1], p[2]}; };
+    return {{"distance", found.distance},
+            {"triangles", {triangles->a, triangles->b}},
+            {"points", {xyz(found.point_a), xyz(found.point_b)}}};
+}
+
 nlohmann::ordered_json count_json(const TraceHeader& header, const QueryTrace& frame) {
-    nlohmann::ordered_json json = count_json(frame.frame, frame.b_to_a, frame.found,
-                                             counted_stages(header.volume, header.options.overlap));
+    nlohmann::ordered_json json =
+        count_json(frame.frame, frame.b_to_a, frame.found, header_stages(header));
+    if (header.kind == QueryKind::distance) {
+        std::optional<IndexPair> closest;
+        if (frame.nearest) closest = frame.found.pairs.front();
+        json.update(found_json(closest, frame.nearest.value_or(TriangleDistance{})));
+    }
     if (!header.engine) return json;
     json.erase("n_u");
     json["stages"] = nlohmann::ordered_json::object();

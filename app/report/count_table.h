@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace scb::app {
 /// The stages that queries on this kind of volume count: `overlapping` first, then the stages that
 /// can reject, in the test's order.
 std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options);
+
+/// The same of queries of distances. Of these, `overlapping` are the volumes that were nearer than
+/// the answer so far.
+std::vector<Stage> counted_distance_stages(VolumeKind kind);
 
 /// The sixteen stages of boxes are too many for a table of text.
 inline constexpr std::size_t most_stage_columns = 8;
@@ -30,6 +35,11 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
                                   const std::vector<Stage>& stages);
 /// The same of a query on packed layouts.
 nlohmann::ordered_json packed_count_json(int frame, const Pose& b_to_a, const Collision& found);
+
+/// The closest triangles, their distance and the points between which it was measured, as JSON;
+/// null without triangles.
+nlohmann::ordered_json found_json(const std::optional<IndexPair>& triangles,
+                                  const TriangleDistance& found);
 
 /// A table of a trace or a recording, line by line, each with its line end. Other engines have no
 /// N_u and their own stages.

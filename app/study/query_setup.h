@@ -1,21 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/study/scene_setup.h"
 #include "scb/collide.h"
+#include "scb/distance.h"
 
 namespace scb::app {
 
-/// Parameters of collision queries, besides the scene and its hierarchies.
+/// What a query measures in place of overlap.
+struct DistanceQuery {
+    DistanceOptions limits;
+    std::optional<double> within;  ///< all triangles that are at most this far apart
+};
+
+/// Parameters of queries, besides the scene and its hierarchies.
 struct QueryOptions {
     std::string test{overlap_test_name(OverlapOptions{}.test)};
     double threshold = OverlapOptions{}.threshold;
     DescentRule descent = CollideOptions{}.descent;
     std::string frames = "all";
     std::string bodies{};
+    std::optional<DistanceQuery> distance{};  ///< none: the triangles that intersect
 
     /// The overlap tests named, each once; throws InputError for an unknown name.
     std::vector<OverlapTest> tests() const;

@@ -179,13 +179,7 @@ std::uint64_t QuerySource::test_count(int frame) const {
 const QueryTrace& QuerySource::frame(int number) {
     if (is_recording()) return recorded()->frame(number);
     if (!input_) {
-        recorder_.steps = std::move(made_.steps);
-        recorder_.steps.volumes.clear();
-        recorder_.steps.items.clear();
-        made_.frame = number;
-        made_.b_to_a = query_.b_to_a(number);
-        made_.found = query_.collide(number, recorder_);
-        made_.steps = std::move(recorder_.steps);
+        query_.trace(number, made_);
         return made_;
     }
     const QueryTrace& frame = input_->frame(number);

@@ -66,7 +66,6 @@ class QuerySource {
     std::unique_ptr<scenes::TestInput> input_;  ///< null if queries are made now
     std::string trace_path_;
     QueryTrace made_;
-    StepRecorder recorder_;
     /// Of the two bodies, built on demand.
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
 };

@@ -15,10 +15,8 @@ scenes::TraceRecording recording_of(const SceneOptions& scene, const SceneQuery&
 }
 
 QueryTrace traced_query(const SceneQuery& query, int frame) {
-    StepRecorder recorder;
-    QueryTrace traced{frame, query.b_to_a(frame), {}, {}};
-    traced.found = query.collide(frame, recorder);
-    traced.steps = std::move(recorder.steps);
+    QueryTrace traced;
+    query.trace(frame, traced);
     return traced;
 }
 

@@ -125,13 +125,47 @@ Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
     return found;
 }
 
-Distance SceneQuery::distance(int frame, const DistanceOptions& limits) const {
+Distance SceneQuery::nearest(int frame, const DistanceOptions& limits) const {
     return scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), limits);
 }
 
 Collision SceneQuery::within(int frame, double tolerance) const {
     return scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), tolerance,
                        options.descent);
+}
+
+QueryKind SceneQuery::query_kind() const {
+    if (distance) return distance->within ? QueryKind::within : QueryKind::distance;
+    return is_self() ? QueryKind::self : QueryKind::collide;
+}
+
+void SceneQuery::trace(int frame, QueryTrace& into) const {
+    StepRecorder recorder;
+    recorder.steps = std::move(into.steps);
+    recorder.steps.volumes.clear();
+    recorder.steps.items.clear();
+    into.frame = frame;
+    into.b_to_a = b_to_a(frame);
+    into.nearest.reset();
+    if (!distance) {
+        into.found = collide(frame, recorder);
+    } else if (distance->within) {
+        into.found = scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), into.b_to_a,
+                                 *distance->within, options.descent, recorder);
+    } else {
+        const Distance found = scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b),
+                                             into.b_to_a, distance->limits, recorder);
+        into.found = {};
+        into.found.n_v = found.n_v;
+        into.found.n_p = found.n_p;
+        into.found.n_u = found.n_u;
+        into.found.stages = found.stages;
+        if (found.triangles) {
+            into.found.pairs = {*found.triangles};
+            into.nearest = found.found;
+        }
+    }
+    into.steps = std::move(recorder.steps);
 }
 
 void SceneQuery::choose(const BodyPair& pair) {
@@ -191,6 +225,14 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.choose(result.pairs.front());
     result.topologies = scenes::build_topologies(result.scene, result.build.topology());
     result.kind = kind;
+    result.distance = query.distance;
+    if (result.distance) {
+        result.distance->limits.descent = query.descent;
+        for (const BodyPair& pair : result.pairs)
+            if (pair[0] == pair[1])
+                throw InputError("--bodies " + query.bodies +
+                                 ": the distance of a body from itself is 0; name two bodies.");
+    }
     limits.apply(result.options, scenes::deepest(result.topologies));
     if (query.frames == auto_frames)
         result.frames = {result.scene.default_frame};
@@ -206,7 +248,11 @@ TraceHeader trace_header(const SceneOptions& scene, const SceneQuery& query) {
     header.scb_version = SCB_VERSION;
     header.source = utf8_names(scene.names);
     header.scene = query.scene.name;
-    header.kind = query.is_self() ? QueryKind::self : QueryKind::collide;
+    header.kind = query.query_kind();
+    if (query.distance) {
+        header.distance = query.distance->limits;
+        header.tolerance = query.distance->within.value_or(0);
+    }
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t body = side == 0 ? query.a : query.b;
         header.bodies[side] = {query.scene.bodies[body].name, fingerprint(query.mesh(body))};

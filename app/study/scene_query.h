@@ -25,11 +25,13 @@ struct SceneQuery {
     std::vector<AnyHierarchy> hierarchies;  ///< per mesh
     BuildOptions build;                     ///< of the hierarchies
     CollideOptions options;
+    std::optional<DistanceQuery> distance;  ///< what `trace` measures; none: it collides
     Mutation mutation = Mutation::none;
     std::vector<AnyPacked> packed;         ///< per mesh; empty: queries run on `hierarchies`
     std::vector<PackedTree> packed_trees;  ///< per mesh, after trace_packed()
 
     bool is_self() const { return a == b; }
+    QueryKind query_kind() const;
     bool is_packed() const { return !packed.empty(); }
     /// From now on, `collide` runs on hierarchies that are packed in this layout. Its result has
     /// N_v, N_p and pairs only; at `options.max_pairs` of 1 it has the first pair that is found.
@@ -50,9 +52,11 @@ struct SceneQuery {
     Collision collide(int frame) const;
     Collision collide(int frame, StepRecorder& recorder) const;
     /// The distance of A and B; they must be two bodies.
-    Distance distance(int frame, const DistanceOptions& limits) const;
+    Distance nearest(int frame, const DistanceOptions& limits) const;
     /// The triangles of A and B that are at most this far apart; they must be two bodies.
     Collision within(int frame, double tolerance) const;
+    /// The query of a frame, of query_kind(), with its steps. The memory of `into` is reused.
+    void trace(int frame, QueryTrace& into) const;
 
   private:
     /// Throws InputError if a packed query gave up.

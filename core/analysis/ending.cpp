@@ -39,7 +39,8 @@ std::vector<Stage> with_ends(std::vector<Stage> endings, QueryKind kind, bool of
 }  // namespace
 
 std::vector<Stage> endings_of(VolumeKind volume, const CollideOptions& options, QueryKind kind) {
-    const std::span<const Stage> stages = stages_of(volume, options.overlap);
+    const std::span<const Stage> stages =
+        is_of_distance(kind) ? distance_stages(volume) : stages_of(volume, options.overlap);
     return with_ends({stages.begin(), stages.end()}, kind, options.stop_level >= 0);
 }
 

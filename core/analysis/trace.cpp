@@ -51,6 +51,10 @@ BuildOptions build_options(const TraceHeader& header) {
     return options;
 }
 
+bool is_of_distance(QueryKind kind) {
+    return kind == QueryKind::distance || kind == QueryKind::within;
+}
+
 bool pairs_are_nodes(const TraceHeader& header) {
     return header.engine ? header.engine->objects : header.options.stop_level >= 0;
 }
@@ -129,19 +133,27 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
                 fields.push_back(setting);
         return fields;
     }
-    if (header.kind == QueryKind::self) fields.push_back({"query", "self"});
+    if (header.kind != QueryKind::collide)
+        fields.push_back({"query", std::string(query_kind_name(header.kind))});
     fields.push_back({"split", std::string(split_method_name(header.split))});
     fields.push_back({"volume", std::string(volume_kind_name(header.volume))});
     // Only options that affect these volumes.
     if (has_growth(header.volume))
         fields.push_back({"growth", std::string(ball_growth_name(header.growth))});
     if (has_margin(header.volume)) fields.push_back({"margin", number(header.margin)});
-    if (header.volume == VolumeKind::scb) {
+    if (header.volume == VolumeKind::scb && !is_of_distance(header.kind)) {
         fields.push_back({"test", std::string(overlap_test_name(options.overlap.test))});
         if (has_threshold(options.overlap.test))
             fields.push_back({"threshold", number(options.overlap.threshold)});
     }
     fields.push_back({"descent", std::string(descent_rule_name(options.descent))});
+    if (header.kind == QueryKind::distance) {
+        fields.push_back({"order", std::string(distance_order_name(header.distance.order))});
+        fields.push_back({"relative error", number(header.distance.relative_error)});
+        fields.push_back({"limit", number(header.distance.limit)});
+    }
+    if (header.kind == QueryKind::within) fields.push_back({"tolerance", number(header.tolerance)});
+    if (is_of_distance(header.kind)) return fields;
     fields.push_back({"max pairs", std::to_string(options.max_pairs)});
     fields.push_back(
         {"level", options.stop_level < 0 ? "none" : std::to_string(options.stop_level)});

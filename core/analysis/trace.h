@@ -10,6 +10,7 @@
 #include "core/analysis/outcome.h"
 #include "core/model/tree.h"
 #include "scb/any_collide.h"
+#include "scb/any_distance.h"
 #include "scb/collide.h"
 
 namespace scb {
@@ -67,7 +68,9 @@ struct TraceHeader {
     double margin = 0;
     SplitMethod split = SplitMethod::section_3;
     CollideOptions options;
-    StageTable stages;  ///< the ways in which tests can end
+    DistanceOptions distance{};  ///< of QueryKind::distance
+    double tolerance = 0;        ///< of QueryKind::within
+    StageTable stages;           ///< the ways in which tests can end
     /// Set if another engine made the queries. The members from `volume` to `options` are then
     /// unused.
     std::optional<TraceEngine> engine{};
@@ -77,6 +80,8 @@ BodyNames body_names(const TraceHeader& header);
 /// The names of A and B in words about a test; in a self query "A" and "B", for the left and the
 /// right node.
 BodyNames side_names(const TraceHeader& header);
+/// Whether distances are bounded, and volumes are not tested for overlap.
+bool is_of_distance(QueryKind kind);
 /// Whether the found pairs are pairs of nodes: at a level to stop at, or of objects.
 bool pairs_are_nodes(const TraceHeader& header);
 /// The name of a stage in the header's table.
@@ -88,11 +93,14 @@ BuildOptions build_options(const TraceHeader& header);
 struct QueryTrace {
     int frame = 0;
     Pose b_to_a;
+    /// Of QueryKind::distance, the pair of the closest triangles, if any.
     Collision found;
     Steps steps;
     /// The trees of A and B if another engine built them, since it numbers nodes itself; null if
     /// numbers are indices.
     std::array<std::shared_ptr<const Tree>, 2> trees{};
+    /// Of QueryKind::distance, the distance of the found pair, in A's frame.
+    std::optional<TriangleDistance> nearest{};
 };
 
 /// The builder's numbers of two nodes. Users see numbers, never the indices of a frame.

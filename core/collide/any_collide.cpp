@@ -62,12 +62,15 @@ std::uint64_t transform_count(VolumeKind kind, const StageCounts& stages,
 
 namespace {
 
+constexpr EnumNames<QueryKind, 4> kind_names = {"collide", "self", "distance", "within"};
 constexpr std::array rules = {DescentRule::radius, DescentRule::area, DescentRule::volume,
                               DescentRule::alternating};
 constexpr EnumNames<DescentRule, rules.size()> rule_names = {"radius", "area", "volume",
                                                              "alternating"};
 
 }  // namespace
+
+std::string_view query_kind_name(QueryKind kind) { return kind_names[kind]; }
 
 std::string_view descent_rule_name(DescentRule rule) { return rule_names[rule]; }
 std::optional<DescentRule> descent_rule_of(std::string_view name) { return rule_names.find(name); }

@@ -174,6 +174,48 @@ class WithinPolicy : public GapPolicy<V> {
     Collision& result_;
 };
 
+template <Volume V, class O>
+Distance observed_distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
+                           const DistanceOptions& options, O& observer) {
+    assert(options.relative_error >= 0 && "see DistanceOptions");
+    Distance result;
+    DistancePolicy<V> policy(a, b, b_to_a, options, result);
+    if (policy.is_done()) return result;
+    if (options.order == DistanceOrder::depth_first) {
+        KeyedDepthFirst<O, GapKey> pending;
+        traverse_by_key(policy, observer, pending);
+    } else {
+        const bool is_hybrid = options.order == DistanceOrder::hybrid;
+        LeastFirst<O, GapKey> pending(is_hybrid ? options.heap
+                                                : std::numeric_limits<std::size_t>::max());
+        traverse_by_key(policy, observer, pending);
+    }
+    result.n_v = test_count(result.stages);
+    result.n_u = result.n_v * transforms_per_gap<V>();
+    return result;
+}
+
+template <Volume V, class O>
+Collision observed_within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
+                          double tolerance, DescentRule descent, O& observer) {
+    assert(tolerance >= 0 && "a distance");
+    Collision result;
+    WithinPolicy<V> policy(a, b, b_to_a, tolerance, descent, result);
+    KeyedDepthFirst<O, GapKey> pending;
+    traverse_by_key(policy, observer, pending);
+    result.n_v = test_count(result.stages);
+    result.n_u = result.n_v * transforms_per_gap<V>();
+    std::sort(result.pairs.begin(), result.pairs.end());
+    return result;
+}
+
+/// Pairs of leaves wait before their triangles are measured, so the tests of triangles come in
+/// another order than their steps.
+void sort_by_step(std::vector<ItemStep>& items, std::size_t first) {
+    std::stable_sort(items.begin() + static_cast<std::ptrdiff_t>(first), items.end(),
+                     [](const ItemStep& x, const ItemStep& y) { return x.step < y.step; });
+}
+
 constexpr EnumNames<DistanceOrder, 3> order_names = {"nearest", "depth-first", "hybrid"};
 
 }  // namespace
@@ -181,37 +223,32 @@ constexpr EnumNames<DistanceOrder, 3> order_names = {"nearest", "depth-first", "
 template <Volume V>
 Distance distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const DistanceOptions& options) {
-    assert(options.relative_error >= 0 && "see DistanceOptions");
-    Distance result;
-    DistancePolicy<V> policy(a, b, b_to_a, options, result);
     NoObserver none;
-    if (policy.is_done()) return result;
-    if (options.order == DistanceOrder::depth_first) {
-        KeyedDepthFirst<NoObserver, GapKey> pending;
-        traverse_by_key(policy, none, pending);
-    } else {
-        const bool is_hybrid = options.order == DistanceOrder::hybrid;
-        LeastFirst<NoObserver, GapKey> pending(is_hybrid ? options.heap
-                                                         : std::numeric_limits<std::size_t>::max());
-        traverse_by_key(policy, none, pending);
-    }
-    result.n_v = test_count(result.stages);
-    result.n_u = result.n_v * transforms_per_gap<V>();
+    return observed_distance(a, b, b_to_a, options, none);
+}
+
+template <Volume V>
+Distance distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
+                  const DistanceOptions& options, StepRecorder& recorder) {
+    const std::size_t first = recorder.steps.items.size();
+    const Distance result = observed_distance(a, b, b_to_a, options, recorder);
+    sort_by_step(recorder.steps.items, first);
     return result;
 }
 
 template <Volume V>
 Collision within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a, double tolerance,
                  DescentRule descent) {
-    assert(tolerance >= 0 && "a distance");
-    Collision result;
-    WithinPolicy<V> policy(a, b, b_to_a, tolerance, descent, result);
     NoObserver none;
-    KeyedDepthFirst<NoObserver, GapKey> pending;
-    traverse_by_key(policy, none, pending);
-    result.n_v = test_count(result.stages);
-    result.n_u = result.n_v * transforms_per_gap<V>();
-    std::sort(result.pairs.begin(), result.pairs.end());
+    return observed_within(a, b, b_to_a, tolerance, descent, none);
+}
+
+template <Volume V>
+Collision within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a, double tolerance,
+                 DescentRule descent, StepRecorder& recorder) {
+    const std::size_t first = recorder.steps.items.size();
+    Collision result = observed_within(a, b, b_to_a, tolerance, descent, recorder);
+    sort_by_step(recorder.steps.items, first);
     return result;
 }
 
@@ -223,8 +260,12 @@ std::optional<DistanceOrder> distance_order_of(std::string_view name) {
 #define SCB_INSTANTIATE(V)                                                                 \
     template Distance distance(const Collider<V>&, const Collider<V>&, const Pose&,        \
                                const DistanceOptions&);                                    \
+    template Distance distance(const Collider<V>&, const Collider<V>&, const Pose&,        \
+                               const DistanceOptions&, StepRecorder&);                     \
     template Collision within(const Collider<V>&, const Collider<V>&, const Pose&, double, \
-                              DescentRule);
+                              DescentRule);                                                \
+    template Collision within(const Collider<V>&, const Collider<V>&, const Pose&, double, \
+                              DescentRule, StepRecorder&);
 SCB_FOR_EACH_VOLUME(SCB_INSTANTIATE)
 #undef SCB_INSTANTIATE
 

@@ -6,6 +6,7 @@
 #include "core/geometry/common_area.h"
 #include "core/geometry/triangle_segment.h"
 #include "render/figures/contact_areas.h"
+#include "render/figures/distance_figure.h"
 #include "render/figures/figure_words.h"
 #include "render/plots/ending_colors.h"
 #include "scb/level_cover.h"
@@ -99,6 +100,7 @@ std::vector<std::uint32_t> in_pairs(const TraceHeader& header, std::vector<Index
 std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
                                       const QueryTrace& frame) {
     if (pairs_are_nodes(header)) return {};
+    if (is_of_distance(header.kind)) return distance_segments(bodies, frame);
     const std::vector<IndexPair>& pairs = frame.found.pairs;
     const auto meet = of_pairs<std::optional<LineSegment>>(bodies, frame, triangles_intersection);
     const std::vector<Area> areas = contact_areas(bodies, frame);

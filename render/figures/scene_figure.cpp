@@ -98,7 +98,8 @@ void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& fig
             at[2] > 0 && at[0] >= 0 && at[0] <= view.width && at[1] >= 0 && at[1] <= view.height;
         if (!is_in_view) continue;
         const TextSize size = overlay.measure(label.text, style);
-        const int x = view.x + static_cast<int>(at[0]), y = view.y + static_cast<int>(at[1]);
+        const int x = view.x + static_cast<int>(at[0]),
+                  y = view.y + static_cast<int>(at[1]) - (label.is_above ? 3 * unit / 2 : 0);
         const PixelRect box{x - size.width / 2 - pad, y - size.height / 2, size.width + 2 * pad,
                             size.height};
         if (box.x < view.x || box.y < view.y || box.x + box.width > view.x + view.width ||

@@ -27,7 +27,8 @@ struct SceneMarker {
 struct SceneLabel {
     Vec3 at = Vec3::Zero();
     std::string text;
-    Rgba8 frame;  ///< of the panel
+    Rgba8 frame;            ///< of the panel
+    bool is_above = false;  ///< above its point, which stays visible
 };
 
 /// A picture with one view of the scene: heading, view, panel of numbers, scale bar.

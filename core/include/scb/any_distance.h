@@ -10,10 +10,20 @@ namespace scb {
 Distance distance(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                   const Mesh& mesh_b, const Pose& b_to_a, const DistanceOptions& options = {});
 
+/// The same, with every test recorded.
+Distance distance(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                  const Mesh& mesh_b, const Pose& b_to_a, const DistanceOptions& options,
+                  StepRecorder& recorder);
+
 /// `within` for hierarchies whose volume type was chosen at run time. Throws InputError likewise.
 Collision within(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
                  const Mesh& mesh_b, const Pose& b_to_a, double tolerance,
                  DescentRule descent = DescentRule::radius);
+
+/// The same, with every test recorded.
+Collision within(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                 const Mesh& mesh_b, const Pose& b_to_a, double tolerance, DescentRule descent,
+                 StepRecorder& recorder);
 
 /// The stages of these queries on volumes of this kind: the directions along which the largest
 /// bound may have been.

@@ -18,9 +18,14 @@ namespace scb {
 
 /// The kinds of queries.
 enum class QueryKind : std::uint8_t {
-    collide,  ///< the intersecting triangles of two bodies
-    self,     ///< the intersecting triangles of one body, see collide_self
+    collide,   ///< the intersecting triangles of two bodies
+    self,      ///< the intersecting triangles of one body, see collide_self
+    distance,  ///< the closest triangles of two bodies, see distance.h
+    within,    ///< the triangles of two bodies within a distance, see distance.h
 };
+
+/// "collide", "self", "distance", "within".
+std::string_view query_kind_name(QueryKind kind);
 
 /// Which of two overlapping nodes is divided: A's node if its size is not below the size of B's, so
 /// a tie divides A. If one cannot be divided, the other is.

@@ -74,10 +74,23 @@ template <Volume V>
 Distance distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
                   const DistanceOptions& options = {});
 
+/// The same, and `recorder` keeps every test. A step that ended as `overlapping` was nearer than
+/// the answer so far; ItemStep::hit is whether the triangles became the answer. Also throws
+/// std::length_error as collide does.
+template <Volume V>
+Distance distance(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a,
+                  const DistanceOptions& options, StepRecorder& recorder);
+
 /// The triangles of A and B whose distance is at most `tolerance`, 0 or more, sorted, and the work
 /// of the query. Thread-safe; throws nothing but std::bad_alloc.
 template <Volume V>
 Collision within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a, double tolerance,
                  DescentRule descent = DescentRule::radius);
+
+/// The same, and `recorder` keeps every test; ItemStep::hit is whether the triangles are within the
+/// tolerance. Also throws std::length_error as collide does.
+template <Volume V>
+Collision within(const Collider<V>& a, const Collider<V>& b, const Pose& b_to_a, double tolerance,
+                 DescentRule descent, StepRecorder& recorder);
 
 }  // namespace scb

@@ -1,0 +1,112 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/pictures/frame_pictures.h"
+#include "app/pictures/pairs_figure.h"
+#include "app/pictures/query_index.h"
+#include "app/query/distance_options.h"
+#include "app/query/inside_report.h"
+#include "app/query/query_options.h"
+#include "core/base/text_format.h"
+#include "render/figures/distance_figure.h"
+#include "scb/error.h"
+
+namespace scb::app {
+namespace {
+
+render::SceneFigure distance_figure(const QueryView& view, const QuerySource& source,
+                                    const QueryTrace& frame, InsideReport& inside) {
+    const TraceHeader& header = source.header();
+    const render::Theme& theme = *view.options().picture.theme();
+    const render::QueryBodies bodies = view.bodies(frame.frame);
+    const std::vector<render::Segment> lines = render::contact_segments(bodies, header, frame);
+    const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame, lines);
+    render::SceneFigure figure;
+    figure.title = view.title(std::string(query_kind_name(header.kind)));
+    render::PairsStyle style;
+    style.theme = &theme;
+    figure.pane = render::pairs_pane(bodies, header, frame, lines, style, view.ids().first_free);
+    figure.panel = render::distance_panel(bodies, header, frame, theme);
+    figure.labels = render::distance_labels(bodies, frame, theme);
+    if (frame.found.pairs.empty())
+        figure.remark = header.kind == QueryKind::within ? "no triangles are so near"
+                                                         : "nothing within the limit";
+    else if (frame.nearest && frame.nearest->distance == 0)
+        figure.remark = "triangles intersect: the distance is 0";
+    else if (frame.nearest)
+        figure.remark = inside_words(inside.add(frame.frame));
+    look_at_contact(figure, view, frame, region);
+    view.show_place_of_contact(figure, region);
+    // A magnified line has the room of the chart.
+    if (!figure.detail || figure.detail->shows_whole)
+        figure.chart = render::distance_chart(header, frame, theme);
+    return figure;
+}
+
+int run(QueryViewOptions& options, const Console& console) {
+    options.check();
+    if (options.scene.is_trace())
+        throw InputError(options.scene.names[0] +
+                         ": a trace has the queries that it recorded; give its scene.");
+    options.recording = {"distance"};
+    const DistanceQuery& asked = *options.query.distance;
+    if (asked.within) options.named.add("within", exact_number(*asked.within));
+    if (asked.limits.order != DistanceOptions{}.order)
+        options.named.add("order", std::string(distance_order_name(asked.limits.order)));
+    QuerySources sources = options.open(console);
+    std::optional<SheetRun> sheet =
+        options.planned_sheet(sources.front().frames().size(), std::nullopt);
+    PictureRun pictures(options.picture, sources.front().header().scene);
+    const QueryView view(options, sources, pictures.renderer());
+    const std::string what(query_kind_name(sources.front().header().kind));
+    view.begin_sheet(pictures, what, std::move(sheet));
+    InsideReport inside(sources[0].query());
+    return draw_frames(
+        sources, pictures, console,
+        [&](const QueryFrames& frames) {
+            const QueryTrace& frame = *frames[0];
+            render::SceneFigure figure = distance_figure(view, sources[0], frame, inside);
+            nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
+            entry["pair_ids"] = pair_ids_json(view, frames)[0];
+            pictures.explain(figure);
+            const render::Picture picture = render::compose(
+                std::move(figure), options.picture.width(), options.picture.height(),
+                options.picture.samples, pictures.overlay());
+            const std::string name = view.picture_name(what, frame.frame);
+            pictures.draw(name, picture, std::move(entry));
+            view.tell_pick(pictures, name, frames);
+            return nlohmann::ordered_json();
+        },
+        take_nothing, [&] { return query_index_head(view, "render distance"); });
+}
+
+}  // namespace
+
+void add_render_distance(const Command& render_command, const Console& console, Action& action) {
+    const Command command = render_command.add_subcommand(
+        "distance", "Draw the closest points of two bodies, and their distance");
+    const auto options = std::make_shared<QueryViewOptions>();
+    set_distance_defaults(options->hierarchy, options->query);
+    add_query_view_options(command, *options, Shown::meshes);
+    command.footer(
+        "The black line is the shortest distance, with its number, and dashed where a body hides "
+        "it. Strong colors are the closest triangles.\n"
+        "With --within, lines are between the closest points of all pairs of triangles that near.\n"
+        "The colors of the panel say along which direction the bound was the largest that left out "
+        "a pair of volumes: the line of the\n"
+        "centers, the axes of A or B, or the product of the long axes. Not needed any more: pairs "
+        "of volumes that were near enough\n"
+        "when they were tested, but not near enough when their turn came.\n"
+        "Without --camera, and if the scene has no camera, the view is from where most of the line "
+        "is visible; a short line is shown\n"
+        "closely. The counts are those of `scb distance`, and are in index.json.\n\n"
+        "Examples:\n"
+        "  scb render distance spheres-l1 --frames 0 -o out/\n"
+        "  scb render distance a.ply b.ply --poses log.csv --frames 0:99:10 --sheet -o out/");
+    command.callback([&action, &console, command, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
+}
+
+}  // namespace scb::app

@@ -1,0 +1,76 @@
+#include "app/query/distance_options.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "app/cli/choice.h"
+#include "app/cli/validators.h"
+#include "core/base/text_format.h"
+#include "scb/error.h"
+
+namespace scb::app {
+namespace {
+
+void check_length(const std::string& option, double value) {
+    if (!std::isfinite(value) || value < 0)
+        throw InputError(option + format(" %g: give 0 or more.", value));
+}
+
+}  // namespace
+
+void set_distance_defaults(HierarchyOptions& hierarchy, QueryOptions& query) {
+    hierarchy.volumes = volume_kind_name(VolumeKind::scb2);
+    hierarchy.split = SplitMethod::cost;
+    query.distance.emplace();
+}
+
+void add_distance_options(const Command& command, DistanceQuery& query) {
+    constexpr std::array orders = {DistanceOrder::nearest, DistanceOrder::depth_first,
+                                   DistanceOrder::hybrid};
+    add_choice(command, "--order", query.limits.order,
+               choices_of(std::span<const DistanceOrder>(orders), distance_order_name),
+               "The pair of nodes to divide next: the one with the least bound (nearest), the "
+               "nearer child (depth-first), or the least bound while few pairs wait (hybrid). The "
+               "distance is the same, the counts are not")
+        .type_name("ORDER")
+        .shareable();
+    command
+        .add_option("--within", query.within,
+                    "In place of the distance: the pairs of triangles that are at most this far "
+                    "apart, in units of the mesh")
+        .check(real_number)
+        .type_name("T")
+        .shareable();
+    command
+        .add_option("--relative-error", query.limits.relative_error,
+                    "Allow a distance that is too large by at most this share: 0.01 is 1 %")
+        .check(real_number)
+        .type_name("E")
+        .show_default()
+        .shareable();
+    command
+        .add_option("--limit", query.limits.limit,
+                    "Look for nothing beyond this distance. Default: no limit")
+        .check(real_number)
+        .type_name("T")
+        .shareable();
+}
+
+void check_distance(const DistanceQuery& query) {
+    const auto& [limits, within] = query;
+    if (within) check_length("--within", *within);
+    check_length("--relative-error", limits.relative_error);
+    if (std::isnan(limits.limit) || limits.limit < 0)
+        throw InputError(format("--limit %g: give 0 or more.", limits.limit));
+    for (const auto& [name, is_given] :
+         {std::pair("--relative-error", limits.relative_error > 0),
+          std::pair("--limit", std::isfinite(limits.limit)),
+          std::pair("--order", limits.order != DistanceOptions{}.order)})
+        if (is_given && within)
+            throw InputError(std::string(name) +
+                             " is of the smallest distance, and --within asks for all triangles "
+                             "within a distance; leave one of them out.");
+}
+
+}  // namespace scb::app

@@ -1,0 +1,125 @@
+#include "render/figures/distance_figure.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/analysis/ending.h"
+#include "core/base/text_format.h"
+#include "core/geometry/triangle_segment.h"
+#include "render/figures/contact_areas.h"
+#include "render/figures/figure_words.h"
+#include "render/plots/ending_colors.h"
+#include "scb/triangle_distance.h"
+
+namespace scb::render {
+namespace {
+
+/// The meaning of an ending in a query of distances, for legends.
+std::string words_of(const EndingGroup& group, QueryKind kind) {
+    switch (group.endings.front()) {
+        case Stage::triangles_apart:
+            return kind == QueryKind::within ? "triangles too far apart" : "triangles not nearer";
+        case Stage::triangles_meet:
+            return kind == QueryKind::within ? "triangles within" : "triangles nearer than before";
+        case Stage::left_over:
+            return "not needed any more";
+        default:
+            return group.label;
+    }
+}
+
+std::string number(double value) { return format("%.6g", value); }
+
+}  // namespace
+
+std::vector<Segment> distance_segments(const QueryBodies& bodies, const QueryTrace& frame) {
+    using Line = std::array<Vec3, 2>;
+    const auto lines = of_pairs<Line>(
+        bodies, frame, [](const TriangleCorners& a, const TriangleCorners& b) -> Line {
+            const TriangleDistance found = triangle_distance(a, b);
+            if (found.distance == 0)
+                if (const auto meet = triangles_intersection(a, b)) return {meet->a, meet->b};
+            return {found.point_a, found.point_b};
+        });
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        segments.push_back({transform_point(bodies[0].pose, lines[i][0]),
+                            transform_point(bodies[0].pose, lines[i][1]), Rgba8{},
+                            static_cast<std::uint32_t>(i)});
+    return segments;
+}
+
+std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTrace& frame,
+                                        const Theme& theme) {
+    if (!frame.nearest || frame.nearest->distance == 0) return {};
+    const Vec3 middle = 0.5 * (frame.nearest->point_a + frame.nearest->point_b);
+    return {{transform_point(bodies[0].pose, middle), number(frame.nearest->distance), theme.text,
+             true}};
+}
+
+std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                      const QueryTrace& frame, const Theme& theme) {
+    const bool is_within = header.kind == QueryKind::within;
+    std::vector<PanelItem> items;
+    std::vector<std::string> names, counts, closest;
+    std::vector<std::optional<Rgba8>> pale, strong;
+    for (std::size_t side = 0; side < 2; ++side) {
+        names.push_back(bodies[side].name);
+        counts.push_back(count_text(bodies[side].mesh->triangles.size()));
+        pale.emplace_back(dimmed_body_color(side, theme));
+        strong.emplace_back(body_color(side));
+        if (!frame.found.pairs.empty())
+            closest.push_back(
+                count_text(side == 0 ? frame.found.pairs.front().a : frame.found.pairs.front().b));
+    }
+    items.emplace_back(PanelRow{"body", column_names(items, names), pale, true});
+    items.emplace_back(PanelRow{"triangles", counts});
+    if (!is_within && !closest.empty())
+        items.emplace_back(PanelRow{"closest triangle", closest, strong});
+    items.emplace_back(PanelHeading{""});
+    if (is_within) {
+        items.emplace_back(PanelRow{"at most", {number(header.tolerance)}});
+        items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
+    } else {
+        items.emplace_back(PanelRow{
+            "distance", {frame.nearest ? number(frame.nearest->distance) : "–"}, {}, true});
+    }
+    items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
+    items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
+
+    const Outcomes outcomes = outcomes_of(header, frame);
+    const EndingCounts ended = ending_counts(outcomes);
+    const std::uint64_t paths = std::accumulate(ended.begin(), ended.end(), std::uint64_t{0});
+    items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
+    items.emplace_back(PanelHeading{"left out by the bound along"});
+    bool is_by_bound = true;
+    for (const EndingGroup& group : ending_groups(header, theme)) {
+        const std::uint64_t count = count_of(group, ended);
+        if (count == 0) continue;
+        const double share = 100.0 * static_cast<double>(count) / static_cast<double>(paths);
+        if (!is_rejection(group.endings.front()) && std::exchange(is_by_bound, false))
+            items.emplace_back(PanelHeading{"ended otherwise"});
+        items.emplace_back(PanelLegendRow{group.color, words_of(group, header.kind),
+                                          count_text(count), format("%.1f %%", share)});
+    }
+    items.emplace_back(
+        PanelKey{theme.text, is_within ? "between closest points" : "the shortest distance"});
+    items.emplace_back(PanelNote{"dashed, or pale: behind a body"});
+    return items;
+}
+
+PanelChart distance_chart(const TraceHeader& header, const QueryTrace& frame, const Theme& theme) {
+    PanelChart chart;
+    chart.title = "by depth of the pair";
+    const std::vector<EndingGroup> groups = ending_groups(header, theme);
+    for (const EndingCounts& counts : endings_by_depth(frame, outcomes_of(header, frame))) {
+        std::vector<BarPart>& row = chart.rows.emplace_back();
+        for (const EndingGroup& group : groups)
+            row.push_back({group.color, static_cast<double>(count_of(group, counts))});
+    }
+    return chart;
+}
+
+}  // namespace scb::render

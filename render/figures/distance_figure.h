@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/trace.h"
+#include "render/figures/query_body.h"
+#include "render/figures/scene_figure.h"
+
+namespace scb::render {
+
+/// The lines between the closest points of the pairs that a query of distances found, in the world.
+/// Of triangles that intersect, the line in which they meet. The id of each is the index of its
+/// pair.
+std::vector<Segment> distance_segments(const QueryBodies& bodies, const QueryTrace& frame);
+
+/// The distance as a label on its line; none if bodies intersect.
+std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTrace& frame,
+                                        const Theme& theme);
+
+/// The distance with its triangles, or the number of pairs within the tolerance; the counts; and
+/// how many pairs of volumes were left out, by the direction of the largest bound.
+std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                      const QueryTrace& frame, const Theme& theme);
+
+/// The pairs of volumes by depth, in the colors of the panel.
+PanelChart distance_chart(const TraceHeader& header, const QueryTrace& frame, const Theme& theme);
+
+}  // namespace scb::render
