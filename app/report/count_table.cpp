@@ -78,6 +78,10 @@ std::vector<Stage> counted_distance_stages(VolumeKind kind) {
     return stages;
 }
 
+std::string distance_stage_name(Stage stage) {
+    return stage == Stage::overlapping ? "near" : std::string(stage_name(stage));
+}
+
 std::vector<Column> count_columns(const std::vector<Stage>& stages) {
     return columns_of(stage_tests({}, stages));
 }
@@ -119,6 +123,11 @@ nlohmann::ordered_json found_json(const std::optional<IndexPair>& triangles,
 nlohmann::ordered_json count_json(const TraceHeader& header, const QueryTrace& frame) {
     nlohmann::ordered_json json =
         count_json(frame.frame, frame.b_to_a, frame.found, header_stages(header));
+    if (is_of_distance(header.kind)) {
+        json["stages"] = nlohmann::ordered_json::object();
+        for (const Stage stage : header_stages(header))
+            json["stages"][distance_stage_name(stage)] = tests_at(frame.found, stage);
+    }
     if (header.kind == QueryKind::distance) {
         std::optional<IndexPair> closest;
         if (frame.nearest) closest = frame.found.pairs.front();

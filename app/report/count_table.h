@@ -15,9 +15,10 @@ namespace scb::app {
 /// can reject, in the test's order.
 std::vector<Stage> counted_stages(VolumeKind kind, const OverlapOptions& options);
 
-/// The same of queries of distances. Of these, `overlapping` are the volumes that were nearer than
-/// the answer so far.
+/// The same of queries of distances: `overlapping` are volumes nearer than the answer so far.
 std::vector<Stage> counted_distance_stages(VolumeKind kind);
+/// The name of such a stage; "near" for `overlapping`.
+std::string distance_stage_name(Stage stage);
 
 /// The sixteen stages of boxes are too many for a table of text.
 inline constexpr std::size_t most_stage_columns = 8;

@@ -39,7 +39,7 @@ const std::map<std::string, Floors> rooms = {
       {"shards"},
       {"query", "reference"},
       {"pictures", "config"},
-      {"timing", "explain", "merge"},
+      {"timing", "explain", "merge", "distance"},
       {"view"},
       {"golden"},
       {"inspect"},

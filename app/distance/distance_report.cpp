@@ -1,6 +1,7 @@
-#include "app/query/distance_report.h"
+#include "app/distance/distance_report.h"
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "app/query/query_title.h"
@@ -14,11 +15,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// In a distance query, volumes that are not rejected are nearer than the answer so far.
-std::string name_of(Stage stage) {
-    return stage == Stage::overlapping ? "near" : std::string(stage_name(stage));
-}
 
 std::string point_text(const Vec3& p) { return format("(%.6g, %.6g, %.6g)", p[0], p[1], p[2]); }
 
@@ -63,8 +59,8 @@ DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery
          {std::pair("N_v", "n_v"), std::pair("N_p", "n_p"), std::pair("N_u", "n_u")})
         columns.push_back({title, key, 10});
     for (const Stage stage : stages_)
-        columns.push_back(
-            {name_of(stage), name_of(stage), std::max<std::size_t>(9, name_of(stage).size() + 1)});
+        columns.push_back({distance_stage_name(stage), distance_stage_name(stage),
+                           std::max<std::size_t>(9, distance_stage_name(stage).size() + 1)});
     columns.push_back({"", "inside"});
     if (!lists_pairs() && !options.first) columns.push_back({"", "signed_distance"});
     if (is_of_many(query)) {
@@ -101,6 +97,9 @@ DistanceOptions DistanceReport::limits(const Bodies& bodies) const {
 void DistanceReport::add_distance(Bodies& bodies, int frame) {
     const Distance found = query_.nearest(frame, limits(bodies));
     bodies.closest = found.triangles;
+    bodies.line.frames.push_back(frame);
+    bodies.line.distances.push_back(found.triangles ? found.found.distance
+                                                    : std::numeric_limits<double>::quiet_NaN());
     bodies.near.add(frame, found.triangles && (asked().within || found.found.distance == 0));
     if (found.triangles && (!least_ || found.found.distance < least_->found.found.distance))
         least_ = {found, frame, {query_.a, query_.b}};
@@ -153,7 +152,7 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
     for (const Stage stage : stages_) {
         const std::uint64_t count = work.stages[static_cast<std::size_t>(stage)];
         cells.emplace_back(count);
-        stages[name_of(stage)] = count;
+        stages[distance_stage_name(stage)] = count;
     }
     cells.emplace_back(Json(note.empty() && !is_judged ? "not judged" : note), std::string());
     if (!lists_pairs() && !options_.first) cells.emplace_back(signed_distance, std::string());
@@ -259,6 +258,23 @@ std::string DistanceReport::near_words() {
         asked().within ? format("At most %g apart", *asked().within) : "In contact";
     return "\n" + name + ": " + (text.empty() ? "in no frame" : text) +
            among_queried(query_.frames);
+}
+
+render::DistancePlot DistanceReport::plot() {
+    render::DistancePlot plot;
+    plot.title = query_.scene.name + " · distance";
+    plot.subtitle = options_.query.distance->limits.relative_error > 0
+                        ? format("relative error up to %g", asked().limits.relative_error)
+                        : "";
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        query_.choose(query_.pairs[i]);
+        bodies_[i].line.name = pair_words(query_);
+        plot.lines.push_back(bodies_[i].line);
+        if (!is_of_many(query_))
+            for (const Json& interval : bodies_[i].near.json())
+                plot.ranges.push_back({interval[0], interval[1], "in contact"});
+    }
+    return plot;
 }
 
 Json DistanceReport::json() {

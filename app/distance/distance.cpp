@@ -4,9 +4,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/open_file.h"
 #include "app/cli/progress.h"
+#include "app/distance/distance_report.h"
+#include "app/pictures/picture_name.h"
+#include "app/pictures/plot_file.h"
 #include "app/query/distance_options.h"
-#include "app/query/distance_report.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "core/base/exit_status.h"
@@ -34,6 +37,30 @@ void check(const DistanceCommandOptions& options) {
                              " is of the triangles within a distance: give --within T" +
                              (within ? " without --first." : "."));
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
+    options.picture.check();
+    if (within && !options.picture.output.empty())
+        throw InputError(
+            "-o is for a plot of distances, and --within asks for pairs; leave one of "
+            "them out.");
+}
+
+/// Writes the plot into the folder, and shows it if asked for.
+void write_distance_plot(const DistanceCommandOptions& options, DistanceReport& report,
+                         const SceneQuery& query, const Console& console) {
+    const std::filesystem::path folder = options.picture.output_folder();
+    render::Context context(options.picture.backend());
+    render::Renderer renderer(context);
+    NamedOptions named;
+    named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
+    name_pose(named, options.scene.pose);
+    if (options.query.frames != QueryOptions{}.frames) name_frames(named, query.frames);
+    name_picture(named, options.picture);
+    const std::filesystem::path file =
+        folder /
+        (picture_name(options.scene.file_stem(query.scene.name), "distance", named, "") + ".png");
+    write_plot(report.plot(), options.picture, renderer, file, query.scene.name);
+    if (options.picture.show) show_pictures({file}, console);
+    if (options.picture.open) open_file(file, console);
 }
 
 int run(DistanceCommandOptions& options, const Console& console) {
@@ -52,6 +79,8 @@ int run(DistanceCommandOptions& options, const Console& console) {
     }
     if (!options.pairs_out.empty() && report.frames() > 0)
         write_file_whole(options.pairs_out, report.pairs());
+    if (!options.picture.output.empty() && report.frames() > 0)
+        write_distance_plot(options, report, query, console);
     print_result(report.text());
     if (report.frames() == query.frames.size()) return exit_done;
     console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
@@ -83,6 +112,7 @@ void add_distance(const Command& program, const Console& console, Action& action
                     "in the order of the mesh files")
         .file({".csv"})
         .only_typed();
+    add_figure_options(command, options->picture, "Folder for a plot of the distance over frames");
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "app/pictures/picture_options.h"
 #include "app/query/contact_intervals.h"
 #include "app/query/inside_report.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
+#include "render/figures/distance_plot.h"
 
 namespace scb::app {
 
@@ -22,6 +24,7 @@ struct DistanceCommandOptions {
     QueryOptions query;
     bool first = false, seeded = false, json = false, csv = false;
     std::string pairs_out;
+    PictureOptions picture{.output = ""};  ///< of the plot
 };
 
 /// Output of the command, frame by frame: a table, CSV or JSON, and the pairs of triangles within a
@@ -39,13 +42,16 @@ class DistanceReport {
     const std::string& pairs() const { return pairs_; }
     /// The text of all frames so far; to be called once.
     std::string text();
+    /// The distances, frame by frame.
+    render::DistancePlot plot();
 
   private:
     /// What is kept of each pair of bodies.
     struct Bodies {
         InsideReport inside;
         ContactIntervals near;  ///< frames with contact, or with triangles within the tolerance
-        std::optional<IndexPair> closest;  ///< the triangles of the frame before
+        std::optional<IndexPair> closest{};  ///< the triangles of the frame before
+        render::DistanceLine line{};
     };
     /// The smallest distance of all queries.
     struct Least {
