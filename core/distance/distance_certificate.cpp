@@ -128,7 +128,7 @@ DistanceCertificate make_certificate(const MeshTree& a, const MeshTree& b, const
     // Without a cut, this checks the points, or that the triangles intersect.
     const ProvenDistance proven = check_distance(a, b, b_to_a, certificate);
     const double enough = proven.upper - allowed_width(proven.upper, proven.largest_coordinate) / 4;
-    if (enough <= 0) return certificate;
+    if (!(enough > 0)) return certificate;
     const LeafCorners leaves_a = leaf_corners(a, nullptr), leaves_b = leaf_corners(b, &b_to_a);
     CutSearch(a, b, leaves_a, leaves_b, enough).write(certificate);
     return certificate;

@@ -398,6 +398,52 @@ TEST(DistanceCertificate, NeedsTreesThatHaveAllTriangles) {
     EXPECT_NE(loop.check(endless).fault, "");
 }
 
+/// Two clouds along a line, whose gap is of the size of rounding, or larger, or an overlap.
+TEST(DistanceCertificate, ProvesNoGapThatIsWiderThanThePointsAre) {
+    Random random(71);
+    double worst = 0;
+    int positive = 0;
+    for (int i = 0; i < 20'000 / unless_sanitized(1, 20); ++i) {
+        const Vec3 n = random_unit_vector(random) * std::pow(10, random.uniform(-5, 5));
+        const double far = std::pow(10, random.uniform(-3, 6)),
+                     gap = std::pow(10, random.uniform(-17, 0)) * far;
+        const Vec3 there = far * random_point(random);
+        std::vector<Vec3> a, b;
+        double of_a = 0, of_b = 0;
+        const auto add = [&](std::vector<Vec3>& to, double& most, double height) {
+            const Vec3 u = random_point(random), unit = n / n.norm();
+            to.push_back(there + far * cross(unit, u) + height * unit);
+            most = std::max(most, to.back().cwiseAbs().sum());
+        };
+        for (int k = 0; k < 6; ++k) add(a, of_a, random.below(2) == 0 ? 0 : -gap);
+        for (int k = 0; k < 6; ++k) add(b, of_b, random.below(2) == 0 ? gap : 2 * gap);
+        long double exact = HUGE_VALL;
+        const auto at = [&](const Vec3& p, int axis) {
+            return static_cast<long double>(n[axis]) * static_cast<long double>(p[axis]);
+        };
+        for (const Vec3& p : a)
+            for (const Vec3& q : b)
+                exact = std::min(
+                    exact, (at(q, 0) - at(p, 0)) + (at(q, 1) - at(p, 1)) + (at(q, 2) - at(p, 2)));
+        const auto x = static_cast<long double>(n[0]), y = static_cast<long double>(n[1]),
+                   z = static_cast<long double>(n[2]);
+        exact /= std::sqrt(x * x + y * y + z * z);
+        const double magnitude = of_a + of_b, error = 1e-18 * magnitude;
+        for (const double enough : {0.0, static_cast<double>(exact), HUGE_VAL}) {
+            const double proven = proven_gap(a, b, n, magnitude, enough);
+            ASSERT_LE(proven, std::max(exact, 0.0L) + static_cast<long double>(error)) << i;
+            ASSERT_GE(proven, 0);
+        }
+        positive += exact > 0;
+        // To the last bits, if they decide.
+        worst = std::max(worst, static_cast<double>(exact) -
+                                    proven_gap(a, b, n, magnitude, static_cast<double>(exact)) -
+                                    error - 1e-14 * static_cast<double>(exact));
+    }
+    EXPECT_LE(worst, 0);
+    EXPECT_GT(positive, 10'000 / unless_sanitized(1, 20));
+}
+
 TEST(DistanceCertificate, OfTrianglesThatAreNotTheClosestIsTrueAndWide) {
     for (int i = 0; i < unless_sanitized(100, 5); ++i) {
         const TamperedScene honest(static_cast<std::uint64_t>(2 * i));
