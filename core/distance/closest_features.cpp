@@ -22,8 +22,8 @@ Point normal_of(const Point& p, const Point& q) {
     return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// A triangle, moved and scaled by a power of two, so that neither squares of long nor those of
-/// short sides leave the range of numbers.
+/// A triangle, moved, and scaled by a power of two: squares of its sides stay in the range of
+/// numbers.
 using Triangle3 = std::array<Point, 3>;
 
 /// The pairs of features of two triangles.

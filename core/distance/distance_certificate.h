@@ -17,9 +17,9 @@ MeshTree mesh_tree(const Collider<V>& side) {
     return {side.mesh, *side.hierarchy.topology};
 }
 
-/// A point of a triangle: the corner, and shares of the edges from it to the two others. Shares of
-/// at most a half put it in the triangle, whatever is rounded; the largest weight of a point is
-/// that of the corner.
+/// A point of a triangle: the corner, and shares of the edges from it to the two others. The corner
+/// is the one with the largest weight. Shares of at most a half, however rounded, put the point
+/// into the triangle.
 struct SurfacePoint {
     std::uint32_t triangle = 0;
     std::uint32_t corner = 0;  ///< 0, 1 or 2: k
@@ -54,8 +54,8 @@ struct ProvenDistance {
     double largest_coordinate = 0;  ///< of any corner of A and B, in A's frame
 };
 
-/// The bounds that a certificate proves, in spite of rounding. Distances are those of distance():
-/// of A's corners as stored, and of B's as transform_point rounds them. The certificate, the trees
+/// The bounds that a certificate proves, in spite of rounding, for the triangles that distance()
+/// measures: A's corners as stored, B's as transform_point rounds them. The certificate, the trees
 /// and the pose may be anything: wrong ones have a fault, or bounds that are true but wide.
 ///
 /// O(n) for the meshes, and O(corners below the two nodes) for each end of the cut. Throws
@@ -78,10 +78,12 @@ double proven_gap(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& 
                   double magnitude, double enough);
 
 /// A certificate of the distance, given the closest triangles that distance() found without limits.
-/// With other triangles, the bounds are true and wide.
+/// With other triangles, the bounds are true and wide. The meshes must satisfy check_mesh; each
+/// leaf has one triangle.
 ///
 /// From the roots on, pairs of nodes are divided until a direction shows that the hulls of their
-/// corners are as far apart as the triangles; see hull_separation.
+/// corners are as far apart as the triangles. No volume is needed: hulls are tighter than volumes,
+/// so the cut is small. O(corners below the two nodes) for each pair of nodes.
 DistanceCertificate make_certificate(const MeshTree& a, const MeshTree& b, const Pose& b_to_a,
                                      const IndexPair& closest);
 

@@ -23,7 +23,7 @@ LeafCorners leaf_corners(const MeshTree& tree, const Pose* pose) {
             const Vec3& stored = mesh.vertices[vertex];
             const Vec3 p = pose ? transform_point(*pose, stored) : stored;
             const double largest = p.cwiseAbs().maxCoeff();
-            if (!p.allFinite() || largest > 8 * max_coordinate)
+            if (!p.allFinite() || largest > 1e300)
                 return fail("a corner is not finite, or too large.");
             result.corners.push_back(p);
             result.largest_coordinate = std::max(result.largest_coordinate, largest);

@@ -368,6 +368,41 @@ TEST(DistanceCertificate, IsForItsMeshesAndItsPose) {
     }
 }
 
+/// Divides all of A's tree, and none of B's nodes.
+DistanceCertificate divided_a(const ProofScene& scene) {
+    DistanceCertificate certificate;
+    std::vector<std::uint32_t> pending = {0};
+    while (!pending.empty()) {
+        const TopologyNode& node = scene.of_a.nodes[pending.back()];
+        pending.pop_back();
+        certificate.cut.push_back(node.is_leaf() ? CutStep::end : CutStep::divide_a);
+        if (node.is_leaf())
+            certificate.directions.push_back(Vec3::UnitX());
+        else
+            pending.insert(pending.end(), {node.left + 1, node.left});
+    }
+    return certificate;
+}
+
+TEST(DistanceCertificate, NeedsChildrenThatMakeUpTheirParents) {
+    const TamperedScene honest(4);
+    const DistanceCertificate divided = divided_a(honest.scene);
+    EXPECT_EQ(honest.scene.check(divided).fault, "");
+    for (const TopologyNode& node : honest.scene.of_a.nodes) {
+        if (node.is_leaf()) continue;
+        for (const bool is_right : {false, true})
+            for (const std::uint32_t change : {1u, ~0u}) {
+                ProofScene scene = honest.scene;
+                TopologyNode& child = scene.of_a.nodes[node.left + is_right];
+                child.first += change;
+                EXPECT_NE(scene.check(divided).fault, "");
+                child.first -= change;
+                child.count += change;
+                EXPECT_NE(scene.check(divided).fault, "");
+            }
+    }
+}
+
 TEST(DistanceCertificate, NeedsTreesThatHaveAllTriangles) {
     const TamperedScene honest(4);
     const auto fault = [&](const std::function<void(ProofScene&)>& spoil) {
@@ -459,6 +494,31 @@ TEST(DistanceCertificate, OfTrianglesThatAreNotTheClosestIsTrueAndWide) {
         EXPECT_TRUE(holds(proven, honest.brute.distance));
         EXPECT_NEAR(proven.lower, honest.brute.rounded, 1e-9);
         EXPECT_FALSE(certifies(proven, honest.brute.rounded));
+    }
+}
+
+TEST(DistanceCertificate, HoldsForExtremeNumbers) {
+    // A gap whose square is no double, and one that doubles cannot hold beside the coordinates.
+    for (const double gap : {1e-200, 1e-20, 5e-324}) {
+        const ProofScene scene({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}},
+                               {{{1, 1, gap}, {1, 1, 5}, {2, 1, 5}}, {{0, 1, 2}}}, {});
+        const ProvenDistance proven =
+            scene.check(make_certificate(scene.tree_a(), scene.tree_b(), {}, {0, 0}));
+        EXPECT_LE(proven.lower, gap);
+        EXPECT_GE(proven.upper, gap);
+        EXPECT_TRUE(certifies(proven, gap));
+    }
+    for (const double size : {1e-60, 1e70}) {
+        Mesh a = random_soup(1, 20, 0.1), b = random_soup(2, 20, 0.1);
+        for (Mesh* mesh : {&a, &b})
+            for (Vec3& v : mesh->vertices) v *= size / 2;
+        const ProofScene scene(a, b, {Mat3::Identity(), {0.3 * size, 0.1 * size, 0.2 * size}});
+        const BruteForce brute(scene);
+        ASSERT_GT(brute.rounded, 0);
+        const ProvenDistance proven = scene.check(
+            make_certificate(scene.tree_a(), scene.tree_b(), scene.pose, brute.closest));
+        EXPECT_TRUE(holds(proven, brute.distance));
+        EXPECT_TRUE(certifies(proven, brute.rounded));
     }
 }
 
