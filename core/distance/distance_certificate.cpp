@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/distance/closest_features.h"
 #include "core/distance/hull_separation.h"
+#include "core/distance/precise_features.h"
 
 namespace scb {
 namespace {
@@ -63,11 +63,14 @@ class CutSearch {
             const auto corners_a = of_a_.below(a), corners_b = of_b_.below(b);
             const HullSeparation hulls =
                 separate_hulls(corners_a, corners_b, pair.direction, enough_);
-            const bool is_end = a.is_leaf() && b.is_leaf();
-            if (is_proven(corners_a, corners_b, hulls) || is_end) {
+            const bool is_proven =
+                hulls.verdict == HullVerdict::apart &&
+                proven_gap(corners_a, corners_b, hulls.direction, magnitude_, enough_) >= enough_;
+            if (is_proven || (a.is_leaf() && b.is_leaf())) {
                 certificate.cut.push_back(CutStep::end);
                 certificate.directions.push_back(
-                    is_end ? best_direction(corners_a, corners_b, hulls) : hulls.direction);
+                    is_proven ? hulls.direction
+                              : best_direction(corners_a, corners_b, hulls.direction));
             } else if (b.is_leaf() || (!a.is_leaf() && sizes_a_[pair.a] >= sizes_b_[pair.b])) {
                 certificate.cut.push_back(CutStep::divide_a);
                 for (const std::uint32_t child : {a.left + 1, a.left})
@@ -87,23 +90,18 @@ class CutSearch {
         Vec3 direction;
     };
 
-    bool is_proven(Points a, Points b, const HullSeparation& hulls) const {
-        return hulls.verdict == HullVerdict::apart &&
-               proven_gap(a, b, hulls.direction, magnitude_, enough_) >= enough_;
-    }
     /// For two triangles. What they cannot prove, no other pair needs to prove.
-    Vec3 best_direction(Points a, Points b, const HullSeparation& hulls) {
-        if (is_proven(a, b, hulls)) return hulls.direction;
-        Vec3 best = hulls.direction;
-        double widest = proven_gap(a, b, best, magnitude_, enough_);
-        for (const FeaturePair& pair :
-             closest_features_of({a[0], a[1], a[2]}, {b[0], b[1], b[2]})) {
-            const double gap = proven_gap(a, b, pair.direction, magnitude_, enough_);
-            if (gap > widest) {
-                widest = gap;
-                best = pair.direction;
-            }
-            if (gap >= enough_) break;
+    Vec3 best_direction(Points a, Points b, const Vec3& rough) {
+        const auto gap = [&](const Vec3& n) { return proven_gap(a, b, n, magnitude_, enough_); };
+        Vec3 best = rough;
+        double widest = gap(best);
+        // Not only the closest: the normal of a needle is inexact, its edges do as well.
+        for (const PreciseFeatures& features :
+             precise_features({a[0], a[1], a[2]}, {b[0], b[1], b[2]})) {
+            if (widest >= enough_) break;
+            if (!(gap(features.direction) > widest)) continue;
+            best = features.direction;
+            widest = gap(best);
         }
         enough_ = std::min(enough_, widest);
         return best;
@@ -122,7 +120,7 @@ DistanceCertificate make_certificate(const MeshTree& a, const MeshTree& b, const
     DistanceCertificate certificate;
     const TriangleCorners of_a = corners(a.mesh, closest.a),
                           of_b = transform_corners(b_to_a, corners(b.mesh, closest.b));
-    const FeaturePair features = closest_features_of(of_a, of_b).front();
+    const PreciseFeatures features = precise_features(of_a, of_b).front();
     certificate.on_a = surface_point(closest.a, features.weights_a);
     certificate.on_b = surface_point(closest.b, features.weights_b);
     // Without a cut, this checks the points, or that the triangles intersect.

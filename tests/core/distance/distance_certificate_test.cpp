@@ -390,6 +390,10 @@ TEST(DistanceCertificate, NeedsChildrenThatMakeUpTheirParents) {
     EXPECT_EQ(honest.scene.check(divided).fault, "");
     for (const TopologyNode& node : honest.scene.of_a.nodes) {
         if (node.is_leaf()) continue;
+        ProofScene shifted = honest.scene;
+        ++shifted.of_a.nodes[node.left].first;
+        ++shifted.of_a.nodes[node.left + 1].first;
+        EXPECT_NE(shifted.check(divided).fault, "");
         for (const bool is_right : {false, true})
             for (const std::uint32_t change : {1u, ~0u}) {
                 ProofScene scene = honest.scene;
@@ -480,6 +484,7 @@ TEST(DistanceCertificate, ProvesNoGapThatIsWiderThanThePointsAre) {
 }
 
 TEST(DistanceCertificate, OfTrianglesThatAreNotTheClosestIsTrueAndWide) {
+    std::size_t most_ends = 0;
     for (int i = 0; i < unless_sanitized(100, 5); ++i) {
         const TamperedScene honest(static_cast<std::uint64_t>(2 * i));
         const auto& scene = honest.scene;
@@ -488,13 +493,50 @@ TEST(DistanceCertificate, OfTrianglesThatAreNotTheClosestIsTrueAndWide) {
         if (triangle_distance(scene.corners_a(pair.a), scene.corners_b(pair.b)).distance <=
             1.01 * honest.brute.rounded)
             continue;
-        const ProvenDistance proven =
-            scene.check(make_certificate(scene.tree_a(), scene.tree_b(), scene.pose, pair));
+        const DistanceCertificate certificate =
+            make_certificate(scene.tree_a(), scene.tree_b(), scene.pose, pair);
+        most_ends = std::max(most_ends, certificate.directions.size());
+        const ProvenDistance proven = scene.check(certificate);
         EXPECT_EQ(proven.fault, "");
         EXPECT_TRUE(holds(proven, honest.brute.distance));
         EXPECT_NEAR(proven.lower, honest.brute.rounded, 1e-9);
         EXPECT_FALSE(certifies(proven, honest.brute.rounded));
     }
+    // Of 1600 pairs of triangles: one pair that is too near is enough to give up the others.
+    EXPECT_LT(most_ends, 400u);
+}
+
+ProvenDistance proven_of(const TriangleCorners& a, const TriangleCorners& b) {
+    const auto mesh = [](const TriangleCorners& t) {
+        return Mesh{{t[0], t[1], t[2]}, {{0, 1, 2}}};
+    };
+    const ProofScene scene(mesh(a), mesh(b), {});
+    return scene.check(make_certificate(scene.tree_a(), scene.tree_b(), {}, {0, 0}));
+}
+
+TEST(DistanceCertificate, IsNarrowForNeedlesWhoseHeightIsRounding) {
+    // A corner above the face of a needle, whose normal even double-doubles cannot tell.
+    const TriangleCorners
+        needle = {Vec3(0.25103718143418607, -0.26036596867777373, 0.38355441323039763),
+                  Vec3(-0.57140141438928294, 0.51266528939044953, -0.003155269039711861),
+                  Vec3(-0.11410634847643182, 0.082841857092678842, 0.21186434524016712)},
+        other = {Vec3(-0.42713230234595545, 0.37706302832246791, 0.064679901589416763),
+                 Vec3(-0.34827844136508568, 0.31342568129341081, 0.036051070060242565),
+                 Vec3(-0.22713230234595566, 0.27706302832246765, 0.36467990158941666)};
+    // Edges that lie on each other, up to rounding.
+    const TriangleCorners
+        lying = {Vec3(-0.4596203084890198, 0.647437913943268, -0.80646551402091293),
+                 Vec3(0.8421029174890049, -0.92593397916785047, -0.56510381525899889),
+                 Vec3(-0.36536576325307518, 0.53351396351149682, -0.78898911297023111)},
+        moved = {Vec3(0.84210291748900479, -0.92593397916785036, -0.56510381525899878),
+                 Vec3(-0.36536576325307535, 0.53351396351149694, -0.788989112970231),
+                 Vec3(-0.45962030848901997, 0.64743791394326811, -0.80646551402091282)};
+    for (const auto& [a, b] : {std::pair(needle, other), std::pair(lying, moved)})
+        for (const bool is_swapped : {false, true}) {
+            const ProvenDistance proven = is_swapped ? proven_of(b, a) : proven_of(a, b);
+            EXPECT_TRUE(holds(proven, distance_oracle::distance(a, b)));
+            EXPECT_LE(width_share(proven, proven.upper), 0.5);
+        }
 }
 
 TEST(DistanceCertificate, HoldsForExtremeNumbers) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/distance/closest_features.h"
+#include "core/distance/precise_features.h"
 #include "scb/triangle_distance.h"
 #include "tests/core/geometry/triangle_pairs.h"
 #include "tests/core/overlap/volume_pairs.h"
@@ -43,14 +43,14 @@ TEST(HullSeparations, AreRightAboutTwoTriangles) {
     EXPECT_GT(counts[static_cast<std::size_t>(HullVerdict::nearer)], 5'000 / effort);
 }
 
-TEST(ClosestFeatures, HaveTheDistanceOfTheTriangles) {
+TEST(PreciseFeaturesOfTriangles, HaveTheDistanceOfTheTriangles) {
     Random random(19);
     for (int i = 0; i < 5'000 / effort; ++i) {
         const TriangleCorners a = some_triangle(random, Vec3::Zero()),
                               b = some_triangle(random, 2 * random_point(random));
         const double distance = triangle_distance(a, b).distance;
         if (distance == 0) continue;
-        const FeaturePair found = closest_features_of(a, b).front();
+        const PreciseFeatures found = precise_features(a, b).front();
         Vec3 p = Vec3::Zero(), q = Vec3::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
             p += found.weights_a[k] * a[k];

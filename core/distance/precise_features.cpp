@@ -1,4 +1,4 @@
-#include "core/distance/closest_features.h"
+#include "core/distance/precise_features.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +26,12 @@ Point normal_of(const Point& p, const Point& q) {
 /// numbers.
 using Triangle3 = std::array<Point, 3>;
 
-/// The pairs of features of two triangles.
-class FeaturePairs {
+/// Measures the pairs of features of two triangles.
+class FeatureSearch {
   public:
-    FeaturePairs(const Triangle3& a, const Triangle3& b) : a_(a), b_(b) {}
+    FeatureSearch(const Triangle3& a, const Triangle3& b) : a_(a), b_(b) {}
 
-    std::vector<FeaturePair> sorted() {
+    std::vector<PreciseFeatures> closest_first() {
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
                 add(unit(i), unit(j), minus(b_[j], a_[i]));
@@ -53,15 +53,15 @@ class FeaturePairs {
         std::stable_sort(found_.begin(), found_.end(), [](const Measured& x, const Measured& y) {
             return x.squared < y.squared;
         });
-        std::vector<FeaturePair> result;
-        for (const Measured& measured : found_) result.push_back(measured.pair);
+        std::vector<PreciseFeatures> result;
+        for (const Measured& measured : found_) result.push_back(measured.features);
         return result;
     }
 
   private:
     struct Measured {
-        Real squared;
-        FeaturePair pair;
+        Real squared;  ///< distance
+        PreciseFeatures features;
     };
 
     static Weights unit(std::size_t corner) {
@@ -98,15 +98,18 @@ class FeaturePairs {
         add(weights, plus(minus(t[k], p), share, along));
     }
 
-    /// Along the product of the edges, which stays precise where they are nearly parallel.
+    /// Apart along the product of the edges, which stays precise where they are nearly parallel.
     void edges(std::size_t i, std::size_t j) {
         const std::size_t after_i = (i + 1) % 3, after_j = (j + 1) % 3;
         const Point u = minus(a_[after_i], a_[i]), v = minus(b_[after_j], b_[j]),
                     w = minus(b_[j], a_[i]), n = normal_of(u, v);
         const Real squared = product(n, n);
         if (!(squared.high > 0)) return;
-        const Real of_u = product(n, normal_of(w, v)) / squared,
-                   of_v = product(n, normal_of(w, u)) / squared;
+        // Where nearly parallel edges are closest is inexact. Not so the second point: it is the
+        // foot of the first.
+        const Real of_u = product(n, normal_of(w, v)) / squared;
+        const Point to_first = plus(minus(Point{}, w), of_u, u);
+        const Real of_v = product(to_first, v) / product(v, v);
         Weights weights_a, weights_b;
         weights_a[i] = Real(1) - of_u;
         weights_a[after_i] = of_u;
@@ -122,8 +125,12 @@ class FeaturePairs {
         const Real squared = product(n, n);
         if (!(squared.high > 0)) return;
         Weights weights;
-        weights[1] = product(n, normal_of(w, v)) / squared;
-        weights[2] = product(n, normal_of(u, w)) / squared;
+        Point rest = w;
+        for (int step = 0; step < 2; ++step) {  // twice: the normal of a needle is inexact
+            weights[1] = weights[1] + product(n, normal_of(rest, v)) / squared;
+            weights[2] = weights[2] + product(n, normal_of(u, rest)) / squared;
+            rest = plus(plus(w, -weights[1], u), -weights[2], v);
+        }
         weights[0] = Real(1) - weights[1] - weights[2];
         add(weights, plus(Point{}, -(product(n, w) / squared), n));
     }
@@ -134,7 +141,7 @@ class FeaturePairs {
 
 }  // namespace
 
-std::vector<FeaturePair> closest_features_of(const TriangleCorners& a, const TriangleCorners& b) {
+std::vector<PreciseFeatures> precise_features(const TriangleCorners& a, const TriangleCorners& b) {
     const Vec3& origin = a[0];
     double most = 0;
     for (const TriangleCorners* t : {&a, &b})
@@ -153,7 +160,7 @@ std::vector<FeaturePair> closest_features_of(const TriangleCorners& a, const Tri
         return result;
     };
     const Triangle3 scaled_a = scaled(a), scaled_b = scaled(b);
-    return FeaturePairs(scaled_a, scaled_b).sorted();
+    return FeatureSearch(scaled_a, scaled_b).closest_first();
 }
 
 }  // namespace scb
