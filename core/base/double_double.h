@@ -36,14 +36,14 @@ struct DoubleDouble {
         return result;
     }
     friend DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-        const DoubleDouble high = sum(x.high, y.high), low = sum(x.low, y.low),
-                           middle = sum(high.high, high.low + low.high);
-        return sum(middle.high, middle.low + low.low);
+        const DoubleDouble of_high = sum(x.high, y.high), of_low = sum(x.low, y.low),
+                           middle = sum(of_high.high, of_high.low + of_low.high);
+        return sum(middle.high, middle.low + of_low.low);
     }
     friend DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
     friend DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-        const DoubleDouble high = product(x.high, y.high);
-        return sum(high.high, high.low + (x.high * y.low + x.low * y.high));
+        const DoubleDouble of_high = product(x.high, y.high);
+        return sum(of_high.high, of_high.low + (x.high * y.low + x.low * y.high));
     }
     friend DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
         const double first = x.high / y.high;

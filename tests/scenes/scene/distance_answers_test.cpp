@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/distance/distance_certificate.h"
 #include "scb/any_hierarchy.h"
 #include "scb/distance.h"
 #include "scenes/meshes/mesh_file.h"
@@ -95,6 +96,27 @@ TEST(DistanceAnswers, AreFoundByEveryVolume) {
                 EXPECT_EQ(found.triangles, first->triangles);
             });
         }
+    };
+    EXPECT_GT(for_each_row("distances.tsv", check), unless_sanitized(20, 5));
+}
+
+TEST(DistanceAnswers, AreProven) {
+    if (!has_model_file("horse.ply", "proofs of distances of real meshes")) GTEST_SKIP();
+    const auto check = [](const AnswerTable& row, const BuiltMesh& a, const BuiltMesh& b) {
+        const double answer = row.number("dist_ref");
+        with_kind(a, b, static_cast<std::size_t>(VolumeKind::scb2),
+                  [&](const auto& of_a, const auto& of_b) {
+                      const Pose pose = row.pose();
+                      const Distance found = distance(of_a, of_b, pose);
+                      ASSERT_TRUE(found.triangles);
+                      const MeshTree tree_a = mesh_tree(of_a), tree_b = mesh_tree(of_b);
+                      const ProvenDistance proven =
+                          check_distance(tree_a, tree_b, pose,
+                                         make_certificate(tree_a, tree_b, pose, *found.triangles));
+                      EXPECT_EQ(proven.fault, "");
+                      EXPECT_TRUE(certifies(proven, found.found.distance));
+                      EXPECT_TRUE(certifies(proven, answer));
+                  });
     };
     EXPECT_GT(for_each_row("distances.tsv", check), unless_sanitized(20, 5));
 }
