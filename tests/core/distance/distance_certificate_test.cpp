@@ -558,6 +558,14 @@ TEST(DistanceCertificate, IsNarrowForNeedlesWhoseHeightIsRounding) {
         other = {Vec3(-0.42713230234595545, 0.37706302832246791, 0.064679901589416763),
                  Vec3(-0.34827844136508568, 0.31342568129341081, 0.036051070060242565),
                  Vec3(-0.22713230234595566, 0.27706302832246765, 0.36467990158941666)};
+    // Another one, in which the point below the corner is the difficulty.
+    const TriangleCorners
+        thin = {Vec3(-0.016414386087520993, 0.6380111778139439, 0.78325329069802896),
+                Vec3(-0.70325340405039305, -0.83443085154528274, -0.45362898318628053),
+                Vec3(-0.54921855584895063, -0.5042117193380431, -0.17623796677910908)},
+        above = {Vec3(-0.50497294681047245, -0.40935820540099205, -0.096559020059941589),
+                 Vec3(-0.45623761239554422, -0.40248695054610412, -0.014704389105782284),
+                 Vec3(-0.30497294681047243, -0.50935820540099208, 0.20344097994005839)};
     // Edges that lie on each other, up to rounding.
     const TriangleCorners
         lying = {Vec3(-0.4596203084890198, 0.647437913943268, -0.80646551402091293),
@@ -566,7 +574,8 @@ TEST(DistanceCertificate, IsNarrowForNeedlesWhoseHeightIsRounding) {
         moved = {Vec3(0.84210291748900479, -0.92593397916785036, -0.56510381525899878),
                  Vec3(-0.36536576325307535, 0.53351396351149694, -0.788989112970231),
                  Vec3(-0.45962030848901997, 0.64743791394326811, -0.80646551402091282)};
-    for (const auto& [a, b] : {std::pair(needle, other), std::pair(lying, moved)})
+    for (const auto& [a, b] :
+         {std::pair(needle, other), std::pair(thin, above), std::pair(lying, moved)})
         for (const bool is_swapped : {false, true}) {
             const ProvenDistance proven = is_swapped ? proven_of(b, a) : proven_of(a, b);
             EXPECT_TRUE(holds(proven, distance_oracle::distance(a, b)));
