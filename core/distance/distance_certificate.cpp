@@ -22,7 +22,7 @@ SurfacePoint surface_point(std::uint32_t triangle, const std::array<double, 3>& 
 }
 
 /// Per node half of the diagonal of the box of its corners.
-std::vector<double> node_sizes(const Topology& topology, const LeafCorners& leaves) {
+std::vector<double> node_sizes(const Topology& topology, const PlacedCorners& leaves) {
     std::vector<Box> boxes(topology.nodes.size());
     std::vector<double> sizes(boxes.size());
     // Children come after their parents.
@@ -42,8 +42,8 @@ std::vector<double> node_sizes(const Topology& topology, const LeafCorners& leav
 /// Divides pairs of nodes until each is apart along a direction.
 class CutSearch {
   public:
-    CutSearch(const MeshTree& a, const MeshTree& b, const LeafCorners& of_a,
-              const LeafCorners& of_b, double enough)
+    CutSearch(const MeshTree& a, const MeshTree& b, const PlacedCorners& of_a,
+              const PlacedCorners& of_b, double enough)
         : a_(a),
           b_(b),
           of_a_(of_a),
@@ -108,7 +108,7 @@ class CutSearch {
     }
 
     const MeshTree &a_, &b_;
-    const LeafCorners &of_a_, &of_b_;
+    const PlacedCorners &of_a_, &of_b_;
     std::vector<double> sizes_a_, sizes_b_;
     double magnitude_, enough_;
 };
@@ -127,7 +127,8 @@ DistanceCertificate make_certificate(const MeshTree& a, const MeshTree& b, const
     const ProvenDistance proven = check_distance(a, b, b_to_a, certificate);
     const double enough = proven.upper - allowed_width(proven.upper, proven.largest_coordinate) / 4;
     if (!(enough > 0)) return certificate;
-    const LeafCorners leaves_a = leaf_corners(a, nullptr), leaves_b = leaf_corners(b, &b_to_a);
+    const PlacedCorners leaves_a = placed_corners(a, nullptr),
+                        leaves_b = placed_corners(b, &b_to_a);
     CutSearch(a, b, leaves_a, leaves_b, enough).write(certificate);
     return certificate;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/distance/leaf_corners.h"
+#include "core/distance/placed_corners.h"
 #include "scb/distance.h"
 
 namespace scb {

@@ -8,8 +8,11 @@
 #include "core/distance/distance_certificate.h"
 #include "core/geometry/exact_sum.h"
 
-// The checker of certificates. It shares no code with the search, volumes or make_certificate. In
-// comments, u is 2^-53. Each bound leaves room for more roundings than there are.
+// The checker of certificates. It shares no code with the search, volumes or make_certificate.
+//
+// With u = 2^-53, each rounding of a normal number changes it by a factor of 1 - u to 1 + u.
+// Factors such as 1 - 32 u are for more roundings than there are. Numbers below the normal ones are
+// wrong by 2^-1075 at most, a few times: `underflow` is more.
 
 namespace scb {
 namespace {
@@ -20,7 +23,7 @@ constexpr double underflow = 0x1p-1000;
 
 using Product = std::array<double, 2>;
 
-/// The sum, rounded to a relative error of 2^-50.
+/// The sum, to a relative error of 2^-50 or an absolute error of 2^-1074; 0 only if it is 0.
 template <std::size_t N>
 double sum_of_products(const std::array<Product, N>& products) {
     const Dyadic one(1);
@@ -35,7 +38,9 @@ double sum_of_products(const std::array<Product, N>& products) {
     ExactSum sum(lowest, highest);
     for (const auto& [x, y] : products) sum.add(Dyadic(x), Dyadic(y), one);
     const ScaledDouble value = sum.value();
-    return std::ldexp(value.significand, value.exponent);
+    const double rounded = std::ldexp(value.significand, value.exponent);
+    if (rounded != 0 || value.significand == 0) return rounded;
+    return std::copysign(std::numeric_limits<double>::denorm_min(), value.significand);
 }
 
 /// n.(q - p), rounded likewise.
@@ -116,8 +121,9 @@ double proven_gap(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& 
     double highest_of_a = -HUGE_VAL, lowest_of_b = HUGE_VAL;
     for (const Vec3& p : a) highest_of_a = std::max(highest_of_a, dot(n, p));
     for (const Vec3& q : b) lowest_of_b = std::min(lowest_of_b, dot(n, q));
-    // Each of the three terms of a scalar product meets at most three roundings: 3 u (1 + 2 u) of
-    // the sum of their magnitudes.
+    // Each of the three terms of a scalar product meets at most three roundings, so the product is
+    // wrong by at most 3 u (1 + 2 u) of the sum of their magnitudes. The rest of 4 u is for the
+    // roundings of `magnitude` and of the difference below.
     const double error = 4 * unit * magnitude + underflow,
                  length = std::sqrt(squared_norm(n)),  // to 3 u, and at least 1/2
         rough = (lowest_of_b - highest_of_a - error) / length * (1 - 32 * unit);
@@ -131,7 +137,7 @@ double proven_gap(std::span<const Vec3> a, std::span<const Vec3> b, const Vec3& 
 ProvenDistance check_distance(const MeshTree& a, const MeshTree& b, const Pose& b_to_a,
                               const DistanceCertificate& certificate) {
     const auto fail = [](std::string fault) { return ProvenDistance{std::move(fault)}; };
-    const LeafCorners of_a = leaf_corners(a, nullptr), of_b = leaf_corners(b, &b_to_a);
+    const PlacedCorners of_a = placed_corners(a, nullptr), of_b = placed_corners(b, &b_to_a);
     if (!of_a.fault.empty()) return fail("A: " + of_a.fault);
     if (!of_b.fault.empty()) return fail("B: " + of_b.fault);
     ProvenDistance proven;

@@ -1,14 +1,14 @@
-#include "core/distance/leaf_corners.h"
+#include "core/distance/placed_corners.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace scb {
 
-LeafCorners leaf_corners(const MeshTree& tree, const Pose* pose) {
+PlacedCorners placed_corners(const MeshTree& tree, const Pose* pose) {
     const auto& [mesh, topology] = tree;
-    LeafCorners result;
-    const auto fail = [](std::string fault) { return LeafCorners{std::move(fault), {}, 0}; };
+    PlacedCorners result;
+    const auto fail = [](std::string fault) { return PlacedCorners{std::move(fault), {}, 0}; };
     const std::size_t count = mesh.triangles.size();
     if (count == 0 || topology.nodes.empty() || topology.order.size() != count ||
         topology.nodes[0].first != 0 || topology.nodes[0].count != count)

@@ -17,7 +17,7 @@ struct MeshTree {
 };
 
 /// The corners of all triangles, three of each, in the order of the leaves.
-struct LeafCorners {
+struct PlacedCorners {
     std::string fault;  ///< why there are none, or empty
     std::vector<Vec3> corners;
     double largest_coordinate = 0;
@@ -29,6 +29,6 @@ struct LeafCorners {
 
 /// The corners as stored, or, if there is a pose, as transform_point rounds them. Finds the fault
 /// of a mesh that check_mesh refuses, and of a tree whose root has not each triangle once.
-LeafCorners leaf_corners(const MeshTree& tree, const Pose* pose);
+PlacedCorners placed_corners(const MeshTree& tree, const Pose* pose);
 
 }  // namespace scb
