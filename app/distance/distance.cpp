@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -25,6 +26,13 @@ void check(const DistanceCommandOptions& options) {
     if (options.json && options.csv)
         throw InputError("--json and --csv exclude each other; give one of them.");
     check_distance(*options.query.distance);
+    const DistanceOptions& limits = options.query.distance->limits;
+    for (const auto& [name, is_given] : {std::pair("--within", within.has_value()),
+                                         std::pair("--relative-error", limits.relative_error > 0),
+                                         std::pair("--limit", std::isfinite(limits.limit))})
+        if (is_given && options.prove)
+            throw InputError(std::string("--prove certifies the smallest distance, and ") + name +
+                             " asks for another answer; leave one of them out.");
     if (within && options.seeded)
         throw InputError(
             "--seed is of the smallest distance, and --within asks for all triangles within a "
@@ -82,7 +90,8 @@ int run(DistanceCommandOptions& options, const Console& console) {
     if (!options.picture.output.empty() && report.frames() > 0)
         write_distance_plot(options, report, query, console);
     print_result(report.text());
-    if (report.frames() == query.frames.size()) return exit_done;
+    if (report.frames() == query.frames.size())
+        return report.is_proven() ? exit_done : exit_different;
     console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
                  std::to_string(query.frames.size()) + " frames are finished.");
     return exit_interrupted(watch.signal());
@@ -106,6 +115,9 @@ void add_distance(const Command& program, const Console& console, Action& action
     command.add_flag("--seed", options->seeded,
                      "Begin each frame with the closest triangles of the frame before: the same "
                      "distances with fewer tests, whose number then depends on --frames");
+    command.add_flag("--prove", options->prove,
+                     "Certify each distance: a check that does not know the search bounds it from "
+                     "both sides. Exit with 1 if a distance is not certified");
     command
         .add_option("--pairs-out", options->pairs_out,
                     "With --within: write the pairs to this CSV file: numbers of triangles from 0, "

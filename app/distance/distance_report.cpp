@@ -10,6 +10,7 @@
 #include "app/report/scene_report.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
+#include "core/distance/distance_certificate.h"
 
 namespace scb::app {
 namespace {
@@ -30,13 +31,15 @@ std::vector<Cell> found_cells(const Distance& d) {
     return cells;
 }
 
-std::vector<Column> found_columns() {
+std::vector<Column> found_columns(bool with_proof) {
     std::vector<Column> columns = {{"distance", "distance", 12},
                                    {"triangle A", "triangle_a", 11},
                                    {"triangle B", "triangle_b", 11}};
     for (const char* coordinate :
          {"point_a_x", "point_a_y", "point_a_z", "point_b_x", "point_b_y", "point_b_z"})
         columns.push_back({"", coordinate});
+    if (with_proof)
+        for (const char* bound : {"lower", "upper", "certified"}) columns.push_back({"", bound});
     return columns;
 }
 
@@ -54,7 +57,7 @@ DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery
     if (lists_pairs())
         columns.push_back({"pairs", "pairs", 9});
     else
-        for (Column& column : found_columns()) columns.push_back(std::move(column));
+        for (Column& column : found_columns(options.prove)) columns.push_back(std::move(column));
     for (const auto& [title, key] :
          {std::pair("N_v", "n_v"), std::pair("N_p", "n_p"), std::pair("N_u", "n_u")})
         columns.push_back({title, key, 10});
@@ -106,8 +109,30 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     found_ += found.triangles.has_value();
     // A query that ends at the first pair says nothing about the others.
     const bool is_apart = found.triangles ? !options_.first && found.found.distance > 0 : true;
-    add_row(bodies, frame, found, found_cells(found), found_json(found.triangles, found.found),
-            is_apart);
+    Json json = found_json(found.triangles, found.found);
+    std::vector<Cell> cells = found_cells(found);
+    if (options_.prove) {
+        json["proof"] = prove(frame, found);
+        for (const char* bound : {"lower", "upper", "certified"})
+            cells.emplace_back(json["proof"][bound], std::string());
+    }
+    add_row(bodies, frame, found, std::move(cells), std::move(json), is_apart);
+}
+
+Json DistanceReport::prove(int frame, const Distance& found) {
+    const auto tree = [this](std::size_t body) {
+        return MeshTree{query_.mesh(body), topology_of(query_.hierarchy(body))};
+    };
+    const MeshTree a = tree(query_.a), b = tree(query_.b);
+    const Pose b_to_a = query_.b_to_a(frame);
+    const DistanceCertificate certificate = make_certificate(a, b, b_to_a, *found.triangles);
+    const ProvenDistance proven = check_distance(a, b, b_to_a, certificate);
+    const bool is_proven = certifies(proven, found.found.distance);
+    ++(is_proven ? proven_ : not_proven_);
+    return {{"lower", proven.lower},
+            {"upper", proven.upper},
+            {"certified", is_proven},
+            {"directions", certificate.directions.size()}};
 }
 
 void DistanceReport::add_pairs(Bodies& bodies, int frame) {
@@ -140,7 +165,7 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
 
     Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
     const bool is_judged = !judges_inside || bodies.inside.is_judged();
-    const std::string note = app::inside_words(inside);
+    const std::string note = inside_words(inside);
     for (Json& part : inside) part.erase("frame");
     Json signed_distance;
     if (!lists_pairs() && work.triangles && (is_judged || !inside.empty()))
@@ -194,7 +219,7 @@ std::vector<Cell> DistanceReport::mean_cells() const {
     if (lists_pairs())
         cells.push_back(mean(found_));
     else
-        cells.resize(1 + found_columns().size());
+        cells.resize(1 + found_columns(options_.prove).size());
     for (const std::uint64_t sum : {work_.n_v, work_.n_p, work_.n_u}) cells.push_back(mean(sum));
     for (const Stage stage : stages_)
         cells.push_back(mean(work_.stages[static_cast<std::size_t>(stage)]));
@@ -232,7 +257,16 @@ std::string DistanceReport::least_words() {
     return text;
 }
 
-std::string DistanceReport::inside_words() const {
+std::string DistanceReport::proof_words() const {
+    if (!options_.prove) return "";
+    const std::size_t all = proven_ + not_proven_;
+    return "\n" + format("Proven: %zu of %zu ", proven_, all) +
+           (all == 1 ? "distance" : "distances") +
+           ", by bounds that differ by at most 1e-9 of the distance and 4 units in the last place "
+           "of the coordinates.\n";
+}
+
+std::string DistanceReport::inside_text() const {
     std::string claims, doubts;
     for (const Bodies& bodies : bodies_) {
         if (const std::string claim = bodies.inside.claims(frames_); !claim.empty())
@@ -318,7 +352,7 @@ std::string DistanceReport::text() {
     if (options_.json) return json().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (options_.csv) return table_.csv_header() + table_.csv_rows();
     if (frames_ > 1) table_.add(mean_cells());
-    return title() + table_.text() + least_words() + inside_words() + near_words();
+    return title() + table_.text() + least_words() + proof_words() + inside_text() + near_words();
 }
 
 }  // namespace scb::app

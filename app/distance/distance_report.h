@@ -22,7 +22,7 @@ struct DistanceCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
-    bool first = false, seeded = false, json = false, csv = false;
+    bool first = false, seeded = false, prove = false, json = false, csv = false;
     std::string pairs_out;
     PictureOptions picture{.output = ""};  ///< of the plot
 };
@@ -38,6 +38,8 @@ class DistanceReport {
     void add(int frame);
 
     std::size_t frames() const { return frames_; }
+    /// Whether every distance was certified, with --prove.
+    bool is_proven() const { return not_proven_ == 0; }
     /// The pairs within the tolerance, as CSV.
     const std::string& pairs() const { return pairs_; }
     /// The text of all frames so far; to be called once.
@@ -65,14 +67,17 @@ class DistanceReport {
     DistanceOptions limits(const Bodies& bodies) const;
     void add_distance(Bodies& bodies, int frame);
     void add_pairs(Bodies& bodies, int frame);
-    /// Adds a row for the chosen bodies, and its JSON. `inside`: whether bodies without contact are
-    /// to be judged.
+    /// Certifies the distance, and lists the certificate's bounds.
+    nlohmann::ordered_json prove(int frame, const Distance& found);
+    /// Adds a row for the chosen bodies, and its JSON. `judges_inside`: whether bodies without
+    /// contact are to be judged.
     void add_row(Bodies& bodies, int frame, const Distance& work, std::vector<Cell> cells,
                  nlohmann::ordered_json json, bool judges_inside);
     std::vector<Cell> mean_cells() const;
     std::string title() const;
     std::string least_words();
-    std::string inside_words() const;
+    std::string inside_text() const;
+    std::string proof_words() const;
     std::string near_words();
     nlohmann::ordered_json json();
 
@@ -84,9 +89,10 @@ class DistanceReport {
     nlohmann::ordered_json json_frames_ = nlohmann::ordered_json::array();
     std::deque<Bodies> bodies_;  ///< per pair of bodies
     std::optional<Least> least_;
-    std::size_t frames_ = 0;   ///< whole frames
-    std::uint64_t found_ = 0;  ///< pairs of triangles within the tolerance
-    Distance work_;            ///< the sums of the counts
+    std::size_t frames_ = 0;                   ///< whole frames
+    std::size_t proven_ = 0, not_proven_ = 0;  ///< distances
+    std::uint64_t found_ = 0;                  ///< pairs of triangles within the tolerance
+    Distance work_;                            ///< the sums of the counts
 };
 
 }  // namespace scb::app
