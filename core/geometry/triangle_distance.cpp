@@ -69,15 +69,13 @@ PointPair closest(const Vec3& point, const Edge& edge) {
 
 /// The insides of two edges; infinitely far if a corner is as close.
 PointPair closest(const Edge& a, const Edge& b) {
-    const double ab = dot(a.along, b.along),
-                 determinant = a.squared_length * b.squared_length - ab * ab;
-    if (!(determinant > 0)) return {};
-    const Vec3 between = a.from - b.from;
-    const double share =
-        (ab * dot(b.along, between) - b.squared_length * dot(a.along, between)) / determinant;
+    // The determinant of the two products is less exact than their cross product, where edges are
+    // nearly parallel.
+    const Vec3 normal = cross(a.along, b.along);
+    const double squared = squared_norm(normal);
+    if (!(squared > 0)) return {};
+    const double share = dot(normal, cross(b.along, Vec3(a.from - b.from))) / squared;
     if (!is_inside(share)) return {};
-    // Each is projected onto the other's line, since the determinant of nearly parallel edges is
-    // inexact.
     const double of_b = b.nearest(a.at(share));
     if (!is_inside(of_b)) return {};
     const double of_a = a.nearest(b.at(of_b));

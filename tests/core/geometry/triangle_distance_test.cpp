@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/distance/precise_features.h"
 #include "tests/core/geometry/distance_oracle.h"
 #include "tests/core/geometry/triangle_pairs.h"
 
@@ -68,6 +69,58 @@ TEST(TriangleDistanceResult, IsThatOfAnOracleInHigherPrecision) {
     }
     EXPECT_GT(positive, 4'000 / effort);
     EXPECT_GT(worst, 0.05) << "the bound is far too large";
+}
+
+/// Triangles with nearly parallel edges that cross each other nearby.
+TrianglePair nearly_parallel(Random& random) {
+    const auto vector = [&random] {
+        return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    const Vec3 middle = vector(), along = vector();
+    const auto triangle = [&](const Vec3& point, const Vec3& edge) {
+        return TriangleCorners{Vec3(point - random.uniform(0.1, 1) * edge),
+                               Vec3(point + random.uniform(0.1, 1) * edge),
+                               Vec3(point + random.uniform(0, 1) * vector())};
+    };
+    const double tilt = std::pow(10, random.uniform(-9, 0)),
+                 gap = std::pow(10, random.uniform(-12, 0)),
+                 length = std::pow(10, random.uniform(-1, 1));
+    return {triangle(middle, along),
+            triangle(middle + gap * vector(), length * (along + tilt * vector()))};
+}
+
+/// The distance of the points that double-doubles find.
+double precise_distance(const TrianglePair& pair) {
+    const PreciseFeatures closest = precise_features(pair.a, pair.b).front();
+    const auto point = [](const TriangleCorners& t, const std::array<double, 3>& weights,
+                          int axis) {
+        long double sum = 0, all = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum += static_cast<long double>(weights[k]) * t[k][axis];
+            all += weights[k];
+        }
+        return sum / all;
+    };
+    long double squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const long double difference =
+            point(pair.a, closest.weights_a, axis) - point(pair.b, closest.weights_b, axis);
+        squared += difference * difference;
+    }
+    return static_cast<double>(std::sqrt(squared));
+}
+
+TEST(TriangleDistanceResult, IsExactForNearlyParallelEdges) {
+    Random random(3);
+    int tilted = 0;
+    for (int i = 0; i < 20'000 / effort; ++i) {
+        const TrianglePair pair = nearly_parallel(random);
+        const TriangleDistance found = triangle_distance(pair.a, pair.b);
+        if (found.distance == 0) continue;
+        ASSERT_NEAR(found.distance, precise_distance(pair), allowed_error(pair)) << i;
+        ++tilted;
+    }
+    EXPECT_GT(tilted, 8'000 / effort);
 }
 
 TEST(TriangleDistanceResult, IsZeroIfAndOnlyIfTheyIntersect) {
