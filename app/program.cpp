@@ -202,6 +202,7 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     add_collide(root, console, action);
     add_distance(root, console, action);
     add_inside(root, action);
+    add_motion(root, console, action);
     add_bench(root, console, action);
     add_tune(root, console, action);
     add_trace(root, console, action);

@@ -1,6 +1,7 @@
 #include "app/python/binding/collide.h"
 #include "app/python/binding/collide_poses.h"
 #include "app/python/binding/contacts.h"
+#include "app/python/binding/distance.h"
 #include "app/python/binding/errors.h"
 #include "app/python/binding/explain.h"
 #include "app/python/binding/hierarchy.h"
@@ -29,6 +30,7 @@ PYBIND11_MODULE(_scb, module) {
     add_collide(module);
     add_collide_poses(module);
     add_packed(module);
+    add_distance(module);
     add_contacts(module);
     add_explain(module);
     add_queries(module);

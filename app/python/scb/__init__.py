@@ -11,6 +11,8 @@ from . import _scb
 from ._scb import (
     Collision,
     Collisions,
+    Distance,
+    Distances,
     Explanation,
     Hierarchy,
     Image,
@@ -31,6 +33,8 @@ from ._scb import (
     collide,
     collide_poses,
     crossing,
+    distance,
+    distance_poses,
     draw_level,
     draw_pairs,
     explain,
@@ -44,6 +48,7 @@ from ._scb import (
     touches_poses,
     view,
     volume_kinds,
+    within,
 )
 from .errors import (
     DrawError,
@@ -60,6 +65,8 @@ _scb._set_mesh_reader(_os.path.join(_os.path.dirname(_os.path.abspath(__file__))
 __all__ = [
     "Collision",
     "Collisions",
+    "Distance",
+    "Distances",
     "DrawError",
     "Error",
     "Explanation",
@@ -87,6 +94,8 @@ __all__ = [
     "collide",
     "collide_poses",
     "crossing",
+    "distance",
+    "distance_poses",
     "draw_level",
     "draw_pairs",
     "explain",
@@ -100,4 +109,5 @@ __all__ = [
     "touches_poses",
     "view",
     "volume_kinds",
+    "within",
 ]

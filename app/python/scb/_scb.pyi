@@ -126,6 +126,37 @@ class Collisions:
     def __len__(self) -> int: ...
 
 @final
+class Distance:
+    @property
+    def distance(self) -> float: ...
+    @property
+    def triangles(self) -> list[int] | None: ...
+    @property
+    def points(self) -> NDArray[np.float64] | None: ...
+    @property
+    def n_v(self) -> int: ...
+    @property
+    def n_p(self) -> int: ...
+    @property
+    def n_u(self) -> int: ...
+    @property
+    def stages(self) -> dict[str, int]: ...
+
+@final
+class Distances:
+    @property
+    def distance(self) -> NDArray[np.float64]: ...
+    @property
+    def triangles(self) -> NDArray[np.int64]: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def n_v(self) -> NDArray[np.uint64]: ...
+    @property
+    def n_p(self) -> NDArray[np.uint64]: ...
+    def __len__(self) -> int: ...
+
+@final
 class Step:
     @property
     def stage(self) -> str: ...
@@ -370,6 +401,29 @@ def touches_poses(
 def crossing(
     a: Mesh, b: Mesh, pairs: ArrayLike, pose: ArrayLike | None = None
 ) -> NDArray[np.bool_]: ...
+def distance(
+    a: Hierarchy,
+    b: Hierarchy,
+    pose: ArrayLike | None = None,
+    *,
+    order: str = "hybrid",
+    limit: float = ...,
+    relative_error: float = 0.0,
+    seed: Sequence[int] | None = None,
+) -> Distance: ...
+def distance_poses(
+    a: Hierarchy,
+    b: Hierarchy,
+    poses: ArrayLike,
+    *,
+    threads: int = 0,
+    order: str = "hybrid",
+    limit: float = ...,
+    relative_error: float = 0.0,
+) -> Distances: ...
+def within(
+    a: Hierarchy, b: Hierarchy, tolerance: float, pose: ArrayLike | None = None
+) -> NDArray[np.uint32]: ...
 def explain(
     a: Hierarchy,
     node_a: int,
