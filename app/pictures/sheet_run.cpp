@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/text_format.h"
 #include "render/draw/image_operations.h"
 #include "render/overlay/figure_layout.h"
 
@@ -54,7 +55,11 @@ void SheetRun::add(render::Image view_of_cell, const nlohmann::ordered_json& ent
     if (!entry.contains("tests") || !one_frame) cell.caption = "frame " + entry["frame"].dump();
     if (entry.contains("tests"))
         cell.caption += (cell.caption.empty() ? "test " : ", test ") + count("tests");
-    cell.value = count("pairs") + (entry.value("pairs", 0) == 1 ? " pair" : " pairs");
+    if (entry.contains("distance"))
+        cell.value = entry["distance"].is_null() ? std::string("none")
+                                                 : format("%.6g", entry["distance"].get<double>());
+    else
+        cell.value = count("pairs") + (entry.value("pairs", 0) == 1 ? " pair" : " pairs");
     cell.details = {"N_v " + count("n_v"), "N_p " + count("n_p")};
     cell.scale_end = scale_end;
     cell.view = std::move(view_of_cell);

@@ -1,5 +1,6 @@
 #include "app/report/trace_report.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/analysis/trace_words.h"
@@ -53,6 +54,19 @@ Json trace_header_json(const TraceHeader& header) {
     result["growth"] = ball_growth_name(header.growth);
     result["margin"] = header.margin;
     result["split"] = split_method_name(header.split);
+    if (is_of_distance(header.kind)) {
+        result["query"] = query_kind_name(header.kind);
+        result["descent"] = descent_rule_name(header.options.descent);
+        if (header.kind == QueryKind::within) {
+            result["tolerance"] = header.tolerance;
+            return result;
+        }
+        result["order"] = distance_order_name(header.distance.order);
+        result["relative_error"] = header.distance.relative_error;
+        const double limit = header.distance.limit;
+        result["limit"] = std::isfinite(limit) ? Json(limit) : Json();
+        return result;
+    }
     if (header.volume == VolumeKind::scb) {
         result["test"] = overlap_test_name(header.options.overlap.test);
         if (has_threshold(header.options.overlap.test))

@@ -56,7 +56,7 @@ std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTr
     if (!frame.nearest || frame.nearest->distance == 0) return {};
     const Vec3 middle = 0.5 * (frame.nearest->point_a + frame.nearest->point_b);
     return {{transform_point(bodies[0].pose, middle), number(frame.nearest->distance), theme.text,
-             true}};
+             transform_point(bodies[0].pose, frame.nearest->point_b)}};
 }
 
 std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,

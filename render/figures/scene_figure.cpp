@@ -1,6 +1,7 @@
 #include "render/figures/scene_figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scb::render {
@@ -87,6 +88,21 @@ bool meet(const PixelRect& a, const PixelRect& b) {
            b.y < a.y + a.height;
 }
 
+/// The way from the point of a label to its middle, so that the label is above its line.
+ScreenPosition beside_line(const Camera& camera, const PixelRect& view, const SceneLabel& label,
+                           const Vec3& at, const TextSize& size, int unit) {
+    if (!label.line_end) return {};
+    const Vec3 end = project(camera, *label.line_end, view.width, view.height);
+    double x = end[1] - at[1], y = at[0] - end[0];
+    const double length = std::sqrt(x * x + y * y);
+    if (!(length > 0)) return {0, -1.5 * unit};
+    if (y > 0) x = -x, y = -y;
+    x /= length, y /= length;
+    const double distance =
+        (std::abs(x) * size.width + std::abs(y) * size.height) / 2 + 3 * unit / 4.0;
+    return {x * distance, y * distance};
+}
+
 void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& figure, int unit) {
     const Theme& theme = *figure.theme;
     const TextStyle style{small_size(unit), FontWeight::bold, theme.text, Align::center};
@@ -98,8 +114,9 @@ void draw_labels(Overlay& overlay, const PixelRect& view, const SceneFigure& fig
             at[2] > 0 && at[0] >= 0 && at[0] <= view.width && at[1] >= 0 && at[1] <= view.height;
         if (!is_in_view) continue;
         const TextSize size = overlay.measure(label.text, style);
-        const int x = view.x + static_cast<int>(at[0]),
-                  y = view.y + static_cast<int>(at[1]) - (label.is_above ? 3 * unit / 2 : 0);
+        const ScreenPosition aside = beside_line(figure.pane.camera, view, label, at, size, unit);
+        const int x = view.x + static_cast<int>(at[0] + aside.x),
+                  y = view.y + static_cast<int>(at[1] + aside.y);
         const PixelRect box{x - size.width / 2 - pad, y - size.height / 2, size.width + 2 * pad,
                             size.height};
         if (box.x < view.x || box.y < view.y || box.x + box.width > view.x + view.width ||

@@ -27,8 +27,9 @@ struct SceneMarker {
 struct SceneLabel {
     Vec3 at = Vec3::Zero();
     std::string text;
-    Rgba8 frame;            ///< of the panel
-    bool is_above = false;  ///< above its point, which stays visible
+    Rgba8 frame;  ///< of the panel
+    /// An end of a line through the point: the label is beside the line, and does not cover it.
+    std::optional<Vec3> line_end = std::nullopt;
 };
 
 /// A picture with one view of the scene: heading, view, panel of numbers, scale bar.

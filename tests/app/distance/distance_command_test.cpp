@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "render/files/image_file.h"
 #include "tests/app/program.h"
 
 namespace scb::app {
@@ -141,7 +142,7 @@ TEST_F(DistanceCommand, SaysWhereBodiesAreNearest) {
 }
 
 TEST_F(DistanceCommand, NamesBodiesOfSeveralPairs) {
-    write("scene.json", R"({"format": 1, "models": [
+    write("scene.json", R"({"scb_scene": 1, "name": "nuts", "models": [
         {"name": "large", "icosphere": {"subdivisions": 2, "radius": 1}},
         {"name": "small", "icosphere": {"subdivisions": 1, "radius": 0.2}}],
         "bodies": [{"name": "left", "model": "large"},
@@ -173,6 +174,35 @@ TEST_F(DistanceCommand, TableAndCsvAgreeWithJson) {
     }
 }
 
+TEST_F(DistanceCommand, ProvesEachDistance) {
+    const std::string scene = "spheres-l1 --frames 0,2,100,250 --prove";
+    for (const json& frame : json_of(scene)["frames"]) {
+        const json& proof = frame["proof"];
+        EXPECT_EQ(proof["certified"], true);
+        const double distance = frame["distance"], lower = proof["lower"], upper = proof["upper"];
+        EXPECT_NEAR(lower, distance, 1e-9 * distance + 1e-14);
+        EXPECT_NEAR(upper, distance, 1e-9 * distance + 1e-14);
+        EXPECT_LE(lower, upper);
+        EXPECT_EQ(proof["directions"] == 0, distance == 0);
+    }
+    const std::string text = run_scb("distance " + scene).out;
+    EXPECT_NE(text.find("Proven: 4 of 4 distances"), std::string::npos) << text;
+    EXPECT_NE(lines(run_scb("distance " + scene + " --csv").out)[0].find(",lower,upper,certified,"),
+              std::string::npos);
+}
+
+TEST_F(DistanceCommand, PlotsDistancesOverFrames) {
+    const std::string out = (folder_.path / "plot").string();
+    const ProgramRun run =
+        run_scb("distance spheres-l1 --frames 0:10 --svg --size 640x360 -o " + out);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string name = out + "/spheres-l1_distance_frames-0-to-10_size-640x360.";
+    EXPECT_EQ(render::read_png(name + "png").width, 640);
+    const std::string svg = file_text(name + "svg");
+    EXPECT_NE(svg.find("in contact"), std::string::npos);
+    EXPECT_NE(svg.find("distance, in units of the mesh"), std::string::npos);
+}
+
 TEST_F(DistanceCommand, RefusesOptionsWithoutMeaning) {
     const auto error = [](const std::string& options) {
         const ProgramRun run = run_scb("distance spheres-l1 " + options);
@@ -187,6 +217,9 @@ TEST_F(DistanceCommand, RefusesOptionsWithoutMeaning) {
     EXPECT_NE(error("--within 1 --relative-error 0.1").find("--relative-error"), std::string::npos);
     EXPECT_NE(error("--relative-error -0.1").find("0 or more"), std::string::npos);
     EXPECT_NE(error("--limit nan").find("0 or more"), std::string::npos);
+    EXPECT_NE(error("--prove --within 1").find("--within"), std::string::npos);
+    EXPECT_NE(error("--prove --relative-error 0.1").find("--relative-error"), std::string::npos);
+    EXPECT_NE(error("--within 1 -o plots").find("-o"), std::string::npos);
     EXPECT_NE(error("--json --csv").find("--csv"), std::string::npos);
     EXPECT_NE(error("--bodies A,A").find("name two bodies"), std::string::npos);
     EXPECT_NE(error("--order best").find("depth-first"), std::string::npos);

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-const char* const cube =
+const char* const moved_cube =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n"
     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
@@ -18,7 +18,7 @@ class MotionCommand : public testing::Test {
     TemporaryFolder folder_;
     const Surroundings here_{folder_.path.string(), {}};
 
-    void SetUp() override { write_text(folder_.path / "cube.obj", cube); }
+    void SetUp() override { write_text(folder_.path / "cube.obj", moved_cube); }
     json motion(const std::string& poses, const std::string& options = "") const {
         write_text(folder_.path / "log.csv", poses);
         const ProgramRun run =
