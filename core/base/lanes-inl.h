@@ -58,6 +58,7 @@ struct Lanes {
     friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return {hn::Add(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return {hn::Sub(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return {hn::Mul(a.v, b.v)}; }
+    friend HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return {hn::Div(a.v, b.v)}; }
     friend HWY_INLINE Lanes operator-(Lanes a) { return {hn::Neg(a.v)}; }
     friend HWY_INLINE Lanes abs(Lanes a) { return {hn::Abs(a.v)}; }
     friend HWY_INLINE Lanes sqrt(Lanes a) { return {hn::Sqrt(a.v)}; }

@@ -182,12 +182,12 @@ Distance observed_distance(const Collider<V>& a, const Collider<V>& b, const Pos
     DistancePolicy<V> policy(a, b, b_to_a, options, result);
     if (policy.is_done()) return result;
     if (options.order == DistanceOrder::depth_first) {
-        KeyedDepthFirst<O, GapKey> pending;
+        KeyedDepthFirst<KeyedPair<O, GapKey>> pending;
         traverse_by_key(policy, observer, pending);
     } else {
         const bool is_hybrid = options.order == DistanceOrder::hybrid;
-        LeastFirst<O, GapKey> pending(is_hybrid ? options.heap
-                                                : std::numeric_limits<std::size_t>::max());
+        LeastFirst<KeyedPair<O, GapKey>> pending(
+            is_hybrid ? options.heap : std::numeric_limits<std::size_t>::max());
         traverse_by_key(policy, observer, pending);
     }
     result.n_v = test_count(result.stages);
@@ -201,7 +201,7 @@ Collision observed_within(const Collider<V>& a, const Collider<V>& b, const Pose
     assert(tolerance >= 0 && "a distance");
     Collision result;
     WithinPolicy<V> policy(a, b, b_to_a, tolerance, descent, result);
-    KeyedDepthFirst<O, GapKey> pending;
+    KeyedDepthFirst<KeyedPair<O, GapKey>> pending;
     traverse_by_key(policy, observer, pending);
     result.n_v = test_count(result.stages);
     result.n_u = result.n_v * transforms_per_gap<V>();

@@ -108,6 +108,22 @@ PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, 
     });
 }
 
+PackedDistance distance_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a,
+                               const DistanceOptions& options, SimdLevel level) {
+    return of_sides(a, mesh_a, b, mesh_b, [&](const auto& side_a, const auto& side_b) {
+        return distance_packed(side_a, side_b, b_to_a, options, level);
+    });
+}
+
+PackedWithin within_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                           const Mesh& mesh_b, const Pose& b_to_a, double tolerance,
+                           SimdLevel level) {
+    return of_sides(a, mesh_a, b, mesh_b, [&](const auto& side_a, const auto& side_b) {
+        return within_packed(side_a, side_b, b_to_a, tolerance, level);
+    });
+}
+
 std::string validate(const AnyPacked& packed, const Mesh& mesh) {
     return std::visit([&](const auto& some) { return validate(some, mesh); }, packed);
 }

@@ -12,6 +12,7 @@
 #include "core/packed/grown_slab.h"
 #include "core/packed/packed_query.h"
 #include "core/packed/packed_steps.h"
+#include "core/packed/query_sides.h"
 
 namespace scb {
 
@@ -163,19 +164,6 @@ void run(const AnyQuery& query, Work& work, std::vector<Work>& chunks, int threa
         finish_in_threads(query, work, chunks, threads, limit);
     else
         finish(query, work, limit);
-}
-
-template <class Codec>
-PackedLeaves leaves_of(const PackedCollider<Codec>& side) {
-    const bool stored = side.hierarchy.corners == LeafCorners::stored;
-    return {side.hierarchy.leaves.data(), stored ? nullptr : &side.mesh};
-}
-
-// As in query_placement, since the margin is the margin of the reference's volumes.
-template <class Codec>
-Placement placement_of(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
-                       const Pose& b_to_a) {
-    return placement(b_to_a, 4 * a.hierarchy.reach, 4 * b.hierarchy.reach);
 }
 
 /// A query, which makes a front if the skin is more than 0.

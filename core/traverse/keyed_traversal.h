@@ -25,20 +25,23 @@ struct KeyedPair {
     }
 };
 
-/// Divides the pair first that was added last; of the two pairs of a division, the lesser.
-template <class O, class Key>
+// The two orders below hold items with operator<, such as KeyedPair.
+
+/// Divides the pair first that was added last; of the pairs of a division, the least.
+template <class Item>
 class KeyedDepthFirst {
   public:
     bool empty() const { return pending_.empty(); }
     /// The pairs that follow are children of one pair.
     void begin_division() { first_child_ = pending_.size(); }
-    void push(const KeyedPair<O, Key>& pair) {
-        pending_.push_back(pair);
-        if (pending_.size() == first_child_ + 2 && pending_[first_child_] < pair)
-            std::swap(pending_[first_child_], pending_.back());
+    void push(const Item& item) {
+        pending_.push_back(item);
+        for (std::size_t i = pending_.size() - 1; i > first_child_ && pending_[i - 1] < pending_[i];
+             --i)
+            std::swap(pending_[i - 1], pending_[i]);
     }
-    KeyedPair<O, Key> pop() {
-        const KeyedPair<O, Key> last = pending_.back();
+    Item pop() {
+        const Item last = pending_.back();
         pending_.pop_back();
         return last;
     }
@@ -46,28 +49,28 @@ class KeyedDepthFirst {
     void skip() {}
 
   private:
-    std::vector<KeyedPair<O, Key>> pending_;
+    std::vector<Item> pending_;
     std::size_t first_child_ = 0;
 };
 
 /// Divides the least pair first, until `most` pairs wait; then each of them depth first.
-template <class O, class Key>
+template <class Item>
 class LeastFirst {
   public:
     explicit LeastFirst(std::size_t most) : most_(most) {}
 
     bool empty() const { return heap_.empty() && stack_.empty(); }
     void begin_division() { stack_.begin_division(); }
-    void push(const KeyedPair<O, Key>& pair) {
-        if (heap_.size() >= most_) return stack_.push(pair);
-        heap_.push_back(pair);
+    void push(const Item& item) {
+        if (heap_.size() >= most_) return stack_.push(item);
+        heap_.push_back(item);
         std::push_heap(heap_.begin(), heap_.end(), follows);
     }
-    KeyedPair<O, Key> pop() {
+    Item pop() {
         from_heap_ = stack_.empty();
         if (!from_heap_) return stack_.pop();
         std::pop_heap(heap_.begin(), heap_.end(), follows);
-        const KeyedPair<O, Key> least = heap_.back();
+        const Item least = heap_.back();
         heap_.pop_back();
         return least;
     }
@@ -77,11 +80,11 @@ class LeastFirst {
     }
 
   private:
-    static bool follows(const KeyedPair<O, Key>& x, const KeyedPair<O, Key>& y) { return y < x; }
+    static bool follows(const Item& x, const Item& y) { return y < x; }
 
     std::size_t most_;
-    std::vector<KeyedPair<O, Key>> heap_;
-    KeyedDepthFirst<O, Key> stack_;
+    std::vector<Item> heap_;
+    KeyedDepthFirst<Item> stack_;
     bool from_heap_ = false;
 };
 

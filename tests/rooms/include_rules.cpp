@@ -26,7 +26,8 @@ const std::map<std::string, Floors> rooms = {
       {"hierarchy"},
       {"explain", "traverse"},
       {"collide"},
-      {"packed", "distance"},
+      {"distance"},
+      {"packed"},
       {"model"},
       {"analysis"},
       {"judge"}}},
@@ -61,7 +62,7 @@ const std::map<std::string, std::vector<std::string>> public_headers = {
     {"distance", {"distance", "any_distance"}},
     {"packed",
      {"packed_scb", "packed_scb2", "node_codec", "packed_layout", "packed_hierarchy",
-      "packed_front", "packed_collide", "any_packed"}},
+      "packed_front", "packed_collide", "packed_distance", "any_packed"}},
 };
 
 std::optional<std::size_t> floor_of(const Floors& floors, const std::string& room) {

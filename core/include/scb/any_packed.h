@@ -2,6 +2,7 @@
 
 #include "scb/any_hierarchy.h"
 #include "scb/packed_collide.h"
+#include "scb/packed_distance.h"
 #include "scb/packed_layout.h"
 
 namespace scb {
@@ -46,12 +47,31 @@ PackedTouch touches(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b, 
                     const Pose& b_to_a, const PackedOptions& options = {},
                     PackedWorkspace* workspace = nullptr, PackedFront* front = nullptr);
 
+/// `distance_packed` for hierarchies of one layout. Throws InputError where A and B have different
+/// layouts or volumes.
+PackedDistance distance_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                               const Mesh& mesh_b, const Pose& b_to_a,
+                               const DistanceOptions& options = {},
+                               SimdLevel level = SimdLevel::best);
+
+/// `within_packed` for hierarchies of one layout. Throws InputError where A and B have different
+/// layouts or volumes.
+PackedWithin within_packed(const AnyPacked& a, const Mesh& mesh_a, const AnyPacked& b,
+                           const Mesh& mesh_b, const Pose& b_to_a, double tolerance,
+                           SimdLevel level = SimdLevel::best);
+
 /// Hierarchies of a known layout would be copied into AnyPacked: give PackedColliders instead.
 template <class Codec, class... Rest>
 PackedCollision collide_packed(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
 /// The same.
 template <class Codec, class... Rest>
 PackedTouch touches(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
+/// The same.
+template <class Codec, class... Rest>
+PackedDistance distance_packed(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
+/// The same.
+template <class Codec, class... Rest>
+PackedWithin within_packed(const PackedHierarchy<Codec>& a, const Rest&...) = delete;
 
 /// `validate` for any layout.
 std::string validate(const AnyPacked& packed, const Mesh& mesh);

@@ -1,0 +1,154 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_GAP_TRAVERSAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_GAP_TRAVERSAL_INL_H_
+#undef SCB_CORE_GAP_TRAVERSAL_INL_H_
+#else
+#define SCB_CORE_GAP_TRAVERSAL_INL_H_
+#endif
+
+#include <bit>
+
+#include "core/packed/gap_kernel-inl.h"
+#include "core/packed/leaf_pairs-inl.h"
+#include "core/packed/near_search.h"
+#include "core/packed/triangle_gap-inl.h"
+#include "core/traverse/keyed_traversal.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// A pair that waits for its division.
+struct NearPair {
+    float key;  ///< see gap_key
+    PackedRef a, b;
+
+    /// By key, then by the nodes, so that the order is the same with every library.
+    friend bool operator<(const NearPair& x, const NearPair& y) {
+        if (x.key != y.key) return x.key < y.key;
+        return x.a.bits != y.a.bits ? x.a.bits < y.a.bits : x.b.bits < y.b.bits;
+    }
+};
+
+/// The traversal of two packed hierarchies by distance, compiled for one layout. Of a pair of
+/// nodes, the larger is divided: all its children are tested with the other at once.
+template <class Codec>
+class GapTraversal {
+  public:
+    GapTraversal(const PackedQuery<Codec>& query, const LeafQuery& leaves, std::size_t heap,
+                 NearSearch& search)
+        : a_(*query.a),
+          b_(*query.b),
+          placed_(*query.placed),
+          leaf_pairs_(leaves, open_, leaf_findings_),
+          pending_(heap),
+          search_(search) {}
+
+    void run() {
+        pending_.push({0, a_.root, b_.root});
+        while (!pending_.empty() && !search_.is_done) {
+            const NearPair next = pending_.pop();
+            if (next.key <= search_.limit)
+                divide(next.a, next.b);
+            else
+                pending_.skip();
+        }
+        search_.n_bounded += leaf_findings_.n_p;
+    }
+
+  private:
+    using Node = PackedNode<Codec>;
+    using Volume = typename Codec::Decoded;
+    static constexpr int W = child_lanes<Codec::width>;
+    using Part = ChildLanes<Codec>;
+    static constexpr int n = Part::n;
+
+    HWY_INLINE Lanes<n> margin(const Offset& o) const {
+        return Lanes<n>::all(gap_bound<Volume> * float_unit * o.length + placed_.double_error);
+    }
+    static HWY_INLINE Volume centered(Volume volume) {
+        volume.c[0] = volume.c[1] = volume.c[2] = 0;
+        return volume;
+    }
+    static HWY_INLINE Volume own(const PackedHierarchy<Codec>& side, PackedRef ref) {
+        return ref.is_leaf() ? side.leaf(ref).template own<Volume>() : side.nodes[ref.index()].own;
+    }
+
+    HWY_INLINE void divide(PackedRef i, PackedRef j) {
+        if (i.is_leaf() && j.is_leaf()) return test_triangles(i, j);
+        const Volume a = own(a_, i), b = own(b_, j);
+        if (j.is_leaf() || (!i.is_leaf() && a.r >= b.r))
+            divide_a(i, j, b);
+        else
+            divide_b(i, a, j);
+    }
+
+    HWY_INLINE void divide_a(PackedRef i, PackedRef j, const Volume& b) {
+        const Node& a = a_.nodes[i.index()];
+        const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
+        const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
+        float keys[W];
+        for (int first = 0; first < W; first += n)
+            gap(load_children(a.volumes, first), of_b, margin(o)).store(keys + first);
+        push(a, keys, [&](PackedRef child) { return std::pair(child, j); });
+    }
+
+    HWY_INLINE void divide_b(PackedRef i, const Volume& a, PackedRef j) {
+        const Node& b = b_.nodes[j.index()];
+        const Offset o = offset(placed_, a.c, a.r, b.own.c, b.reach);
+        const Part of_a = Part::all(centered(a));
+        float keys[W];
+        for (int first = 0; first < W; first += n)
+            gap(of_a, placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t)),
+                margin(o))
+                .store(keys + first);
+        push(b, keys, [&](PackedRef child) { return std::pair(i, child); });
+    }
+
+    template <class PairOf>
+    HWY_INLINE void push(const Node& divided, const float* keys, PairOf pair_of) {
+        search_.n_v += divided.count;
+        pending_.begin_division();
+        const float limit = search_.limit;
+        for (std::uint32_t k = 0; k < divided.count; ++k) {
+            if (!(keys[k] <= limit)) continue;
+            const auto [a, b] = pair_of({divided.child[k]});
+            pending_.push({keys[k], a, b});
+        }
+    }
+
+    void test_triangles(PackedRef i, PackedRef j) {
+        leaf_pairs_.for_each_part(
+            i.bits, j.bits,
+            [this]<int m>(const TrianglePairs<m>& pairs, std::uint32_t valid, const PackedLeaf& a,
+                          const PackedLeaf& b, int first) HWY_ATTR {
+                const TriangleGap<m> gap = triangle_gap(pairs);
+                float least[m], most[m];
+                gap.least.store(least);
+                gap.most.store(most);
+                valid &= low_bits(m);
+                for (; valid != 0; valid &= valid - 1) {
+                    const int k = std::countr_zero(valid), lane = first + k;
+                    if (!(least[k] <= search_.limit)) continue;
+                    constexpr int side = most_leaf_triangles;
+                    search_.take({a.triangle(static_cast<std::size_t>(lane % side)),
+                                  b.triangle(static_cast<std::size_t>(lane / side))},
+                                 least[k], most[k]);
+                }
+            });
+    }
+
+    const PackedHierarchy<Codec>&a_, &b_;
+    const FloatPlacement placed_;
+    OpenPairs open_;  // not used: LeafPairs needs them to decide pairs that may intersect
+    PackedFindings leaf_findings_;
+    LeafPairs leaf_pairs_;
+    LeastFirst<NearPair> pending_;
+    NearSearch& search_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif

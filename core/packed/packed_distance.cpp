@@ -1,0 +1,184 @@
+#include "scb/packed_distance.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/packed/each_codec.h"
+#include "core/packed/grown_slab.h"
+#include "core/packed/near_search.h"
+#include "core/packed/query_sides.h"
+
+namespace scb {
+namespace {
+
+/// A query, independent of the types of its hierarchies.
+struct NearQuery {
+    AnyPackedQuery nodes;
+    LeafQuery leaves;
+    const Mesh &a, &b;
+    const Pose& b_to_a;
+    SimdLevel level;
+
+    TriangleDistance distance_of(IndexPair pair) const {
+        return triangle_distance(corners(a, pair.a), transform_corners(b_to_a, corners(b, pair.b)));
+    }
+};
+
+/// Finds the least distance among pairs that have bounds. A pair whose lower bound is above the
+/// least upper bound is not the nearest. Of the others, distances are computed at the end, when
+/// few are left.
+class LeastDistance {
+  public:
+    LeastDistance(const NearQuery& query, const DistanceOptions& options, NearSearch& search,
+                  PackedDistance& result)
+        : query_(query), options_(options), search_(search), result_(result) {
+        if (options.seed) measure(*options.seed);
+        update();
+        search.take = [this](IndexPair pair, float least, float most) { take(pair, least, most); };
+    }
+
+    void finish() {
+        if (search_.is_done) return;
+        drop_far();
+        std::sort(waiting_.begin(), waiting_.end());
+        for (const Waiting& next : waiting_) {
+            if (static_cast<double>(next.least) > limit() || search_.is_done) break;
+            measure(next.pair);
+        }
+    }
+
+  private:
+    struct Waiting {
+        float least;
+        IndexPair pair;
+
+        friend bool operator<(const Waiting& x, const Waiting& y) {
+            return x.least != y.least ? x.least < y.least : x.pair < y.pair;
+        }
+    };
+
+    void take(IndexPair pair, float least, float most) {
+        // Triangles that may intersect, or be as near as the query asks, may end it.
+        if (least <= 0 || static_cast<double>(least) <= options_.enough) {
+            measure(pair);
+        } else {
+            most_ = std::min(most_, static_cast<double>(most));
+            waiting_.push_back({least, pair});
+            if (waiting_.size() >= crowded_) drop_far();
+        }
+        update();
+    }
+    void drop_far() {
+        std::erase_if(waiting_, [this](const Waiting& pair) {
+            return static_cast<double>(pair.least) > limit();
+        });
+        crowded_ = std::max(crowded_, 2 * waiting_.size());
+    }
+    double limit() const { return std::min(most_, options_.limit); }
+    void update() {
+        search_.limit =
+            float_above(std::min(most_ / (1 + options_.relative_error), options_.limit));
+    }
+
+    void measure(IndexPair pair) {
+        ++result_.n_p;
+        const TriangleDistance found = query_.distance_of(pair);
+        const double best = result_.found.distance;
+        const bool is_nearer =
+            found.distance < best ||
+            (found.distance == best && result_.triangles && pair < *result_.triangles);
+        if (!is_nearer || found.distance > options_.limit) return;
+        result_.found = found;
+        result_.triangles = pair;
+        most_ = std::min(most_, found.distance);
+        search_.is_done = found.distance == 0 || found.distance <= options_.enough;
+    }
+
+    const NearQuery& query_;
+    const DistanceOptions& options_;
+    NearSearch& search_;
+    PackedDistance& result_;
+    double most_ = HUGE_VAL;  ///< an upper bound of the least distance
+    std::vector<Waiting> waiting_;
+    std::size_t crowded_ = 64;
+};
+
+/// The size of the heap that makes this order.
+std::size_t heap_of(const DistanceOptions& options) {
+    if (options.order == DistanceOrder::depth_first) return 0;
+    if (options.order == DistanceOrder::hybrid) return options.heap;
+    return std::numeric_limits<std::size_t>::max();
+}
+
+PackedDistance least_distance(const NearQuery& query, const DistanceOptions& options) {
+    assert(options.relative_error >= 0 && "see DistanceOptions");
+    PackedDistance result;
+    NearSearch search;
+    LeastDistance least(query, options, search, result);
+    find_near(query.nodes, query.leaves, query.level, heap_of(options), search);
+    least.finish();
+    result.n_v = search.n_v;
+    result.n_bounded = search.n_bounded;
+    return result;
+}
+
+PackedWithin all_within(const NearQuery& query, double tolerance) {
+    assert(tolerance >= 0 && "a distance");
+    PackedWithin result;
+    NearSearch search;
+    search.limit = float_above(tolerance);
+    search.take = [&](IndexPair pair, float, float most) {
+        if (static_cast<double>(most) > tolerance) {
+            ++result.n_p;
+            if (query.distance_of(pair).distance > tolerance) return;
+        }
+        result.pairs.push_back(pair);
+    };
+    find_near(query.nodes, query.leaves, query.level, 0, search);
+    result.n_v = search.n_v;
+    result.n_bounded = search.n_bounded;
+    std::sort(result.pairs.begin(), result.pairs.end());
+    return result;
+}
+
+/// `placed`: see placement_of.
+template <class Codec>
+NearQuery near_query(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                     const Placement& placed, SimdLevel level) {
+    return {PackedQuery<Codec>{&a.hierarchy, &b.hierarchy, &placed},
+            {leaves_of(a), leaves_of(b), &placed},
+            a.mesh,
+            b.mesh,
+            placed.b_to_a,
+            level};
+}
+
+}  // namespace
+
+template <class Codec>
+PackedDistance distance_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                               const Pose& b_to_a, const DistanceOptions& options,
+                               SimdLevel level) {
+    const Placement placed = placement_of(a, b, b_to_a);
+    return least_distance(near_query(a, b, placed, level), options);
+}
+
+template <class Codec>
+PackedWithin within_packed(const PackedCollider<Codec>& a, const PackedCollider<Codec>& b,
+                           const Pose& b_to_a, double tolerance, SimdLevel level) {
+    const Placement placed = placement_of(a, b, b_to_a);
+    return all_within(near_query(a, b, placed, level), tolerance);
+}
+
+#define SCB_DISTANCE(...)                                                                        \
+    template PackedDistance distance_packed(const PackedCollider<__VA_ARGS__>&,                  \
+                                            const PackedCollider<__VA_ARGS__>&, const Pose&,     \
+                                            const DistanceOptions&, SimdLevel);                  \
+    template PackedWithin within_packed(const PackedCollider<__VA_ARGS__>&,                      \
+                                        const PackedCollider<__VA_ARGS__>&, const Pose&, double, \
+                                        SimdLevel);
+SCB_FOR_EACH_CODEC(SCB_DISTANCE)
+#undef SCB_DISTANCE
+
+}  // namespace scb

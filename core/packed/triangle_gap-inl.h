@@ -1,0 +1,153 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_TRIANGLE_GAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_TRIANGLE_GAP_INL_H_
+#undef SCB_CORE_TRIANGLE_GAP_INL_H_
+#else
+#define SCB_CORE_TRIANGLE_GAP_INL_H_
+#endif
+
+#include "core/packed/triangle_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+// The distance of two triangles in floats, between two bounds. Two points of the triangles that
+// are nearly the closest give both: their distance is an upper bound, and the gap along the vector
+// between them is a lower bound. Both are valid for any two points, so how these are found needs
+// no proof: where they are bad, the bounds are merely far apart.
+//
+// Errors, in the notation of triangle_kernel-inl.h. Along a vector v, an edge or the offset is off
+// by |v| sqrt(3) e for its coordinates, and by |v| 3 sqrt(3) u D for the dot product; sums and the
+// division by |v| add less than 6 sqrt(3) u D. The point s p1 + t p2, as computed, is off from one
+// of the triangle by less than sqrt(3) (e_p + 6 u D_p): s, t and 1 - s - t are at least -2 u. The
+// difference of the points, its length and the rest are below 6 sqrt(3) u D. With 12 for 9 or
+// less, each bound is off by at most
+//   sqrt(3) (e_p + e_f + e_w) + 12 sqrt(3) u (D_p + D_f + D_w).
+// D_p + D_f + D_w is at most 3 times the length of the Offset of the leaves, and e_w at least 6.2 u
+// times it, see `offset_error`. So the second term is at most 10.1 e_w.
+inline constexpr float gap_edges = 1.8f, gap_offset = 12.2f;
+/// Products of shorter vectors may lose digits to the least exponent of floats: these count as
+/// vectors without a direction, and others as off by this.
+inline constexpr float shortest_gap = 0x1p-50f, gap_underflow = 0x1p-90f;
+
+/// Bounds of the distance of n pairs; `least` may be below 0.
+template <int n>
+struct TriangleGap {
+    Lanes<n> least, most;
+};
+
+/// The shortest of some vectors.
+template <int n>
+struct ShortestVector {
+    Lanes3<n> v;
+    Lanes<n> squared;
+
+    HWY_INLINE void take(const Lanes3<n>& other, Lanes<n> other_squared) {
+        const LaneMask<n> shorter = other_squared < squared;
+        v = {select(shorter, other.x, v.x), select(shorter, other.y, v.y),
+             select(shorter, other.z, v.z)};
+        squared = min(squared, other_squared);
+    }
+};
+
+template <int n>
+HWY_INLINE Lanes3<n> scaled(Lanes<n> share, const Lanes3<n>& v) {
+    return {share * v.x, share * v.y, share * v.z};
+}
+template <int n>
+HWY_INLINE Lanes<n> share_of_one(Lanes<n> x) {
+    return min(max(x, Lanes<n>::all(0)), Lanes<n>::all(1));
+}
+
+/// An edge: its first end, the vector to the other, and 1 over the squared length.
+template <int n>
+struct LaneEdge {
+    Lanes3<n> from, along;
+    Lanes<n> squared, inverse;
+
+    HWY_INLINE LaneEdge(const Lanes3<n>& first, const Lanes3<n>& vector)
+        : from(first),
+          along(vector),
+          squared(dot(vector, vector)),
+          inverse(Lanes<n>::all(1) / max(squared, Lanes<n>::all(0x1p-120f))) {}
+};
+
+/// A triangle for its distances from points: a corner, two edges from there, and 1 over the
+/// determinant of their products.
+template <int n>
+struct LaneFace {
+    Lanes3<n> from, u, v;
+    Lanes<n> uu, uv, vv, inverse;
+
+    HWY_INLINE LaneFace(const LaneEdge<n>& first, const LaneEdge<n>& second)
+        : from(first.from),
+          u(first.along),
+          v(second.along),
+          uu(first.squared),
+          uv(dot(u, v)),
+          vv(second.squared),
+          inverse(Lanes<n>::all(1) / max(uu * vv - uv * uv, Lanes<n>::all(0x1p-120f))) {}
+
+    /// From a point to the point of the face below it, if there is one.
+    HWY_INLINE void take(const Lanes3<n>& point, ShortestVector<n>& shortest, bool reverse) const {
+        const Lanes3<n> rest = point - from;
+        const Lanes<n> along_u = dot(rest, u), along_v = dot(rest, v), zero = Lanes<n>::all(0);
+        const Lanes<n> s = (vv * along_u - uv * along_v) * inverse,
+                       t = (uu * along_v - uv * along_u) * inverse;
+        const Lanes3<n> way = (scaled(s, u) + scaled(t, v)) - rest;
+        const LaneMask<n> inside = (zero <= s) & (zero <= t) & (s + t <= Lanes<n>::all(1));
+        shortest.take(reverse ? -way : way, select(inside, dot(way, way), Lanes<n>::all(0x1p126f)));
+    }
+};
+
+/// From the point of edge a to the point of edge b that are closest; from one of them if rounding
+/// matters.
+template <int n>
+HWY_INLINE void take(const LaneEdge<n>& a, const LaneEdge<n>& b, ShortestVector<n>& shortest) {
+    const Lanes3<n> between = b.from - a.from;
+    const Lanes<n> ab = dot(a.along, b.along), on_a = dot(a.along, between),
+                   on_b = dot(b.along, between);
+    const Lanes<n> determinant = max(a.squared * b.squared - ab * ab, Lanes<n>::all(0x1p-120f));
+    const Lanes<n> first = share_of_one((on_a * b.squared - ab * on_b) / determinant);
+    const Lanes<n> of_b = share_of_one((ab * first - on_b) * b.inverse);
+    const Lanes<n> of_a = share_of_one((ab * of_b + on_a) * a.inverse);
+    const Lanes3<n> way = (between + scaled(of_b, b.along)) - scaled(of_a, a.along);
+    shortest.take(way, dot(way, way));
+}
+
+/// The vector from P to Q between points that are nearly the closest.
+template <int n>
+HWY_INLINE ShortestVector<n> shortest_vector(const TrianglePairs<n>& t) {
+    const Lanes<n> zero = Lanes<n>::all(0);
+    const Lanes3<n> origin = {zero, zero, zero}, p3 = t.p2 - t.p1, f3 = t.f2 - t.f1,
+                    q1 = t.w + t.f1, q2 = t.w + t.f2;
+    const LaneEdge<n> p[3] = {{origin, t.p1}, {origin, t.p2}, {t.p1, p3}},
+                      q[3] = {{t.w, t.f1}, {t.w, t.f2}, {q1, f3}};
+    ShortestVector<n> shortest{t.w, dot(t.w, t.w)};
+    for (const LaneEdge<n>& a : p)
+        for (const LaneEdge<n>& b : q) take(a, b, shortest);
+    const LaneFace<n> face_p(p[0], p[1]), face_q(q[0], q[1]);
+    for (const Lanes3<n>& corner : {t.w, q1, q2}) face_p.take(corner, shortest, true);
+    for (const Lanes3<n>& corner : {origin, t.p1, t.p2}) face_q.take(corner, shortest, false);
+    return shortest;
+}
+
+template <int n>
+HWY_INLINE TriangleGap<n> triangle_gap(const TrianglePairs<n>& t) {
+    const auto [v, squared] = shortest_vector(t);
+    const Lanes<n> zero = Lanes<n>::all(0), length = sqrt(squared);
+    const Lanes<n> error = Lanes<n>::all(gap_edges) * (t.error_p + t.error_f) +
+                           Lanes<n>::all(gap_offset) * t.error_w + Lanes<n>::all(gap_underflow);
+    const Lanes<n> to_q = dot(v, t.w) + min(zero, min(dot(v, t.f1), dot(v, t.f2))),
+                   of_p = max(zero, max(dot(v, t.p1), dot(v, t.p2)));
+    const LaneMask<n> has_direction =
+        (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(0x1p60f));
+    return {select(has_direction, (to_q - of_p) / length - error, -error), length + error};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif
