@@ -7,6 +7,7 @@
 #endif
 
 #include <bit>
+#include <cmath>
 
 #include "core/packed/gap_kernel-inl.h"
 #include "core/packed/leaf_pairs-inl.h"
@@ -122,20 +123,47 @@ class GapTraversal {
             i.bits, j.bits,
             [this]<int m>(const TrianglePairs<m>& pairs, std::uint32_t valid, const PackedLeaf& a,
                           const PackedLeaf& b, int first) HWY_ATTR {
-                const TriangleGap<m> gap = triangle_gap(pairs);
+                valid &= low_bits(m) & ~far_along_direction(pairs).bits();
+                if (valid == 0) return;
+                const TriangleGap<m> gap(pairs);
                 float least[m], most[m];
                 gap.least.store(least);
                 gap.most.store(most);
-                valid &= low_bits(m);
                 for (; valid != 0; valid &= valid - 1) {
                     const int k = std::countr_zero(valid), lane = first + k;
                     if (!(least[k] <= search_.limit)) continue;
+                    if (most[k] < nearest_) {
+                        nearest_ = most[k];
+                        keep_direction(gap.v, k);
+                    }
                     constexpr int side = most_leaf_triangles;
                     search_.take({a.triangle(static_cast<std::size_t>(lane % side)),
                                   b.triangle(static_cast<std::size_t>(lane / side))},
                                  least[k], most[k]);
                 }
             });
+    }
+
+    /// Most pairs are apart along the vector between the nearest triangles so far.
+    template <int m>
+    HWY_INLINE LaneMask<m> far_along_direction(const TrianglePairs<m>& pairs) const {
+        const Lanes<m> most = Lanes<m>::all(search_.limit) + gap_error(pairs);
+        return most * Lanes<m>::all(direction_length_) <
+               gap_along(pairs, Lanes3<m>::all(direction_));
+    }
+    template <int m>
+    HWY_INLINE void keep_direction(const Lanes3<m>& v, int k) {
+        float x[m], y[m], z[m];
+        v.x.store(x);
+        v.y.store(y);
+        v.z.store(z);
+        const float from[3] = {x[k], y[k], z[k]};
+        float squared = 0;
+        for (int i = 0; i < 3; ++i) {
+            direction_[i] = from[i];
+            squared += from[i] * from[i];
+        }
+        direction_length_ = std::sqrt(squared) * (1 + 0x1p-20f);
     }
 
     const PackedHierarchy<Codec>&a_, &b_;
@@ -145,6 +173,8 @@ class GapTraversal {
     LeafPairs leaf_pairs_;
     LeastFirst<NearPair> pending_;
     NearSearch& search_;
+    float nearest_ = HUGE_VALF;
+    float direction_[3] = {0, 0, 0}, direction_length_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "core/packed/packed_query.h"
 
@@ -24,5 +25,9 @@ struct NearSearch {
 /// Traverses the hierarchies. `heap`: the size of the heap, see LeastFirst; 0 to go depth first.
 void find_near(const AnyPackedQuery& nodes, const LeafQuery& leaves, SimdLevel level,
                std::size_t heap, NearSearch& search);
+
+/// What triangle_distance returns as the distances of these pairs, none of which intersect.
+void distances_apart(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
+                     std::span<const IndexPair> pairs, double* distances);
 
 }  // namespace scb

@@ -38,14 +38,32 @@ class LeastDistance {
         search.take = [this](IndexPair pair, float least, float most) { take(pair, least, most); };
     }
 
+    /// Computes the distances of the pairs that wait, several at a time.
     void finish() {
         if (search_.is_done) return;
         drop_far();
         std::sort(waiting_.begin(), waiting_.end());
-        for (const Waiting& next : waiting_) {
-            if (static_cast<double>(next.least) > limit() || search_.is_done) break;
-            measure(next.pair);
+        constexpr std::size_t some = 8;
+        IndexPair pairs[some];
+        double distances[some];
+        std::optional<IndexPair> nearest;
+        for (std::size_t i = 0; i < waiting_.size();) {
+            std::size_t count = 0;
+            while (count < some && i < waiting_.size() &&
+                   static_cast<double>(waiting_[i].least) <= limit())
+                pairs[count++] = waiting_[i++].pair;
+            if (count == 0) break;
+            result_.n_p += count;
+            distances_apart(query_.a, query_.b, query_.b_to_a, query_.level, {pairs, count},
+                            distances);
+            for (std::size_t k = 0; k < count; ++k)
+                if (improves(distances[k], pairs[k])) {
+                    result_.found.distance = most_ = distances[k];
+                    result_.triangles = nearest = pairs[k];
+                }
         }
+        // Where it is, is known of no other pair.
+        if (nearest) result_.found = query_.distance_of(*nearest);
     }
 
   private:
@@ -81,14 +99,17 @@ class LeastDistance {
             float_above(std::min(most_ / (1 + options_.relative_error), options_.limit));
     }
 
+    /// Whether a pair is nearer than all before; of several pairs the lowest.
+    bool improves(double distance, IndexPair pair) const {
+        const double best = result_.found.distance;
+        return distance <= options_.limit &&
+               (distance < best ||
+                (distance == best && result_.triangles && pair < *result_.triangles));
+    }
     void measure(IndexPair pair) {
         ++result_.n_p;
         const TriangleDistance found = query_.distance_of(pair);
-        const double best = result_.found.distance;
-        const bool is_nearer =
-            found.distance < best ||
-            (found.distance == best && result_.triangles && pair < *result_.triangles);
-        if (!is_nearer || found.distance > options_.limit) return;
+        if (!improves(found.distance, pair)) return;
         result_.found = found;
         result_.triangles = pair;
         most_ = std::min(most_, found.distance);

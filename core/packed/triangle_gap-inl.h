@@ -31,12 +31,6 @@ inline constexpr float gap_edges = 1.8f, gap_offset = 12.2f;
 /// vectors without a direction, and others as off by this.
 inline constexpr float shortest_gap = 0x1p-50f, gap_underflow = 0x1p-90f;
 
-/// Bounds of the distance of n pairs; `least` may be below 0.
-template <int n>
-struct TriangleGap {
-    Lanes<n> least, most;
-};
-
 /// The shortest of some vectors.
 template <int n>
 struct ShortestVector {
@@ -133,18 +127,40 @@ HWY_INLINE ShortestVector<n> shortest_vector(const TrianglePairs<n>& t) {
     return shortest;
 }
 
+/// How far Q begins behind the end of P along v, times the length of v.
 template <int n>
-HWY_INLINE TriangleGap<n> triangle_gap(const TrianglePairs<n>& t) {
-    const auto [v, squared] = shortest_vector(t);
-    const Lanes<n> zero = Lanes<n>::all(0), length = sqrt(squared);
-    const Lanes<n> error = Lanes<n>::all(gap_edges) * (t.error_p + t.error_f) +
-                           Lanes<n>::all(gap_offset) * t.error_w + Lanes<n>::all(gap_underflow);
-    const Lanes<n> to_q = dot(v, t.w) + min(zero, min(dot(v, t.f1), dot(v, t.f2))),
-                   of_p = max(zero, max(dot(v, t.p1), dot(v, t.p2)));
-    const LaneMask<n> has_direction =
-        (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(0x1p60f));
-    return {select(has_direction, (to_q - of_p) / length - error, -error), length + error};
+HWY_INLINE Lanes<n> gap_along(const TrianglePairs<n>& t, const Lanes3<n>& v) {
+    const Lanes<n> zero = Lanes<n>::all(0);
+    return dot(v, t.w) + min(zero, min(dot(v, t.f1), dot(v, t.f2))) -
+           max(zero, max(dot(v, t.p1), dot(v, t.p2)));
 }
+
+/// The error of both bounds.
+template <int n>
+HWY_INLINE Lanes<n> gap_error(const TrianglePairs<n>& t) {
+    return Lanes<n>::all(gap_edges) * (t.error_p + t.error_f) +
+           Lanes<n>::all(gap_offset) * t.error_w + Lanes<n>::all(gap_underflow);
+}
+
+/// Bounds of the distance of n pairs, and the vector that gave them; `least` may be below 0.
+template <int n>
+struct TriangleGap {
+    Lanes<n> least, most;
+    Lanes3<n> v;
+
+    explicit HWY_INLINE TriangleGap(const TrianglePairs<n>& t)
+        : TriangleGap(t, shortest_vector(t), gap_error(t)) {}
+
+  private:
+    HWY_INLINE TriangleGap(const TrianglePairs<n>& t, const ShortestVector<n>& shortest,
+                           Lanes<n> error)
+        : least(-error), most(sqrt(shortest.squared) + error), v(shortest.v) {
+        const Lanes<n> length = sqrt(shortest.squared);
+        const LaneMask<n> has_direction =
+            (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(0x1p60f));
+        least = select(has_direction, gap_along(t, v) / length - error, least);
+    }
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace scb
