@@ -6,13 +6,11 @@
 #define SCB_CORE_GAP_TRAVERSAL_INL_H_
 #endif
 
-#include <bit>
-#include <cmath>
+#include <utility>
 
 #include "core/packed/gap_kernel-inl.h"
-#include "core/packed/leaf_pairs-inl.h"
 #include "core/packed/near_search.h"
-#include "core/packed/triangle_gap-inl.h"
+#include "core/packed/near_triangles-inl.h"
 #include "core/traverse/keyed_traversal.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,7 +39,7 @@ class GapTraversal {
         : a_(*query.a),
           b_(*query.b),
           placed_(*query.placed),
-          leaf_pairs_(leaves, open_, leaf_findings_),
+          triangles_(leaves, search),
           pending_(heap),
           search_(search) {}
 
@@ -54,7 +52,8 @@ class GapTraversal {
             else
                 pending_.skip();
         }
-        search_.n_bounded += leaf_findings_.n_p;
+        if (!search_.is_done) triangles_.finish();
+        search_.n_bounded += triangles_.count();
     }
 
   private:
@@ -76,7 +75,7 @@ class GapTraversal {
     }
 
     HWY_INLINE void divide(PackedRef i, PackedRef j) {
-        if (i.is_leaf() && j.is_leaf()) return test_triangles(i, j);
+        if (i.is_leaf() && j.is_leaf()) return triangles_.test(i, j);
         const Volume a = own(a_, i), b = own(b_, j);
         if (j.is_leaf() || (!i.is_leaf() && a.r >= b.r))
             divide_a(i, j, b);
@@ -118,63 +117,11 @@ class GapTraversal {
         }
     }
 
-    void test_triangles(PackedRef i, PackedRef j) {
-        leaf_pairs_.for_each_part(
-            i.bits, j.bits,
-            [this]<int m>(const TrianglePairs<m>& pairs, std::uint32_t valid, const PackedLeaf& a,
-                          const PackedLeaf& b, int first) HWY_ATTR {
-                valid &= low_bits(m) & ~far_along_direction(pairs).bits();
-                if (valid == 0) return;
-                const TriangleGap<m> gap(pairs);
-                float least[m], most[m];
-                gap.least.store(least);
-                gap.most.store(most);
-                for (; valid != 0; valid &= valid - 1) {
-                    const int k = std::countr_zero(valid), lane = first + k;
-                    if (!(least[k] <= search_.limit)) continue;
-                    if (most[k] < nearest_) {
-                        nearest_ = most[k];
-                        keep_direction(gap.v, k);
-                    }
-                    constexpr int side = most_leaf_triangles;
-                    search_.take({a.triangle(static_cast<std::size_t>(lane % side)),
-                                  b.triangle(static_cast<std::size_t>(lane / side))},
-                                 least[k], most[k]);
-                }
-            });
-    }
-
-    /// Most pairs are apart along the vector between the nearest triangles so far.
-    template <int m>
-    HWY_INLINE LaneMask<m> far_along_direction(const TrianglePairs<m>& pairs) const {
-        const Lanes<m> most = Lanes<m>::all(search_.limit) + gap_error(pairs);
-        return most * Lanes<m>::all(direction_length_) <
-               gap_along(pairs, Lanes3<m>::all(direction_));
-    }
-    template <int m>
-    HWY_INLINE void keep_direction(const Lanes3<m>& v, int k) {
-        float x[m], y[m], z[m];
-        v.x.store(x);
-        v.y.store(y);
-        v.z.store(z);
-        const float from[3] = {x[k], y[k], z[k]};
-        float squared = 0;
-        for (int i = 0; i < 3; ++i) {
-            direction_[i] = from[i];
-            squared += from[i] * from[i];
-        }
-        direction_length_ = std::sqrt(squared) * (1 + 0x1p-20f);
-    }
-
     const PackedHierarchy<Codec>&a_, &b_;
     const FloatPlacement placed_;
-    OpenPairs open_;  // not used: LeafPairs needs them to decide pairs that may intersect
-    PackedFindings leaf_findings_;
-    LeafPairs leaf_pairs_;
+    NearTriangles triangles_;
     LeastFirst<NearPair> pending_;
     NearSearch& search_;
-    float nearest_ = HUGE_VALF;
-    float direction_[3] = {0, 0, 0}, direction_length_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

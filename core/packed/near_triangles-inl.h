@@ -1,0 +1,135 @@
+// Included once for each SIMD target, see simd_targets.h.
+#if defined(SCB_CORE_NEAR_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCB_CORE_NEAR_TRIANGLES_INL_H_
+#undef SCB_CORE_NEAR_TRIANGLES_INL_H_
+#else
+#define SCB_CORE_NEAR_TRIANGLES_INL_H_
+#endif
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/packed/leaf_pairs-inl.h"
+#include "core/packed/near_search.h"
+#include "core/packed/triangle_gap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace scb {
+namespace HWY_NAMESPACE {
+
+/// Hands over the near triangles of pairs of leaves. Most pairs are far enough apart along the
+/// vector between the nearest triangles so far. The others wait until there are enough for all
+/// lanes, and are then bounded from both sides.
+class NearTriangles {
+  public:
+    NearTriangles(const LeafQuery& query, NearSearch& search)
+        : leaf_pairs_(query, open_, findings_), search_(search) {}
+
+    /// Tests the triangles of two leaves. Some pairs may wait until finish.
+    void test(PackedRef i, PackedRef j) {
+        leaf_pairs_.for_each_part(
+            i.bits, j.bits,
+            [this]<int n>(const TrianglePairs<n>& pairs, std::uint32_t valid, const PackedLeaf& a,
+                          const PackedLeaf& b, int first) HWY_ATTR {
+                const std::uint32_t bits = valid & low_bits(n) & ~far(pairs).bits();
+                if (bits != 0) put(pairs, bits, a, b, first);
+            });
+        // The first limit is needed soonest.
+        constexpr std::size_t enough = 8;
+        if (open_.count >= enough || !(search_.limit < std::numeric_limits<float>::max())) finish();
+    }
+
+    /// Hands over the pairs that wait.
+    void finish() {
+        constexpr int n = part_lanes(8);
+        for (std::size_t i = 0; i < open_.count; i += n) {
+            const std::size_t count = open_.count - i;
+            bound<n>(i, count < n ? count : n);
+        }
+        open_.count = 0;
+    }
+
+    /// The number of pairs of triangles of all leaves so far.
+    std::uint64_t count() const { return findings_.n_p; }
+
+  private:
+    template <int n>
+    HWY_INLINE LaneMask<n> far(const TrianglePairs<n>& pairs) const {
+        const Lanes<n> most = Lanes<n>::all(search_.limit) + gap_error(pairs);
+        return most * Lanes<n>::all(direction_length_) <
+               gap_along(pairs, Lanes3<n>::all(direction_));
+    }
+
+    template <int n>
+    HWY_INLINE void put(const TrianglePairs<n>& pairs, std::uint32_t bits, const PackedLeaf& a,
+                        const PackedLeaf& b, int first) {
+        const std::size_t at = open_.count;
+        const ChosenLanes<n> chosen(bits);
+        const auto store = [at, &chosen](float* row, Lanes<n> lanes)
+                               HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
+        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1, &pairs.f2, &pairs.w};
+        for (int k = 0; k < 5; ++k) {
+            store(open_.points[3 * k], points[k]->x);
+            store(open_.points[3 * k + 1], points[k]->y);
+            store(open_.points[3 * k + 2], points[k]->z);
+        }
+        store(open_.points[15], pairs.error_p);
+        store(open_.points[16], pairs.error_f);
+        store(open_.points[17], pairs.error_w);
+        constexpr int side = most_leaf_triangles;
+        for (; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::size_t>(first + std::countr_zero(bits));
+            open_.a[open_.count] = a.triangle_bits()[lane % side];
+            open_.b[open_.count++] = b.triangle_bits()[lane / side];
+        }
+    }
+
+    /// Bounds the distances of n pairs, `count` of which count.
+    template <int n>
+    HWY_INLINE void bound(std::size_t at, std::size_t count) {
+        const auto lanes = [this, at](int row)
+                               HWY_ATTR { return Lanes<n>::load(open_.points[row] + at); };
+        const auto point = [&lanes](int k) HWY_ATTR {
+            return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
+        };
+        const TriangleGap<n> gap(TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4),
+                                                  lanes(15), lanes(16), lanes(17)});
+        float least[n], most[n];
+        gap.least.store(least);
+        gap.most.store(most);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!(least[k] <= search_.limit)) continue;
+            if (most[k] < nearest_) {
+                nearest_ = most[k];
+                keep_direction(gap.v, k);
+            }
+            search_.take(open_.pair(at + k), least[k], most[k]);
+        }
+    }
+
+    template <int n>
+    HWY_INLINE void keep_direction(const Lanes3<n>& v, std::size_t k) {
+        float x[n], y[n], z[n];
+        v.x.store(x);
+        v.y.store(y);
+        v.z.store(z);
+        direction_[0] = x[k];
+        direction_[1] = y[k];
+        direction_[2] = z[k];
+        direction_length_ = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]) * (1 + 0x1p-20f);
+    }
+
+    OpenPairs open_;
+    PackedFindings findings_;  // has the count alone
+    LeafPairs leaf_pairs_;
+    NearSearch& search_;
+    float nearest_ = HUGE_VALF;
+    float direction_[3] = {0, 0, 0}, direction_length_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scb
+HWY_AFTER_NAMESPACE();
+
+#endif
