@@ -8,6 +8,7 @@
 #include "core/packed/grown_slab.h"
 #include "core/packed/near_search.h"
 #include "core/packed/query_sides.h"
+#include "core/packed/shared_corners.h"
 
 namespace scb {
 namespace {
@@ -42,38 +43,26 @@ class LeastDistance {
     void finish() {
         if (search_.is_done) return;
         drop_far();
-        std::sort(waiting_.begin(), waiting_.end());
         constexpr std::size_t some = 8;
-        IndexPair pairs[some];
-        double distances[some];
-        std::optional<IndexPair> nearest;
-        for (std::size_t i = 0; i < waiting_.size();) {
+        for (auto next = waiting_.begin(); next != waiting_.end();) {
+            IndexPair pairs[some];
             std::size_t count = 0;
-            while (count < some && i < waiting_.size() &&
-                   static_cast<double>(waiting_[i].least) <= limit())
-                pairs[count++] = waiting_[i++].pair;
-            if (count == 0) break;
-            result_.n_p += count;
+            for (; count < some && next != waiting_.end(); ++next)
+                if (static_cast<double>(next->least) <= limit() && !has_least_corners(next->pair))
+                    pairs[count++] = next->pair;
+            double distances[some];
             distances_apart(query_.a, query_.b, query_.b_to_a, query_.level, {pairs, count},
                             distances);
+            result_.n_p += count;
             for (std::size_t k = 0; k < count; ++k)
-                if (improves(distances[k], pairs[k])) {
-                    result_.found.distance = most_ = distances[k];
-                    result_.triangles = nearest = pairs[k];
-                }
+                if (improves(distances[k], pairs[k])) keep(query_.distance_of(pairs[k]), pairs[k]);
         }
-        // Where it is, is known of no other pair.
-        if (nearest) result_.found = query_.distance_of(*nearest);
     }
 
   private:
     struct Waiting {
         float least;
         IndexPair pair;
-
-        friend bool operator<(const Waiting& x, const Waiting& y) {
-            return x.least != y.least ? x.least < y.least : x.pair < y.pair;
-        }
     };
 
     void take(IndexPair pair, float least, float most) {
@@ -106,14 +95,28 @@ class LeastDistance {
                (distance < best ||
                 (distance == best && result_.triangles && pair < *result_.triangles));
     }
+    void keep(const TriangleDistance& found, IndexPair pair) {
+        result_.found = found;
+        result_.triangles = pair;
+        most_ = std::min(most_, found.distance);
+    }
     void measure(IndexPair pair) {
         ++result_.n_p;
         const TriangleDistance found = query_.distance_of(pair);
         if (!improves(found.distance, pair)) return;
-        result_.found = found;
-        result_.triangles = pair;
-        most_ = std::min(most_, found.distance);
+        keep(found, pair);
         search_.is_done = found.distance == 0 || found.distance <= options_.enough;
+    }
+    /// Whether the distance of a pair is known: of the corners that are nearest so far, which fans
+    /// of triangles share.
+    bool has_least_corners(IndexPair pair) {
+        if (!result_.triangles ||
+            !is_distance_of_corners(corners(query_.a, pair.a),
+                                    transform_corners(query_.b_to_a, corners(query_.b, pair.b)),
+                                    result_.found))
+            return false;
+        if (improves(result_.found.distance, pair)) result_.triangles = pair;
+        return true;
     }
 
     const NearQuery& query_;

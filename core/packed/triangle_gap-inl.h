@@ -67,31 +67,32 @@ struct LaneEdge {
           inverse(Lanes<n>::all(1) / max(squared, Lanes<n>::all(0x1p-120f))) {}
 };
 
-/// A triangle for its distances from points: a corner, two edges from there, and 1 over the
-/// determinant of their products.
+/// A triangle for its distances from points: two edges from one corner, and 1 over the determinant
+/// of their products.
 template <int n>
 struct LaneFace {
-    Lanes3<n> from, u, v;
-    Lanes<n> uu, uv, vv, inverse;
+    const LaneEdge<n>&u, &v;
+    Lanes<n> uv, inverse;
 
     HWY_INLINE LaneFace(const LaneEdge<n>& first, const LaneEdge<n>& second)
-        : from(first.from),
-          u(first.along),
-          v(second.along),
-          uu(first.squared),
-          uv(dot(u, v)),
-          vv(second.squared),
-          inverse(Lanes<n>::all(1) / max(uu * vv - uv * uv, Lanes<n>::all(0x1p-120f))) {}
+        : u(first),
+          v(second),
+          uv(dot(u.along, v.along)),
+          inverse(Lanes<n>::all(1) /
+                  max(u.squared * v.squared - uv * uv, Lanes<n>::all(0x1p-120f))) {}
 
-    /// From a point to the point of the face below it, if there is one.
-    HWY_INLINE void take(const Lanes3<n>& point, ShortestVector<n>& shortest, bool reverse) const {
-        const Lanes3<n> rest = point - from;
-        const Lanes<n> along_u = dot(rest, u), along_v = dot(rest, v), zero = Lanes<n>::all(0);
-        const Lanes<n> s = (vv * along_u - uv * along_v) * inverse,
-                       t = (uu * along_v - uv * along_u) * inverse;
-        const Lanes3<n> way = (scaled(s, u) + scaled(t, v)) - rest;
+    /// To a point, from the point of the face below it, if there is one. `sign`: 1, or -1 for the
+    /// reverse.
+    HWY_INLINE void take(const Lanes3<n>& point, float sign, ShortestVector<n>& shortest) const {
+        const Lanes3<n> rest = point - u.from;
+        const Lanes<n> along_u = dot(rest, u.along), along_v = dot(rest, v.along),
+                       zero = Lanes<n>::all(0);
+        const Lanes<n> s = (v.squared * along_u - uv * along_v) * inverse,
+                       t = (u.squared * along_v - uv * along_u) * inverse;
+        const Lanes3<n> way = rest - (scaled(s, u.along) + scaled(t, v.along));
         const LaneMask<n> inside = (zero <= s) & (zero <= t) & (s + t <= Lanes<n>::all(1));
-        shortest.take(reverse ? -way : way, select(inside, dot(way, way), Lanes<n>::all(0x1p126f)));
+        shortest.take(scaled(Lanes<n>::all(sign), way),
+                      select(inside, dot(way, way), Lanes<n>::all(0x1p126f)));
     }
 };
 
@@ -110,20 +111,31 @@ HWY_INLINE void take(const LaneEdge<n>& a, const LaneEdge<n>& b, ShortestVector<
     shortest.take(way, dot(way, way));
 }
 
-/// The vector from P to Q between points that are nearly the closest.
+/// The vector from P to Q between points that are nearly the closest. Without loops, which
+/// compilers would run on copies of the edges in memory.
 template <int n>
 HWY_INLINE ShortestVector<n> shortest_vector(const TrianglePairs<n>& t) {
     const Lanes<n> zero = Lanes<n>::all(0);
-    const Lanes3<n> origin = {zero, zero, zero}, p3 = t.p2 - t.p1, f3 = t.f2 - t.f1,
-                    q1 = t.w + t.f1, q2 = t.w + t.f2;
-    const LaneEdge<n> p[3] = {{origin, t.p1}, {origin, t.p2}, {t.p1, p3}},
-                      q[3] = {{t.w, t.f1}, {t.w, t.f2}, {q1, f3}};
+    const Lanes3<n> origin = {zero, zero, zero}, q1 = t.w + t.f1, q2 = t.w + t.f2;
+    const LaneEdge<n> p_first(origin, t.p1), p_second(origin, t.p2), p_third(t.p1, t.p2 - t.p1),
+        q_first(t.w, t.f1), q_second(t.w, t.f2), q_third(q1, t.f2 - t.f1);
     ShortestVector<n> shortest{t.w, dot(t.w, t.w)};
-    for (const LaneEdge<n>& a : p)
-        for (const LaneEdge<n>& b : q) take(a, b, shortest);
-    const LaneFace<n> face_p(p[0], p[1]), face_q(q[0], q[1]);
-    for (const Lanes3<n>& corner : {t.w, q1, q2}) face_p.take(corner, shortest, true);
-    for (const Lanes3<n>& corner : {origin, t.p1, t.p2}) face_q.take(corner, shortest, false);
+    take(p_first, q_first, shortest);
+    take(p_first, q_second, shortest);
+    take(p_first, q_third, shortest);
+    take(p_second, q_first, shortest);
+    take(p_second, q_second, shortest);
+    take(p_second, q_third, shortest);
+    take(p_third, q_first, shortest);
+    take(p_third, q_second, shortest);
+    take(p_third, q_third, shortest);
+    const LaneFace<n> of_p(p_first, p_second), of_q(q_first, q_second);
+    of_p.take(t.w, 1, shortest);
+    of_p.take(q1, 1, shortest);
+    of_p.take(q2, 1, shortest);
+    of_q.take(origin, -1, shortest);
+    of_q.take(t.p1, -1, shortest);
+    of_q.take(t.p2, -1, shortest);
     return shortest;
 }
 

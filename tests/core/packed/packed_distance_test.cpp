@@ -7,6 +7,7 @@
 
 #include "core/packed/near_search.h"
 #include "core/packed/query_sides.h"
+#include "core/packed/shared_corners.h"
 #include "scb/any_packed.h"
 #include "scb/error.h"
 #include "tests/core/collide/small_scenes.h"
@@ -91,7 +92,7 @@ Pose pose_of_query(Random& random) {
 
 TEST(DistancePacked, IsThatOfTheReference) {
     Random random(51);
-    for (int i = 0; i < scenes_tried / 8; ++i) {
+    for (int i = 0; i < scenes_tried / 10; ++i) {
         SCOPED_TRACE(i);
         const auto count = [&] { return 1 + static_cast<int>(random.below(60)); };
         const BuiltMesh a(small_mesh(random, count())), b(small_mesh(random, count()));
@@ -278,6 +279,66 @@ TEST(NearSearch, DistancesInLanesHaveTheBitsOfTheReference) {
         if (HasFailure()) return;
     }
     EXPECT_GT(apart, 10 * scenes_tried);
+}
+
+/// A fan of triangles about (0, 0, 0), all of it below z = 0: a pyramid without its base.
+Mesh fan(Random& random, int sides) {
+    Mesh mesh;
+    mesh.vertices.push_back(Vec3::Zero());
+    for (int k = 0; k < sides; ++k) {
+        const double turn = 6.28 * k / sides;
+        mesh.vertices.emplace_back(std::cos(turn), std::sin(turn), -random.uniform(0.1, 1));
+    }
+    for (int k = 0; k < sides; ++k)
+        mesh.triangles.push_back({0, static_cast<std::uint32_t>(k + 1),
+                                  static_cast<std::uint32_t>((k + 1) % sides + 1)});
+    return mesh;
+}
+
+// Two tips that face each other are the closest points of all pairs of triangles.
+TEST(DistancePacked, IsThatOfTheReferenceWhereFansFaceEachOther) {
+    Random random(58);
+    for (int i = 0; i < scenes_tried / 80; ++i) {
+        SCOPED_TRACE(i);
+        const Mesh a = fan(random, 3 + static_cast<int>(random.below(30))),
+                   b = fan(random, 3 + static_cast<int>(random.below(30)));
+        Mat3 over = Mat3::Identity();
+        over(1, 1) = over(2, 2) = -1;
+        const Mat3 turn = random_rotation(random);
+        const Vec3 apart = std::pow(10, random.uniform(-9, 2)) *
+                           Vec3(0.1 * random.uniform(-1, 1), 0.1 * random.uniform(-1, 1), 1);
+        const Pose pose{over, apart};
+        expect_reference_distance(BuiltMesh(a), BuiltMesh(b), pose);
+        // In turned frames, where tips are not at the origin.
+        Mesh turned = b;
+        for (Vec3& v : turned.vertices) v = rotate(turn, v) + Vec3(0.3, 0.4, 0.5);
+        const Mat3 back = pose.rotation * turn.transpose();
+        expect_reference_distance(BuiltMesh(a), BuiltMesh(turned),
+                                  {back, Vec3(apart - rotate(back, Vec3(0.3, 0.4, 0.5)))});
+        if (HasFailure()) return;
+    }
+}
+
+TEST(SharedCorners, HaveTheDistanceOfTheReference) {
+    Random random(59);
+    int shared = 0;
+    for (int i = 0; i < 20 * scenes_tried; ++i) {
+        SCOPED_TRACE(i);
+        const double size = std::pow(10, random.uniform(-8, 0)),
+                     apart = std::pow(10, random.uniform(-8, 0));
+        const auto triangle = [&](const Vec3& at) {
+            const double thin = std::pow(10, random.uniform(-8, 0));
+            const Vec3 along = size * random_point(random);
+            return TriangleCorners{at, at + along, at + along + thin * size * random_point(random)};
+        };
+        const Vec3 u = random_point(random), w = u + apart * random_point(random);
+        const TriangleDistance of_corners{std::sqrt(squared_norm(Vec3(u - w))), u, w};
+        const TriangleCorners a = triangle(u), b = triangle(w);
+        if (!is_distance_of_corners(a, b, of_corners)) continue;
+        ++shared;
+        EXPECT_EQ(triangle_distance(a, b).distance, of_corners.distance);
+    }
+    EXPECT_GT(shared, scenes_tried / 2);
 }
 
 TEST(DistancePacked, RefusesDifferentLayouts) {
