@@ -114,10 +114,13 @@ class NearTriangles {
         v.x.store(x);
         v.y.store(y);
         v.z.store(z);
+        // Squares of shorter and longer vectors leave the range of floats.
+        const float length = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+        if (!(length > shortest_gap && length < longest_gap)) return;
         direction_[0] = x[k];
         direction_[1] = y[k];
         direction_[2] = z[k];
-        direction_length_ = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]) * (1 + 0x1p-20f);
+        direction_length_ = length * (1 + 0x1p-20f);
     }
 
     OpenPairs open_;

@@ -28,8 +28,8 @@ namespace HWY_NAMESPACE {
 // times it, see `offset_error`. So the second term is at most 10.1 e_w.
 inline constexpr float gap_edges = 1.8f, gap_offset = 12.2f;
 /// Products of shorter vectors may lose digits to the least exponent of floats: these count as
-/// vectors without a direction, and others as off by this.
-inline constexpr float shortest_gap = 0x1p-50f, gap_underflow = 0x1p-90f;
+/// vectors without a direction, and others as off by this. Squares of longer ones may overflow.
+inline constexpr float shortest_gap = 0x1p-50f, longest_gap = 0x1p60f, gap_underflow = 0x1p-90f;
 
 /// The shortest of some vectors.
 template <int n>
@@ -169,7 +169,7 @@ struct TriangleGap {
         : least(-error), most(sqrt(shortest.squared) + error), v(shortest.v) {
         const Lanes<n> length = sqrt(shortest.squared);
         const LaneMask<n> has_direction =
-            (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(0x1p60f));
+            (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(longest_gap));
         least = select(has_direction, gap_along(t, v) / length - error, least);
     }
 };

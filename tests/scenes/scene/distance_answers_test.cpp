@@ -5,7 +5,7 @@
 
 #include "core/distance/distance_certificate.h"
 #include "scb/any_hierarchy.h"
-#include "scb/distance.h"
+#include "scb/any_packed.h"
 #include "scenes/meshes/mesh_file.h"
 #include "tests/answer_table.h"
 #include "tests/core/hierarchy/built_mesh.h"
@@ -121,6 +121,37 @@ TEST(DistanceAnswers, AreProven) {
     EXPECT_GT(for_each_row("distances.tsv", check), unless_sanitized(20, 5));
 }
 
+/// A mesh of the table in all layouts, with one slab and two.
+std::vector<AnyPacked> all_packed(const BuiltMesh& built) {
+    std::vector<AnyPacked> result;
+    for (const VolumeKind volume : {VolumeKind::scb, VolumeKind::scb2})
+        for (const PackedLayout& layout : all_packed_layouts())
+            result.push_back(
+                pack_any(layout, built.hierarchies[static_cast<std::size_t>(volume)], built.mesh));
+    return result;
+}
+
+TEST(DistanceAnswers, AreThoseOfTheReferenceInEveryLayout) {
+    if (!has_model_file("horse.ply", "distances of real meshes")) GTEST_SKIP();
+    const auto check = [](const AnswerTable& row, const BuiltMesh& a, const BuiltMesh& b) {
+        const Pose pose = row.pose();
+        const std::vector<AnyPacked> packed_a = all_packed(a), packed_b = all_packed(b);
+        std::optional<Distance> expected;
+        with_kind(
+            a, b, static_cast<std::size_t>(VolumeKind::scb2),
+            [&](const auto& of_a, const auto& of_b) { expected = distance(of_a, of_b, pose); });
+        for (std::size_t i = 0; i < packed_a.size(); ++i) {
+            const PackedDistance found =
+                distance_packed(packed_a[i], a.mesh, packed_b[i], b.mesh, pose);
+            EXPECT_EQ(found.found.distance, expected->found.distance) << i;
+            if (found.found.distance > 0) {
+                EXPECT_EQ(found.triangles, expected->triangles) << i;
+            }
+        }
+    };
+    EXPECT_GT(for_each_row("distances.tsv", check), unless_sanitized(20, 5));
+}
+
 TEST(DistanceAnswers, WithinATolerance) {
     if (!has_model_file("horse.ply", "triangles of real meshes within a tolerance")) GTEST_SKIP();
     const auto check = [](const AnswerTable& row, const BuiltMesh& a, const BuiltMesh& b) {
@@ -130,6 +161,12 @@ TEST(DistanceAnswers, WithinATolerance) {
                     const Collision found = within(of_a, of_b, row.pose(), row.number("tolerance"));
                     EXPECT_EQ(std::to_string(found.pairs.size()), row.text("pairs_own"));
                 });
+        const std::vector<AnyPacked> packed_a = all_packed(a), packed_b = all_packed(b);
+        for (std::size_t i = 0; i < packed_a.size(); ++i) {
+            const PackedWithin found = within_packed(packed_a[i], a.mesh, packed_b[i], b.mesh,
+                                                     row.pose(), row.number("tolerance"));
+            EXPECT_EQ(std::to_string(found.pairs.size()), row.text("pairs_own")) << i;
+        }
     };
     EXPECT_GT(for_each_row("within.tsv", check), unless_sanitized(5, 0));
 }
