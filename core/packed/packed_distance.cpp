@@ -20,6 +20,7 @@ struct NearQuery {
     const Mesh &a, &b;
     const Pose& b_to_a;
     SimdLevel level;
+    std::size_t width;  ///< the most children of a node
 
     TriangleDistance distance_of(IndexPair pair) const {
         return triangle_distance(corners(a, pair.a), transform_corners(b_to_a, corners(b, pair.b)));
@@ -128,11 +129,13 @@ class LeastDistance {
     std::size_t crowded_ = 64;
 };
 
-/// The size of the heap that makes this order.
-std::size_t heap_of(const DistanceOptions& options) {
+/// The size of the heap that makes this order. A division adds up to `width` pairs, not two, so a
+/// heap of the same depth is as many times larger.
+std::size_t heap_of(const DistanceOptions& options, std::size_t width) {
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
     if (options.order == DistanceOrder::depth_first) return 0;
-    if (options.order == DistanceOrder::hybrid) return options.heap;
-    return std::numeric_limits<std::size_t>::max();
+    if (options.order == DistanceOrder::nearest) return most;
+    return std::min(options.heap, most / width) * width / 2;
 }
 
 PackedDistance least_distance(const NearQuery& query, const DistanceOptions& options) {
@@ -140,7 +143,7 @@ PackedDistance least_distance(const NearQuery& query, const DistanceOptions& opt
     PackedDistance result;
     NearSearch search;
     LeastDistance least(query, options, search, result);
-    find_near(query.nodes, query.leaves, query.level, heap_of(options), search);
+    find_near(query.nodes, query.leaves, query.level, heap_of(options, query.width), search);
     least.finish();
     result.n_v = search.n_v;
     result.n_bounded = search.n_bounded;
@@ -175,7 +178,8 @@ NearQuery near_query(const PackedCollider<Codec>& a, const PackedCollider<Codec>
             a.mesh,
             b.mesh,
             placed.b_to_a,
-            level};
+            level,
+            Codec::width};
 }
 
 }  // namespace

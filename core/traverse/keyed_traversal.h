@@ -80,7 +80,8 @@ class LeastFirst {
     }
 
   private:
-    static bool follows(const Item& x, const Item& y) { return y < x; }
+    // Not a function, which the heap would call through a pointer.
+    static constexpr auto follows = [](const Item& x, const Item& y) { return y < x; };
 
     std::size_t most_;
     std::vector<Item> heap_;

@@ -23,7 +23,8 @@ struct PackedDistance {
 /// every layout and level; see there. If the distance is 0, only the distance is. Volumes and
 /// triangles are bounded in floats, with their errors; distances that may be the least are computed
 /// in doubles. The options are those of distance(), except that DistanceOptions::descent is not
-/// used: of two nodes, the larger is divided. Results and counts are the same at every level.
+/// used: of two nodes, the larger is divided. With nodes of 4 or 8 children, the heap may have 2 or
+/// 4 times DistanceOptions::heap. Results and counts are the same at every level.
 ///
 /// Runs in the calling thread. Thread-safe; throws nothing but std::bad_alloc.
 template <class Codec>
