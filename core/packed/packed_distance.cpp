@@ -68,7 +68,7 @@ class LeastDistance {
 
     void take(IndexPair pair, float least, float most) {
         // Triangles that may intersect, or be as near as the query asks, may end it.
-        if (least <= 0 || static_cast<double>(least) <= options_.enough) {
+        if (!(least > 0) || static_cast<double>(least) <= options_.enough) {
             measure(pair);
         } else {
             most_ = std::min(most_, static_cast<double>(most));
@@ -156,7 +156,7 @@ PackedWithin all_within(const NearQuery& query, double tolerance) {
     NearSearch search;
     search.limit = float_above(tolerance);
     search.take = [&](IndexPair pair, float, float most) {
-        if (static_cast<double>(most) > tolerance) {
+        if (!(static_cast<double>(most) <= tolerance)) {
             ++result.n_p;
             if (query.distance_of(pair).distance > tolerance) return;
         }

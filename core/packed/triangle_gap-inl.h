@@ -6,6 +6,8 @@
 #define SCB_CORE_TRIANGLE_GAP_INL_H_
 #endif
 
+#include <cmath>
+
 #include "core/packed/triangle_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,7 +43,7 @@ struct ShortestVector {
         const LaneMask<n> shorter = other_squared < squared;
         v = {select(shorter, other.x, v.x), select(shorter, other.y, v.y),
              select(shorter, other.z, v.z)};
-        squared = min(squared, other_squared);
+        squared = select(shorter, other_squared, squared);  // min may choose what is no number
     }
 };
 
@@ -92,7 +94,7 @@ struct LaneFace {
         const Lanes3<n> way = rest - (scaled(s, u.along) + scaled(t, v.along));
         const LaneMask<n> inside = (zero <= s) & (zero <= t) & (s + t <= Lanes<n>::all(1));
         shortest.take(scaled(Lanes<n>::all(sign), way),
-                      select(inside, dot(way, way), Lanes<n>::all(0x1p126f)));
+                      select(inside, dot(way, way), Lanes<n>::all(HUGE_VALF)));
     }
 };
 

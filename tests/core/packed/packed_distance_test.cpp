@@ -319,6 +319,29 @@ TEST(DistancePacked, IsThatOfTheReferenceWhereFansFaceEachOther) {
     }
 }
 
+// Products of such lengths leave the range of floats.
+TEST(DistancePacked, IsThatOfTheReferenceBeyondTheRangeOfFloats) {
+    Mesh large = height_field(3);
+    for (Vec3& v : large.vertices) v *= 1e8;
+    const BuiltMesh body(large);
+    for (const double far : {1e10, 1e15, 1e20, 1e30}) {
+        SCOPED_TRACE(far);
+        const Pose pose{Mat3::Identity(), far * Vec3(0.6, -0.4, 0.7)};
+        for_each_packed(
+            body, body,
+            [&](const auto& packed_a, const auto& packed_b, const auto& of_a, const auto& of_b) {
+                const Distance expected = distance(of_a, of_b, pose);
+                expect_same_answer(distance_packed(packed_a, packed_b, pose), expected, body.mesh,
+                                   body.mesh, pose);
+                for (const double tolerance : {0.9, 1.0, 1.1})
+                    EXPECT_EQ(
+                        within_packed(packed_a, packed_b, pose, tolerance * expected.found.distance)
+                            .pairs,
+                        within(of_a, of_b, pose, tolerance * expected.found.distance).pairs);
+            });
+    }
+}
+
 TEST(SharedCorners, HaveTheDistanceOfTheReference) {
     Random random(59);
     int shared = 0;
