@@ -46,7 +46,9 @@ std::vector<Column> found_columns(bool with_proof) {
 }  // namespace
 
 DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery& query)
-    : options_(options), query_(query), stages_(counted_distance_stages(query.kind)) {
+    : options_(options),
+      query_(query),
+      stages_(query.is_packed() ? std::vector<Stage>{} : counted_distance_stages(query.kind)) {
     for (const BodyPair& pair : query.pairs) {
         query.choose(pair);
         bodies_.push_back({InsideReport(query), {}, {}});
@@ -173,7 +175,8 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
 
     cells.insert(cells.begin(), frame);
     Json stages = Json::object();
-    for (const std::uint64_t count : {work.n_v, work.n_p, work.n_u}) cells.emplace_back(count);
+    for (const std::uint64_t count : {work.n_v, work.n_p}) cells.emplace_back(count);
+    cells.push_back(query_.is_packed() ? Cell(Json(), std::string("-")) : Cell(work.n_u));
     for (const Stage stage : stages_) {
         const std::uint64_t count = work.stages[static_cast<std::size_t>(stage)];
         cells.emplace_back(count);
@@ -203,8 +206,10 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
     }
     query["n_v"] = work.n_v;
     query["n_p"] = work.n_p;
-    query["n_u"] = work.n_u;
-    query["stages"] = std::move(stages);
+    if (!query_.is_packed()) {
+        query["n_u"] = work.n_u;
+        query["stages"] = std::move(stages);
+    }
     if (is_of_many(query_))
         json_frames_.back()["queries"].push_back(std::move(query));
     else
@@ -220,7 +225,8 @@ std::vector<Cell> DistanceReport::mean_cells() const {
         cells.push_back(mean(found_));
     else
         cells.resize(1 + found_columns(options_.prove).size());
-    for (const std::uint64_t sum : {work_.n_v, work_.n_p, work_.n_u}) cells.push_back(mean(sum));
+    for (const std::uint64_t sum : {work_.n_v, work_.n_p}) cells.push_back(mean(sum));
+    cells.push_back(query_.is_packed() ? Cell(Json(), std::string("-")) : mean(work_.n_u));
     for (const Stage stage : stages_)
         cells.push_back(mean(work_.stages[static_cast<std::size_t>(stage)]));
     return cells;
@@ -233,8 +239,11 @@ std::string DistanceReport::title() const {
                                : format(", triangles at most %g apart", *asked().within);
     else
         text += ", order " + std::string(distance_order_name(asked().limits.order));
-    text += ", descent by " + std::string(descent_rule_name(options_.query.descent)) +
-            build_text(query_.build);
+    if (query_.is_packed())
+        text += ", layout " + options_.layout.layout;
+    else
+        text += ", descent by " + std::string(descent_rule_name(options_.query.descent));
+    text += build_text(query_.build);
     if (asked().limits.relative_error > 0)
         text += format(", relative error up to %g", asked().limits.relative_error);
     if (std::isfinite(asked().limits.limit)) text += format(", limit %g", asked().limits.limit);
@@ -322,7 +331,12 @@ Json DistanceReport::json() {
         const double limit = asked().limits.limit;
         json["limit"] = std::isfinite(limit) ? Json(limit) : Json();
     }
-    json["descent"] = descent_rule_name(options_.query.descent);
+    if (query_.is_packed()) {
+        json["layout"] = options_.layout.layout;
+        json["leaf"] = options_.layout.leaf_triangles;
+    } else {
+        json["descent"] = descent_rule_name(options_.query.descent);
+    }
     json.update(build_json(query_.build));
     json["poses"] = poses_json(query_.scene, query_.frames);
     json["frames"] = std::move(json_frames_);

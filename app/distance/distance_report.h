@@ -11,6 +11,7 @@
 #include "app/pictures/picture_options.h"
 #include "app/query/contact_intervals.h"
 #include "app/query/inside_report.h"
+#include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
@@ -24,6 +25,7 @@ struct DistanceCommandOptions {
     QueryOptions query;
     bool first = false, seeded = false, prove = false, json = false, csv = false;
     std::string pairs_out;
+    LayoutOptions layout;
     PictureOptions picture{.output = ""};  ///< of the plot
 };
 

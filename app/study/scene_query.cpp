@@ -126,12 +126,31 @@ Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
 }
 
 Distance SceneQuery::nearest(int frame, const DistanceOptions& limits) const {
-    return scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), limits);
+    if (!is_packed())
+        return scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), limits);
+    const PackedDistance packed_found =
+        distance_packed(packed[scene.bodies[a].mesh], mesh(a), packed[scene.bodies[b].mesh],
+                        mesh(b), b_to_a(frame), limits);
+    Distance found;
+    found.found = packed_found.found;
+    found.triangles = packed_found.triangles;
+    found.n_v = packed_found.n_v;
+    found.n_p = packed_found.n_p;
+    return found;
 }
 
 Collision SceneQuery::within(int frame, double tolerance) const {
-    return scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), tolerance,
-                       options.descent);
+    if (!is_packed())
+        return scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), tolerance,
+                           options.descent);
+    PackedWithin packed_found =
+        within_packed(packed[scene.bodies[a].mesh], mesh(a), packed[scene.bodies[b].mesh], mesh(b),
+                      b_to_a(frame), tolerance);
+    Collision found;
+    found.pairs = std::move(packed_found.pairs);
+    found.n_v = packed_found.n_v;
+    found.n_p = packed_found.n_p;
+    return found;
 }
 
 QueryKind SceneQuery::query_kind() const {

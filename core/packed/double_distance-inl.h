@@ -82,15 +82,12 @@ struct LeastSquared {
              is_inside(share) & is_positive(edge.squared_length));
     }
     HWY_INLINE void take(const DoubleEdge& a, const DoubleEdge& b) {
-        const Doubles ab = dot(a.along, b.along),
-                      determinant = a.squared_length * b.squared_length - ab * ab;
-        const Doubles3 between = a.from - b.from;
-        const Doubles share =
-                          (ab * dot(b.along, between) - b.squared_length * dot(a.along, between)) /
-                          determinant,
+        const Doubles3 normal = cross(a.along, b.along);
+        const Doubles of_normal = dot(normal, normal),
+                      share = dot(normal, cross(b.along, a.from - b.from)) / of_normal,
                       of_b = b.nearest(a.at(share)), of_a = a.nearest(b.at(of_b));
         take(squared_between(a.at(of_a), b.at(of_b)),
-             is_positive(determinant) & is_inside(share) & is_inside(of_b) & is_inside(of_a));
+             is_positive(of_normal) & is_inside(share) & is_inside(of_b) & is_inside(of_a));
     }
 };
 

@@ -40,8 +40,22 @@ class Distance(unittest.TestCase):
             for other in (scb.distance(*boxes, pose), scb.distance(*self.sides, pose, order="depth-first"),
                           scb.distance(*self.sides, pose, seed=once.triangles)):
                 self.assertEqual((other.distance, other.triangles), (once.distance, once.triangles))
-        self.assertLess(scb.distance(*self.sides, self.poses[0], seed=self.expected[0]["triangles"]).n_v,
-                        self.expected[0]["n_v"])
+        without, seeded = (scb.distance(*self.sides, self.poses[0], order="depth-first", seed=seed)
+                           for seed in (None, self.expected[0]["triangles"]))
+        self.assertLess(seeded.n_v, without.n_v)
+
+    def test_is_the_same_of_packed_hierarchies(self):
+        packed = [scb.pack(self.scene.mesh(name)) for name in self.scene.bodies]
+        many, expected = scb.distance_poses(*packed, self.poses), scb.distance_poses(*self.sides, self.poses)
+        np.testing.assert_array_equal(many.distance, expected.distance)
+        for i, pose in enumerate(self.poses):
+            once = scb.distance(*packed, pose)
+            self.assertEqual((once.distance, once.n_v, once.n_p), (many.distance[i], many.n_v[i], many.n_p[i]))
+            self.assertEqual((once.n_u, once.stages), (None, None))
+            if once.distance > 0:
+                self.assertEqual(list(once.triangles), self.expected[i]["triangles"])
+                np.testing.assert_array_equal(once.points, expected.points[i])
+            np.testing.assert_array_equal(scb.within(*packed, 0.5, pose), scb.within(*self.sides, 0.5, pose))
 
     def test_has_limits(self):
         a = b = scb.build(tetrahedron())

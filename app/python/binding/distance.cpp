@@ -9,6 +9,7 @@
 
 #include "app/python/binding/arrays.h"
 #include "app/python/binding/hierarchy.h"
+#include "app/python/binding/packed.h"
 #include "app/python/binding/signals.h"
 #include "app/python/binding/source.h"
 #include "core/base/parallel_for.h"
@@ -23,8 +24,9 @@ struct FoundDistance {
     double distance = 0;
     std::optional<std::array<std::uint32_t, 2>> triangles;
     py::object points = py::none();
-    std::uint64_t n_v = 0, n_p = 0, n_u = 0;
-    py::dict stages;
+    std::uint64_t n_v = 0, n_p = 0;
+    std::optional<std::uint64_t> n_u;
+    std::optional<py::dict> stages;
 };
 
 /// The distances at several poses: a row per pose.
@@ -37,9 +39,46 @@ double length_of(const char* name, double value) {
     return value;
 }
 
+Distance nearest(const BuiltHierarchy& a, const BuiltHierarchy& b, const Pose& b_to_a,
+                 const DistanceOptions& options) {
+    return distance(a.hierarchy, *a.mesh, b.hierarchy, *b.mesh, b_to_a, options);
+}
+Distance nearest(const BuiltPacked& a, const BuiltPacked& b, const Pose& b_to_a,
+                 const DistanceOptions& options) {
+    const PackedDistance found =
+        distance_packed(a.packed, *a.mesh, b.packed, *b.mesh, b_to_a, options);
+    Distance result;
+    result.found = found.found;
+    result.triangles = found.triangles;
+    result.n_v = found.n_v;
+    result.n_p = found.n_p;
+    return result;
+}
+
+std::vector<IndexPair> pairs_within(const BuiltHierarchy& a, const BuiltHierarchy& b,
+                                    const Pose& b_to_a, double tolerance) {
+    return within(a.hierarchy, *a.mesh, b.hierarchy, *b.mesh, b_to_a, tolerance).pairs;
+}
+std::vector<IndexPair> pairs_within(const BuiltPacked& a, const BuiltPacked& b, const Pose& b_to_a,
+                                    double tolerance) {
+    return within_packed(a.packed, *a.mesh, b.packed, *b.mesh, b_to_a, tolerance).pairs;
+}
+
+/// N_u and stages, which packed queries do not count.
+void add_counts(FoundDistance& result, const Distance& found, const BuiltHierarchy& side) {
+    result.n_u = found.n_u;
+    result.stages = py::dict();
+    (*result.stages)["near"] = found.stages[static_cast<std::size_t>(Stage::overlapping)];
+    for (const Stage stage : distance_stages(side.kind))
+        (*result.stages)[py::str(std::string(stage_name(stage)))] =
+            found.stages[static_cast<std::size_t>(stage)];
+}
+void add_counts(FoundDistance&, const Distance&, const BuiltPacked&) {}
+
 /// The options of a query, from Python's arguments.
-DistanceOptions options_of(const BuiltHierarchy& a, const BuiltHierarchy& b,
-                           const std::string& order, double limit, double relative_error) {
+template <class Side>
+DistanceOptions options_of(const Side& a, const Side& b, const std::string& order, double limit,
+                           double relative_error) {
     if (a.kind != b.kind)
         refuse("a and b", "they have different volumes; build both with the same.");
     DistanceOptions options;
@@ -59,9 +98,9 @@ std::vector<double> coordinates(const TriangleDistance& found) {
     return numbers;
 }
 
-FoundDistance distance_once(const BuiltHierarchy& a, const BuiltHierarchy& b,
-                            const py::object& pose, const std::string& order, double limit,
-                            double relative_error,
+template <class Side>
+FoundDistance distance_once(const Side& a, const Side& b, const py::object& pose,
+                            const std::string& order, double limit, double relative_error,
                             const std::optional<std::array<std::uint32_t, 2>>& seed) {
     const Pose b_to_a = pose_of(pose, "pose");
     DistanceOptions options = options_of(a, b, order, limit, relative_error);
@@ -73,7 +112,7 @@ FoundDistance distance_once(const BuiltHierarchy& a, const BuiltHierarchy& b,
     Distance found;
     {
         const py::gil_scoped_release unlocked;
-        found = distance(a.hierarchy, *a.mesh, b.hierarchy, *b.mesh, b_to_a, options);
+        found = nearest(a, b, b_to_a, options);
     }
     FoundDistance result;
     result.distance = found.found.distance;
@@ -83,17 +122,14 @@ FoundDistance distance_once(const BuiltHierarchy& a, const BuiltHierarchy& b,
     }
     result.n_v = found.n_v;
     result.n_p = found.n_p;
-    result.n_u = found.n_u;
-    result.stages["near"] = found.stages[static_cast<std::size_t>(Stage::overlapping)];
-    for (const Stage stage : distance_stages(a.kind))
-        result.stages[py::str(std::string(stage_name(stage)))] =
-            found.stages[static_cast<std::size_t>(stage)];
+    add_counts(result, found, a);
     return result;
 }
 
-FoundDistances distance_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
-                              const py::object& matrices, std::int64_t thread_count,
-                              const std::string& order, double limit, double relative_error) {
+template <class Side>
+FoundDistances distance_poses(const Side& a, const Side& b, const py::object& matrices,
+                              std::int64_t thread_count, const std::string& order, double limit,
+                              double relative_error) {
     const std::vector<Pose> poses = poses_of(matrices, "poses");
     const DistanceOptions options = options_of(a, b, order, limit, relative_error);
     const int threads = threads_of(thread_count);
@@ -106,8 +142,7 @@ FoundDistances distance_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
         SignalWatch watch;
         parallel_for(threads, poses.size(), [&](std::size_t i) {
             if (watch.stopped()) return;
-            const Distance found =
-                distance(a.hierarchy, *a.mesh, b.hierarchy, *b.mesh, poses[i], options);
+            const Distance found = nearest(a, b, poses[i], options);
             distances[i] = found.found.distance;
             n_v[i] = found.n_v;
             n_p[i] = found.n_p;
@@ -129,23 +164,54 @@ FoundDistances distance_poses(const BuiltHierarchy& a, const BuiltHierarchy& b,
     return result;
 }
 
-py::array within_once(const BuiltHierarchy& a, const BuiltHierarchy& b, double tolerance,
-                      const py::object& pose) {
+template <class Side>
+py::array within_once(const Side& a, const Side& b, double tolerance, const py::object& pose) {
     const Pose b_to_a = pose_of(pose, "pose");
     options_of(a, b, "hybrid", 0, 0);
     if (std::isinf(length_of("tolerance", tolerance))) refuse("tolerance", "give a finite number.");
-    Collision found;
+    std::vector<IndexPair> pairs;
     {
         const py::gil_scoped_release unlocked;
-        found = within(a.hierarchy, *a.mesh, b.hierarchy, *b.mesh, b_to_a, tolerance);
+        pairs = pairs_within(a, b, b_to_a, tolerance);
     }
-    return array_of<std::uint32_t>(std::move(found.pairs), 2);
+    return array_of<std::uint32_t>(std::move(pairs), 2);
+}
+
+template <class Side>
+void add_functions(py::module_& module) {
+    constexpr double no_limit = std::numeric_limits<double>::infinity();
+    module.def("distance", &distance_once<Side>, py::arg("a"), py::arg("b"),
+               py::arg("pose") = py::none(), py::kw_only(), py::arg("order") = "hybrid",
+               py::arg("limit") = no_limit, py::arg("relative_error") = 0.0,
+               py::arg("seed") = py::none(),
+               R"(Find the smallest distance of a triangle of a and a triangle of b.
+
+pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. order: "nearest", "depth-first" or
+"hybrid"; the distance is the same, the counts are not. limit: nothing beyond is looked for.
+relative_error: the answer may be too large by this share. seed: triangles of a and b to begin with,
+such as Distance.triangles of the pose before; the nearer they are, the fewer tests follow.
+
+Hierarchies or packed hierarchies; these are quicker by far. Bodies inside each other have the
+distance of their surfaces. Runs in one thread, without the
+interpreter's lock. Raises InputError where the pose is not rigid, or the volumes of a and b are not
+of one kind.)");
+    module.def("distance_poses", &distance_poses<Side>, py::arg("a"), py::arg("b"),
+               py::arg("poses"), py::kw_only(), py::arg("threads") = 0, py::arg("order") = "hybrid",
+               py::arg("limit") = no_limit, py::arg("relative_error") = 0.0,
+               R"(distance at n poses, in threads, without the interpreter's lock.
+
+poses: n x 4 x 4 or n x 3 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per
+processor; the result is the same for any number. Ctrl-C ends it between two poses.)");
+    module.def("within", &within_once<Side>, py::arg("a"), py::arg("b"), py::arg("tolerance"),
+               py::arg("pose") = py::none(),
+               R"(Find the pairs of triangles of a and b that are at most tolerance apart.
+
+Returns n x 2 uint32, sorted: row numbers of mesh.triangles. pose: from b's frame to a's.)");
 }
 
 }  // namespace
 
 void add_distance(py::module_& module) {
-    constexpr double no_limit = std::numeric_limits<double>::infinity();
     py::class_<FoundDistance>(module, "Distance", py::is_final(), "How far apart two bodies are.")
         .def_readonly("distance", &FoundDistance::distance,
                       "Of the closest triangles; 0 if and only if triangles intersect. Infinity if "
@@ -158,10 +224,11 @@ void add_distance(py::module_& module) {
         .def_readonly("n_v", &FoundDistance::n_v, "Pairs of volumes whose distance was bounded.")
         .def_readonly("n_p", &FoundDistance::n_p, "Pairs of triangles that were measured.")
         .def_readonly("n_u", &FoundDistance::n_u,
-                      "Points and directions of volumes that were transformed for the bounds.")
+                      "Points and directions of volumes that were transformed for the bounds; None "
+                      "of packed hierarchies.")
         .def_readonly("stages", &FoundDistance::stages,
                       R"(Pairs of volumes: "near", nearer than the answer so far, or the direction
-of the largest bound, by which a pair was left out.)")
+of the largest bound, by which a pair was left out. None of packed hierarchies.)")
         .def("__repr__", [](const FoundDistance& f) {
             return "<scb.Distance: " + exact_number(f.distance) +
                    ", N_v = " + std::to_string(f.n_v) + ", N_p = " + std::to_string(f.n_p) + ">";
@@ -182,31 +249,8 @@ of the largest bound, by which a pair was left out.)")
         .def("__repr__", [](const FoundDistances& f) {
             return "<scb.Distances: " + std::to_string(f.distance.shape(0)) + " poses>";
         });
-    module.def("distance", &distance_once, py::arg("a"), py::arg("b"), py::arg("pose") = py::none(),
-               py::kw_only(), py::arg("order") = "hybrid", py::arg("limit") = no_limit,
-               py::arg("relative_error") = 0.0, py::arg("seed") = py::none(),
-               R"(Find the smallest distance of a triangle of a and a triangle of b.
-
-pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. order: "nearest", "depth-first" or
-"hybrid"; the distance is the same, the counts are not. limit: nothing beyond is looked for.
-relative_error: the answer may be too large by this share. seed: triangles of a and b to begin with,
-such as Distance.triangles of the pose before; the nearer they are, the fewer tests follow.
-
-Bodies inside each other have the distance of their surfaces. Runs in one thread, without the
-interpreter's lock. Raises InputError where the pose is not rigid, or the volumes of a and b are not
-of one kind.)");
-    module.def("distance_poses", &distance_poses, py::arg("a"), py::arg("b"), py::arg("poses"),
-               py::kw_only(), py::arg("threads") = 0, py::arg("order") = "hybrid",
-               py::arg("limit") = no_limit, py::arg("relative_error") = 0.0,
-               R"(distance at n poses, in threads, without the interpreter's lock.
-
-poses: n x 4 x 4 or n x 3 x 4, from b's frame to a's. threads: how many share the poses, 0 for one per
-processor; the result is the same for any number. Ctrl-C ends it between two poses.)");
-    module.def("within", &within_once, py::arg("a"), py::arg("b"), py::arg("tolerance"),
-               py::arg("pose") = py::none(),
-               R"(Find the pairs of triangles of a and b that are at most tolerance apart.
-
-Returns n x 2 uint32, sorted: row numbers of mesh.triangles. pose: from b's frame to a's.)");
+    add_functions<BuiltHierarchy>(module);
+    add_functions<BuiltPacked>(module);
 }
 
 }  // namespace scb::python

@@ -13,16 +13,6 @@
 namespace scb::python {
 namespace {
 
-/// A packed hierarchy with its mesh and layout. Does not change.
-struct BuiltPacked {
-    std::shared_ptr<const Mesh> mesh;
-    std::string name;  ///< of the mesh
-    VolumeKind kind = VolumeKind::scb2;
-    PackedLayout layout;
-    AnyPacked packed;
-};
-using SharedPacked = std::shared_ptr<BuiltPacked>;
-
 SharedPacked pack_mesh(const SharedMesh& mesh, const std::string& layout, const std::string& volume,
                        const std::string& split, std::int64_t leaf, std::int64_t threads) {
     const app::HierarchyOptions options = hierarchy_options(volume, split, "ritter", 0);

@@ -138,9 +138,9 @@ class Distance:
     @property
     def n_p(self) -> int: ...
     @property
-    def n_u(self) -> int: ...
+    def n_u(self) -> int | None: ...
     @property
-    def stages(self) -> dict[str, int]: ...
+    def stages(self) -> dict[str, int] | None: ...
 
 @final
 class Distances:
@@ -401,6 +401,7 @@ def touches_poses(
 def crossing(
     a: Mesh, b: Mesh, pairs: ArrayLike, pose: ArrayLike | None = None
 ) -> NDArray[np.bool_]: ...
+@overload
 def distance(
     a: Hierarchy,
     b: Hierarchy,
@@ -411,6 +412,18 @@ def distance(
     relative_error: float = 0.0,
     seed: Sequence[int] | None = None,
 ) -> Distance: ...
+@overload
+def distance(
+    a: PackedHierarchy,
+    b: PackedHierarchy,
+    pose: ArrayLike | None = None,
+    *,
+    order: str = "hybrid",
+    limit: float = ...,
+    relative_error: float = 0.0,
+    seed: Sequence[int] | None = None,
+) -> Distance: ...
+@overload
 def distance_poses(
     a: Hierarchy,
     b: Hierarchy,
@@ -421,8 +434,24 @@ def distance_poses(
     limit: float = ...,
     relative_error: float = 0.0,
 ) -> Distances: ...
+@overload
+def distance_poses(
+    a: PackedHierarchy,
+    b: PackedHierarchy,
+    poses: ArrayLike,
+    *,
+    threads: int = 0,
+    order: str = "hybrid",
+    limit: float = ...,
+    relative_error: float = 0.0,
+) -> Distances: ...
+@overload
 def within(
     a: Hierarchy, b: Hierarchy, tolerance: float, pose: ArrayLike | None = None
+) -> NDArray[np.uint32]: ...
+@overload
+def within(
+    a: PackedHierarchy, b: PackedHierarchy, tolerance: float, pose: ArrayLike | None = None
 ) -> NDArray[np.uint32]: ...
 def explain(
     a: Hierarchy,
