@@ -100,7 +100,7 @@ void add_render_distance(const Command& render_command, const Console& console, 
         "when they were tested, but not near enough when their turn came.\n"
         "Without --camera, and if the scene has no camera, the view is from where most of the line "
         "is visible; a short line is shown\n"
-        "closely. The counts are those of `scb distance`, and are in index.json.\n\n"
+        "closely. index.json has the counts of `scb distance`.\n\n"
         "Examples:\n"
         "  scb render distance spheres-l1 --frames 0 -o out/\n"
         "  scb render distance a.ply b.ply --poses log.csv --frames 0:99:10 --sheet -o out/");

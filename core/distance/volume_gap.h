@@ -152,7 +152,7 @@ class GapSearch {
 
 /// The points and directions that volume_gap moves from one frame to the other: B's center, and the
 /// line of the centers; A's three axes; two axes of B, and three back; the long axis and the
-/// product; each face of a k-DOP, and those of B back.
+/// product; each face of a k-DOP, and B's faces back.
 template <Volume V>
 constexpr std::uint64_t transforms_per_gap() {
     if constexpr (std::same_as<V, Ball>) return 2;

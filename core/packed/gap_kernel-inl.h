@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 // Lower bounds of the distances of n pairs of volumes in floats: volume_gap in lanes.
 //
-// A direction is a vector as it was computed, and the gap along it that of the exact extents. So
+// A direction is a vector as it was computed, and a gap belongs to the exact extents along it. So
 // only the numbers along the direction have errors, and lengths where a gap is divided by one.
 // Each gap is reduced by `gap_bound` units of the length of an Offset, which bounds coordinates,
 // and by the error of doubles. Errors in units of this length:
@@ -34,7 +34,7 @@ template <>
 inline constexpr float gap_bound<PackedScb> = 128;
 
 /// The root of squared gaps along directions at right angles exceeds the distance by no more than
-/// half of what the directions are off, squares and lengths: 110 units for the axes of B in A's
+/// half of the errors of the directions, squares and lengths: 110 units for the axes of B in A's
 /// frame, with both lengths.
 inline constexpr float root_of_squares = 1 - 0x1p-17f;
 

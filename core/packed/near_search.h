@@ -9,7 +9,7 @@
 
 namespace scb {
 
-/// A traversal that looks for near triangles, and whoever decides which of them count.
+/// A traversal that looks for near triangles, and the query that decides which of them count.
 struct NearSearch {
     /// Pairs of volumes and triangles whose bound is above it do not matter. `take` may lower it.
     float limit = 0;
@@ -26,7 +26,7 @@ struct NearSearch {
 void find_near(const AnyPackedQuery& nodes, const LeafQuery& leaves, SimdLevel level,
                std::size_t heap, NearSearch& search);
 
-/// What triangle_distance returns as the distances of these pairs, none of which intersect.
+/// The distances that triangle_distance returns for these pairs. None of them may intersect.
 void distances_apart(const Mesh& a, const Mesh& b, const Pose& b_to_a, SimdLevel level,
                      std::span<const IndexPair> pairs, double* distances);
 

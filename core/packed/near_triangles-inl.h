@@ -85,7 +85,7 @@ class NearTriangles {
         }
     }
 
-    /// Bounds the distances of n pairs, `count` of which count.
+    /// Bounds the distances of n pairs. The first `count` of them are valid.
     template <int n>
     HWY_INLINE void bound(std::size_t at, std::size_t count) {
         const auto lanes = [this, at](int row)

@@ -6,7 +6,7 @@ namespace scb {
 
 /// Whether u, exactly a corner of the triangle, is clearly the point of the triangle that is
 /// farthest along v: other corners are behind it by 2^-10 of their distance or more. `scale`: the
-/// largest coordinate, of which no edge there nor v is a very small part. The angle at u is not
+/// largest coordinate; no edge at u, nor v, is a very small part of it. The angle at u is not
 /// near 0 or half a turn.
 bool is_farthest_corner(const TriangleCorners& t, const Vec3& u, const Vec3& v, double scale);
 

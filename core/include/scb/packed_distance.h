@@ -20,11 +20,13 @@ struct PackedDistance {
 
 /// The smallest distance of a triangle of A and a triangle of B, B moved by `b_to_a` into A's
 /// frame: the same bits as distance() finds on the hierarchies that these were packed from, for
-/// every layout and level; see there. If the distance is 0, only the distance is. Volumes and
-/// triangles are bounded in floats, with their errors; distances that may be the least are computed
-/// in doubles. The options are those of distance(), except that DistanceOptions::descent is not
-/// used: of two nodes, the larger is divided. With nodes of 4 or 8 children, the heap may have 2 or
-/// 4 times DistanceOptions::heap. Results and counts are the same at every level.
+/// every layout and level; see there. If the distance is 0, only the distance is the same. Volumes
+/// and triangles are bounded in floats, with their errors; distances that may be the least are
+/// computed in doubles.
+///
+/// The options are as in distance(), except that DistanceOptions::descent is not used: of two
+/// nodes, the larger is divided. With nodes of 4 or 8 children, the heap may have 2 or 4 times
+/// DistanceOptions::heap. Results and counts are the same at every level.
 ///
 /// Runs in the calling thread. Thread-safe; throws nothing but std::bad_alloc.
 template <class Codec>
