@@ -93,19 +93,21 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
     const EndingCounts ended = ending_counts(outcomes);
     const std::uint64_t paths = std::accumulate(ended.begin(), ended.end(), std::uint64_t{0});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
-    items.emplace_back(PanelHeading{"left out by the bound along"});
-    bool is_by_bound = true;
+    std::string heading;
     for (const EndingGroup& group : ending_groups(header, theme)) {
         const std::uint64_t count = count_of(group, ended);
         if (count == 0) continue;
         const double share = 100.0 * static_cast<double>(count) / static_cast<double>(paths);
-        if (!is_rejection(group.endings.front()) && std::exchange(is_by_bound, false))
-            items.emplace_back(PanelHeading{"ended otherwise"});
+        const std::string above =
+            is_rejection(group.endings.front()) ? "left out by the bound along" : "ended otherwise";
+        if (std::exchange(heading, above) != above) items.emplace_back(PanelHeading{above});
         items.emplace_back(PanelLegendRow{group.color, words_of(group, header.kind),
                                           count_text(count), format("%.1f %%", share)});
     }
-    items.emplace_back(
-        PanelKey{theme.text, is_within ? "between closest points" : "the shortest distance"});
+    const bool meets = frame.nearest && frame.nearest->distance == 0;
+    items.emplace_back(PanelKey{theme.text, is_within ? "between closest points"
+                                            : meets   ? "where triangles meet"
+                                                      : "the shortest distance"});
     items.emplace_back(PanelNote{"dashed, or pale: behind a body"});
     return items;
 }
