@@ -104,7 +104,7 @@ void add_render_distance(const Command& render_command, const Console& console, 
         "Examples:\n"
         "  scb render distance spheres-l1 --frames 0 -o out/\n"
         "  scb render distance a.ply b.ply --poses log.csv --frames 0:99:10 --sheet -o out/");
-    command.callback([&action, &console, command, options] {
+    command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };
     });
 }
