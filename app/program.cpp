@@ -201,7 +201,7 @@ void add_commands(const Command& root, const ProgramOptions& options, const RunA
     add_inspect(root, console, action);
     add_collide(root, console, action);
     add_distance(root, console, action);
-    add_inside(root, action);
+    add_inside(root, console, action);
     add_motion(root, console, action);
     add_bench(root, console, action);
     add_tune(root, console, action);

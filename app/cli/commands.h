@@ -24,7 +24,7 @@ void add_render_traversal(const Command& render, const Console& console, Action&
 void add_bench(const Command& program, const Console& console, Action& action);
 void add_collide(const Command& program, const Console& console, Action& action);
 void add_distance(const Command& program, const Console& console, Action& action);
-void add_inside(const Command& program, Action& action);
+void add_inside(const Command& program, const Console& console, Action& action);
 void add_motion(const Command& program, const Console& console, Action& action);
 void add_inspect(const Command& program, const Console& console, Action& action);
 void add_trace(const Command& program, const Console& console, Action& action);

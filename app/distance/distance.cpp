@@ -23,8 +23,7 @@ namespace {
 
 void check(const DistanceCommandOptions& options) {
     const std::optional<double>& within = options.query.distance->within;
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
+    check_one_format(options.json, options.csv);
     check_distance(*options.query.distance);
     const DistanceOptions& limits = options.query.distance->limits;
     for (const auto& [name, is_given] : {std::pair("--within", within.has_value()),
@@ -41,9 +40,8 @@ void check(const DistanceCommandOptions& options) {
          {std::tuple("--first", options.first, within.has_value()),
           std::tuple("--pairs-out", !options.pairs_out.empty(), within && !options.first)})
         if (is_given && !needs)
-            throw InputError(std::string(name) +
-                             " is of the triangles within a distance: give --within T" +
-                             (within ? " without --first." : "."));
+            throw InputError(std::string(name) + (within ? " needs all pairs; leave out --first."
+                                                         : " needs --within T."));
     if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     options.picture.check();
     if (within && !options.picture.output.empty())
@@ -62,6 +60,9 @@ void write_distance_plot(const DistanceCommandOptions& options, DistanceReport& 
     named.add_if(!options.query.bodies.empty(), "bodies", options.query.bodies);
     name_pose(named, options.scene.pose);
     if (options.query.frames != QueryOptions{}.frames) name_frames(named, query.frames);
+    const DistanceOptions& limits = options.query.distance->limits;
+    named.add_if(limits.relative_error > 0, "relative-error", exact_number(limits.relative_error));
+    named.add_if(std::isfinite(limits.limit), "limit", exact_number(limits.limit));
     name_picture(named, options.picture);
     const std::filesystem::path file =
         folder /
@@ -77,6 +78,8 @@ int run(DistanceCommandOptions& options, const Console& console) {
         options.layout.packed(options.hierarchy, options.query, QueryLimits{});
     SceneQuery query = open_query(options.scene, options.hierarchy, options.query, QueryLimits{},
                                   QueriedBodies::all_pairs);
+    // The inputs are known now, and must not be replaced.
+    if (!options.pairs_out.empty()) check_output(options.pairs_out, "--pairs-out");
     if (layout) options.layout.pack(query, *layout);
     options.layout.note_doubts(console.notes());
     note_doubts(options.hierarchy, {query.kind}, console.notes());
@@ -142,9 +145,11 @@ void add_distance(const Command& program, const Console& console, Action& action
         "triangles; N_u: points and directions that were transformed. near: volumes that are "
         "nearer than the answer so far;\n"
         "the other columns count the pairs that were left out, by the direction of the largest "
-        "bound. Distances are equal for\n"
-        "all volumes and orders, and on every machine. Points are in the frame of the first "
-        "body.\n\n"
+        "bound. Without --relative-error\n"
+        "and --first, distances are equal for all volumes, orders and layouts, and on every "
+        "machine. "
+        "Points are in the frame of the\n"
+        "first body.\n\n"
         "Examples:\n"
         "  scb distance spheres-l1 --frames 0:499:50\n"
         "  scb distance a.ply b.ply --poses log.csv --json\n"

@@ -1,5 +1,6 @@
 #include "app/distance/distance_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,6 +12,7 @@
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
 #include "core/distance/distance_certificate.h"
+#include "scb/triangle_overlap.h"
 
 namespace scb::app {
 namespace {
@@ -53,8 +55,7 @@ DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery
         query.choose(pair);
         bodies_.push_back({InsideReport(query), {}, {}});
     }
-    pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
-             "triangle_a,triangle_b\n";
+    pairs_ = pair_lines_header(query);
     std::vector<Column> columns = {{"frame", "frame", 5}};
     if (lists_pairs())
         columns.push_back({"pairs", "pairs", 9});
@@ -110,7 +111,7 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
         least_ = {found, frame, {query_.a, query_.b}};
     found_ += found.triangles.has_value();
     // A query that ends at the first pair says nothing about the others.
-    const bool is_apart = found.triangles ? !options_.first && found.found.distance > 0 : true;
+    const bool is_apart = !found.triangles || (!options_.first && found.found.distance > 0);
     Json json = found_json(found.triangles, found.found);
     std::vector<Cell> cells = found_cells(found);
     if (options_.prove) {
@@ -137,17 +138,19 @@ Json DistanceReport::prove(int frame, const Distance& found) {
             {"directions", certificate.directions.size()}};
 }
 
+bool DistanceReport::intersect(std::span<const IndexPair> pairs, int frame) const {
+    const Mesh &a = query_.mesh(query_.a), &b = query_.mesh(query_.b);
+    const Pose b_to_a = query_.b_to_a(frame);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const IndexPair& pair) {
+        return triangles_overlap(corners(a, pair.a), transform_corners(b_to_a, corners(b, pair.b)));
+    });
+}
+
 void DistanceReport::add_pairs(Bodies& bodies, int frame) {
     const Collision found = query_.within(frame, *asked().within);
     bodies.near.add(frame, !found.pairs.empty());
     found_ += found.pairs.size();
-    if (!options_.pairs_out.empty())
-        for (const IndexPair& pair : found.pairs)
-            pairs_ += format("%d,", frame) +
-                      (is_of_many(query_) ? csv_field(body_name(query_, query_.a)) + "," +
-                                                csv_field(body_name(query_, query_.b)) + ","
-                                          : "") +
-                      format("%u,%u\n", pair.a, pair.b);
+    if (!options_.pairs_out.empty()) pairs_ += pair_lines(query_, frame, found.pairs);
     Distance work;
     work.n_v = found.n_v;
     work.n_p = found.n_p;
@@ -155,7 +158,7 @@ void DistanceReport::add_pairs(Bodies& bodies, int frame) {
     work.stages = found.stages;
     add_row(bodies, frame, work, {found.pairs.size()},
             {{"pairs", found.pairs.size()}, {"pairs_hash", hash_text(pairs_hash(found.pairs))}},
-            found.pairs.empty());
+            !intersect(found.pairs, frame));
 }
 
 void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
@@ -166,12 +169,17 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
     for (std::size_t s = 0; s < stage_count; ++s) work_.stages[s] += work.stages[s];
 
     Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
-    const bool is_judged = !judges_inside || bodies.inside.is_judged();
+    const bool is_judged = judges_inside && bodies.inside.is_judged();
     const std::string note = inside_words(inside);
     for (Json& part : inside) part.erase("frame");
     Json signed_distance;
-    if (!lists_pairs() && work.triangles && (is_judged || !inside.empty()))
-        signed_distance = inside.empty() ? work.found.distance : -work.found.distance;
+    if (!lists_pairs() && work.triangles) {
+        const double distance = work.found.distance;
+        if (!inside.empty())
+            signed_distance = -distance;
+        else if (is_judged || distance == 0)
+            signed_distance = distance;
+    }
 
     cells.insert(cells.begin(), frame);
     Json stages = Json::object();
@@ -182,7 +190,8 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
         cells.emplace_back(count);
         stages[distance_stage_name(stage)] = count;
     }
-    cells.emplace_back(Json(note.empty() && !is_judged ? "not judged" : note), std::string());
+    const bool is_known = is_judged || !inside.empty();
+    cells.emplace_back(is_known ? Json(note.empty() ? "no" : note) : Json(), std::string());
     if (!lists_pairs() && !options_.first) cells.emplace_back(signed_distance, std::string());
     if (is_of_many(query_)) {
         cells.emplace_back(body_name(query_, query_.a));
@@ -202,7 +211,7 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
     query.update(json);
     if (!options_.first) {
         if (!lists_pairs()) query["signed_distance"] = signed_distance;
-        query["inside"] = is_judged || !inside.empty() ? std::move(inside) : Json();
+        query["inside"] = is_known ? std::move(inside) : Json();
     }
     query["n_v"] = work.n_v;
     query["n_p"] = work.n_p;
@@ -256,7 +265,8 @@ std::string DistanceReport::least_words() {
     const auto& [found, frame, bodies] = *least_;
     query_.choose(bodies);
     const std::string a = body_name(query_, query_.a), b = body_name(query_, query_.b);
-    std::string text = asked().within ? "\nNearest pair that was found: " : "\nLeast distance: ";
+    std::string text =
+        asked().within ? "\nThe first pair that is near enough: " : "\nLeast distance: ";
     text += format("%.9g", found.found.distance);
     if (frames_ > 1) text += format(" in frame %d", frame);
     text += ", of triangle " + std::to_string(found.triangles->a) + " of " + a + " and triangle " +
@@ -283,7 +293,9 @@ std::string DistanceReport::inside_text() const {
         else
             doubts += bodies.inside.doubts();
     }
-    return (claims.empty() ? "" : "\nWhere no triangles intersect: " + claims + ".\n") +
+    const std::string start =
+        frames_ == 1 && !is_of_many(query_) ? "\n" : "\nWhere no triangles intersect: ";
+    return (claims.empty() ? "" : start + claims + ".\n") +
            (doubts.empty() || options_.first ? "" : "\n" + doubts);
 }
 
@@ -300,7 +312,8 @@ std::string DistanceReport::near_words() {
     const std::string name =
         asked().within ? format("At most %g apart", *asked().within) : "In contact";
     return "\n" + name + ": " + (text.empty() ? "in no frame" : text) +
-           among_queried(query_.frames);
+           among_queried({query_.frames.begin(),
+                          query_.frames.begin() + static_cast<std::ptrdiff_t>(frames_)});
 }
 
 render::DistancePlot DistanceReport::plot() {

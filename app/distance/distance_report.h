@@ -5,6 +5,7 @@
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,8 @@ class DistanceReport {
     DistanceOptions limits(const Bodies& bodies) const;
     void add_distance(Bodies& bodies, int frame);
     void add_pairs(Bodies& bodies, int frame);
+    /// Whether triangles of the chosen bodies intersect, given all pairs within some distance.
+    bool intersect(std::span<const IndexPair> pairs, int frame) const;
     /// Certifies the distance, and lists the certificate's bounds.
     nlohmann::ordered_json prove(int frame, const Distance& found);
     /// Adds a row for the chosen bodies, and its JSON. `judges_inside`: whether bodies without

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/report/trace_report.h"
@@ -31,6 +33,10 @@ std::vector<Vec3> read_points(const std::string& path) {
     NumberRows rows(path);
     std::vector<Vec3> points;
     while (const std::optional<NumberRows::Cells> cells = rows.next()) {
+        if (points.empty() && !rows.header().empty() && rows.header().size() != 3)
+            rows.refuse("the header before has " +
+                        counted(rows.header().size(), "column", "columns") +
+                        "; give x, y and z of one point in each row.");
         if (cells->size() != 3)
             rows.refuse("it has " + counted(cells->size(), "column", "columns") +
                         "; give x, y and z of one point.");
@@ -141,9 +147,8 @@ std::vector<Cell> cells_of(std::size_t number, const Vec3& point,
     return cells;
 }
 
-int run(const InsideOptions& options) {
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
+int run(const InsideOptions& options, const Console& console) {
+    check_one_format(options.json, options.csv);
     const scenes::Scene scene = options.scene.load();
     if (scene.bodies.size() != 1)
         throw InputError(options.scene.names[0] + ": the scene has " +
@@ -159,7 +164,12 @@ int run(const InsideOptions& options) {
     Table table = table_of_answers();
     Json answers = Json::array();
     std::array<std::size_t, 3> counts{};
+    const InterruptWatch watch;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (watch.signal() != 0) {
+            console.note("scb: interrupted; no answer is printed.");
+            return exit_interrupted(watch.signal());
+        }
         const PointQueries::Answer answer = queries.at(points[i]);
         if (answer.side) ++counts[static_cast<std::size_t>(*answer.side)];
         if (options.json)
@@ -201,7 +211,7 @@ int run(const InsideOptions& options) {
 
 }  // namespace
 
-void add_inside(const Command& program, Action& action) {
+void add_inside(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
         "inside", "Say which points lie inside a closed mesh, and how far from its surface");
     const auto options = std::make_shared<InsideOptions>();
@@ -234,7 +244,9 @@ void add_inside(const Command& program, Action& action) {
         "Examples:\n"
         "  scb inside part.ply --points probes.csv\n"
         "  scb inside part.ply --points probes.csv --json");
-    command.callback([&action, options] { action = [options] { return run(*options); }; });
+    command.callback([&action, &console, options] {
+        action = [&console, options] { return run(*options, console); };
+    });
 }
 
 }  // namespace scb::app

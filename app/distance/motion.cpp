@@ -7,6 +7,7 @@
 #include "app/cli/validators.h"
 #include "app/distance/motion_report.h"
 #include "app/query/distance_options.h"
+#include "app/query/output_guard.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "scb/error.h"
@@ -15,8 +16,7 @@ namespace scb::app {
 namespace {
 
 int run(const MotionOptions& options, const Console& console) {
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
+    check_one_format(options.json, options.csv);
     // A shorter time is below the rounding of late frames.
     if (!(options.tolerance >= 1e-9) || !(options.tolerance <= 1))
         throw InputError(format("--tolerance %g: give 1e-9 to 1 frame.", options.tolerance));
@@ -29,9 +29,13 @@ int run(const MotionOptions& options, const Console& console) {
     MotionReport report(options, query);
     const InterruptWatch watch;
     Progress progress(console, query.frames.size() - 1);
-    for (std::size_t i = 1; i < query.frames.size() && watch.signal() == 0; ++i) {
-        report.add(query.frames[i - 1], query.frames[i]);
-        progress.step("motions");
+    try {
+        for (std::size_t i = 1; i < query.frames.size(); ++i) {
+            report.add(query.frames[i - 1], query.frames[i],
+                       [&watch] { return watch.signal() != 0; });
+            progress.step("motions");
+        }
+    } catch (const MotionReport::Interrupted&) {
     }
     print_result(report.text());
     if (report.steps() + 1 == query.frames.size()) return exit_done;
@@ -59,13 +63,14 @@ void add_motion(const Command& program, const Console& console, Action& action) 
     command.add_flag("--csv", options->csv, "Print CSV instead of a table");
     command.add_flag("--json", options->json, "Print JSON instead of a table");
     command.footer(
-        "Between two frames, the origin of a body moves on a straight line, and the body turns "
-        "about it at constant speed, by at most\n"
-        "half a turn. While two bodies are a distance apart, they stay apart for that distance "
-        "over "
-        "their speed. So the bodies are\n"
-        "apart until `not before`; `at the latest` they touch, by an exact test. undecided: they "
-        "come so near that rounding decides.\n"
+        "Between two queried frames, the origin of a body moves on a straight line. The body turns "
+        "about it at constant speed, by at\n"
+        "most half a turn. Poses of frames in between are not used. Two bodies that are a distance "
+        "apart stay apart for that distance\n"
+        "over their speed. So the bodies are apart until `not before`. `at the latest` they touch, "
+        "by an exact test at rounded poses.\n"
+        "undecided: they may touch between the two times, where they come too near for the "
+        "tolerance and the rounding of numbers.\n"
         "jumped: they touch between two frames, and are apart at both, so that queries at frames "
         "miss the contact. distances: how\n"
         "many distances were measured. Times are in frames.\n\n"

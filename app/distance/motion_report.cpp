@@ -5,9 +5,9 @@
 
 #include "app/query/query_title.h"
 #include "app/report/build_text.h"
+#include "core/base/portable_math.h"
 #include "core/base/text_format.h"
 #include "core/distance/body_motion.h"
-#include "core/geometry/mesh_facts.h"
 
 namespace scb::app {
 namespace {
@@ -26,31 +26,37 @@ const char* name_of(ContactOutcome outcome) {
     return "undecided";
 }
 
-/// The largest coordinate of the mesh at a pose.
-double farthest(const Mesh& mesh, const Pose& pose) {
-    const Box box = bounding_box(mesh, pose);
-    return std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+/// Enough digits to tell the two times of a contact from each other.
+int digits_of(double tolerance) {
+    return std::clamp(static_cast<int>(std::ceil(-decimal_logarithm(tolerance))) + 3, 3, 12);
 }
 
-std::string time_text(double time) { return format("%.6f", time); }
+/// Rounded down, or up.
+std::string time_text(double time, int digits, bool up) {
+    double unit = 1;
+    for (int i = 0; i < digits; ++i) unit *= 10;
+    return format("%.*f", digits, (up ? std::ceil(time * unit) : std::floor(time * unit)) / unit);
+}
 
 }  // namespace
 
 MotionReport::MotionReport(const MotionOptions& options, SceneQuery& query)
     : options_(options), query_(query) {}
 
-void MotionReport::add(int from, int to) {
+void MotionReport::add(int from, int to, const std::function<bool()>& is_interrupted) {
     const std::array<Pose, 2> start = query_.poses(from), end = query_.poses(to);
     const BodyMotion a(start[0], end[0]), b(start[1], end[1]);
     const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
-    // Distances and poses are rounded, by some units in the last place of the coordinates.
+    // Distances and poses are rounded, by some units in the last place of the coordinates, of which
+    // this is an upper bound for all times.
     constexpr double rounding = 0x1p-44;
-    double largest = 0;
-    for (const Pose& pose : {start[0], end[0]}) largest = std::max(largest, farthest(mesh_a, pose));
-    for (const Pose& pose : {start[1], end[1]}) largest = std::max(largest, farthest(mesh_b, pose));
+    double largest = farthest_vertex(mesh_a) + farthest_vertex(mesh_b);
+    for (const auto& poses : {start, end})
+        for (const Pose& pose : poses) largest += std::sqrt(squared_norm(pose.translation));
     Approach approach;
     approach.distance = [&](double time) {
-        DistanceOptions limits;
+        if (is_interrupted()) throw Interrupted();
+        DistanceOptions limits = query_.distance->limits;
         limits.seed = closest_;
         const Distance found =
             scb::distance(query_.hierarchy(query_.a), mesh_a, query_.hierarchy(query_.b), mesh_b,
@@ -60,7 +66,7 @@ void MotionReport::add(int from, int to) {
     };
     approach.speed = std::sqrt(squared_norm(Vec3(b.velocity() - a.velocity()))) +
                      a.turning_speed(mesh_a) + b.turning_speed(mesh_b);
-    approach.error = rounding * largest;
+    approach.error = rounding * largest + a.last_jump(mesh_a) + b.last_jump(mesh_b);
     const double frames = to - from;
     approach.tolerance = options_.tolerance / frames;
     Step step{from, to, first_contact(approach), false, false};
@@ -77,14 +83,19 @@ Table MotionReport::table() const {
                  {"contact", "contact", 10},
                  {"not before", "not_before", 14},
                  {"at the latest", "at_latest", 14},
-                 {"least distance", "least_distance", 15},
+                 {"least measured", "least_measured", 15},
                  {"at", "time_of_least", 12},
                  {"distances", "distances", 10}});
+    const int digits = digits_of(options_.tolerance);
     for (const Step& step : steps_) {
         std::vector<Cell> cells = {step.from, step.to, Cell(name_of(step.found.outcome))};
         const bool has_times = step.found.outcome != ContactOutcome::none;
-        for (const double time : {step.found.not_before, step.found.at_latest})
-            cells.push_back(has_times ? Cell(time, "%.6f") : Cell(Json(), std::string("-")));
+        const auto add = [&](double time, bool up) {
+            cells.push_back(has_times ? Cell(Json(time), time_text(time, digits, up))
+                                      : Cell(Json(), std::string("-")));
+        };
+        add(step.found.not_before, false);
+        add(step.found.at_latest, true);
         cells.emplace_back(step.found.least_distance, "%.6g");
         cells.emplace_back(step.found.time_of_least, "%.4f");
         cells.emplace_back(step.found.distances);
@@ -97,17 +108,23 @@ std::string MotionReport::sentences() const {
     const auto first = std::find_if(steps_.begin(), steps_.end(), [](const Step& step) {
         return step.found.outcome != ContactOutcome::none;
     });
-    if (first == steps_.end()) return "\nNo contact.\n";
+    const bool is_whole = steps_.size() + 1 == query_.frames.size();
+    if (first == steps_.end())
+        return steps_.empty() ? std::string()
+               : is_whole     ? "\nNo contact.\n"
+                              : "\nNo contact in the motions that are finished.\n";
+    const int digits = digits_of(options_.tolerance);
+    const std::string from = time_text(first->found.not_before, digits, false),
+                      to = time_text(first->found.at_latest, digits, true);
     std::string text;
     if (!first->has_contact())
-        text = "\nThe bodies may touch between the times " + time_text(first->found.not_before) +
-               " and " + time_text(first->found.at_latest) +
-               ": they are too near to say in rounded numbers.\n";
+        text = "\nThe bodies may touch between the times " + from + " and " + to +
+               ": there they are too near for the tolerance and the rounding of numbers.\n";
     else if (first->begins_in_contact)
         text = format("\nThe bodies are in contact at frame %d.\n", first->from);
     else
-        text = "\nFirst contact: not before the time " + time_text(first->found.not_before) +
-               ", and at the latest at " + time_text(first->found.at_latest) + ", in frames.\n";
+        text = "\nFirst contact: not before the time " + from + ", and at the latest at " + to +
+               ", in frames.\n";
     std::string jumped;
     for (const Step& step : steps_)
         if (step.is_jumped())
@@ -130,7 +147,7 @@ Json MotionReport::json() const {
                          {"contact", name_of(step.found.outcome)},
                          {"not_before", has_times ? Json(step.found.not_before) : Json()},
                          {"at_latest", has_times ? Json(step.found.at_latest) : Json()},
-                         {"least_distance", step.found.least_distance},
+                         {"least_measured", step.found.least_distance},
                          {"time_of_least", step.found.time_of_least},
                          {"distances", step.found.distances}});
         if (step.is_jumped()) jumped.push_back({step.from, step.to});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -27,8 +28,12 @@ class MotionReport {
     /// Refers to its arguments.
     MotionReport(const MotionOptions& options, SceneQuery& query);
 
-    /// Looks for contact from one frame to the next queried one.
-    void add(int from, int to);
+    /// Thrown by `add`.
+    struct Interrupted {};
+
+    /// Looks for contact from one frame to the next queried one. Throws Interrupted once
+    /// `is_interrupted`, and leaves the step out.
+    void add(int from, int to, const std::function<bool()>& is_interrupted);
     std::size_t steps() const { return steps_.size(); }
     std::string text() const;
 

@@ -105,6 +105,8 @@ void name_query(NamedOptions& named, const QuerySource& query, const QuerySource
     // The test determines whether there is a threshold.
     const OverlapTest test = usual.options.overlap.test;
     usual.options = {};
+    usual.distance = {};
+    usual.tolerance = -1;
     usual.options.overlap.test = test;
     usual.options.max_pairs = static_cast<std::size_t>(QueryLimits{}.max_pairs);
     const std::vector<TraceField> as_usual = fields_of(usual), here = fields_of(query.header()),

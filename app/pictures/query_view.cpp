@@ -71,6 +71,14 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
             overlap.threshold != OverlapOptions{}.threshold)
             parts.push_back(format("threshold %g", overlap.threshold));
     }
+    if (header.kind == QueryKind::distance) {
+        const DistanceOptions& limits = header.distance;
+        if (limits.order != DistanceOptions{}.order)
+            parts.push_back("order " + std::string(distance_order_name(limits.order)));
+        if (limits.relative_error > 0)
+            parts.push_back(format("relative error up to %g", limits.relative_error));
+        if (std::isfinite(limits.limit)) parts.push_back(format("limit %g", limits.limit));
+    }
     if (common("descent") && header.options.descent != CollideOptions{}.descent)
         parts.push_back("descent by " + std::string(descent_rule_name(header.options.descent)));
     BuildOptions build;
@@ -79,6 +87,15 @@ std::vector<std::string> settings_in_common(const TraceHeader& header, const Tra
     if (common("split")) build.split = header.split;
     for (const std::string& part : build_parts(build)) parts.push_back(part);
     return parts;
+}
+
+/// The depth range for everything, but with the point that the camera looks at: of a large floor
+/// and a small contact, the floor alone would set a near plane behind the contact.
+void set_range_about(render::Camera& camera, const render::Support& everything,
+                     const Vec3& center) {
+    render::set_depth_range(camera, everything);
+    const double eye = dot(Vec3(camera.position - center), Vec3(camera.axes.col(2)));
+    if (eye > 0) camera.near_distance = std::min(camera.near_distance, eye / 8);
 }
 
 /// Of two compared queries, keeps in `query` the pairs that only one of them found. Without such
@@ -154,17 +171,17 @@ void QueryView::seek(const render::Subject& subject, int frame,
     };
     const render::Support whole = has_meshes ? of_meshes : support_;
     const render::Support shown = region.empty() ? whole : render::support_of(region);
-    sought_ = {frame, render::seeing_direction(renderer_, subject, aspect(),
-                                               {camera_view_.azimuth, camera_view_.elevation},
-                                               [&](double azimuth, double elevation) {
-                                                   scenes::CameraView wish = camera_view_;
-                                                   wish.azimuth = azimuth;
-                                                   wish.elevation = elevation;
-                                                   render::Camera camera =
-                                                       camera_for(wish, shown, aspect());
-                                                   render::set_depth_range(camera, whole);
-                                                   return camera;
-                                               })};
+    sought_ = {frame,
+               render::seeing_direction(
+                   renderer_, subject, aspect(), {camera_view_.azimuth, camera_view_.elevation},
+                   [&](double azimuth, double elevation) {
+                       scenes::CameraView wish = camera_view_;
+                       wish.azimuth = azimuth;
+                       wish.elevation = elevation;
+                       render::Camera camera = camera_for(wish, shown, aspect());
+                       set_range_about(camera, whole, render::center_of(shown));
+                       return camera;
+                   })};
     camera_view_.azimuth = sought_->direction.azimuth;
     camera_view_.elevation = sought_->direction.elevation;
     place_camera();
@@ -256,7 +273,7 @@ std::vector<AnyVolume> QueryView::near_contact(std::vector<AnyVolume> region) co
     const Ball contact = render::ball_about_centers(region);
     // A gap is often small, and empty about its line.
     const double radius = is_of_distance(sources_.front().header().kind) && contact.radius > 0
-                              ? std::max(3 * contact.radius, least_radius() / 50)
+                              ? std::max(3 * contact.radius, least_radius() / 500)
                               : std::max(2 * contact.radius, least_radius());
     region.emplace_back(Ball{contact.center, radius});
     return region;
@@ -267,7 +284,7 @@ render::Camera QueryView::camera(const std::vector<AnyVolume>& region) const {
     const std::vector<AnyVolume> wide = near_contact(region);
     render::Camera camera =
         camera_for(direction_of(camera_view_), render::support_of(wide), aspect());
-    render::set_depth_range(camera, support_);
+    set_range_about(camera, support_, center(region));
     return camera;
 }
 

@@ -75,9 +75,11 @@ void add_query_view_options(const Command& command, QueryViewOptions& options, S
     add_scene_options(command, options.scene, false);
     command.get_option("SCENE").description(
         std::string("A built-in scene (see `scb scenes`), a scene file, two mesh files, ") +
-        (shown == Shown::nothing ? "a trace (see `scb trace`), or another engine's recording"
-                                 : "a trace (see `scb trace`), another engine's recording, or two "
-                                   "of these to compare"));
+        (options.query.distance ? "or another engine's recording, whose meshes and poses are used"
+         : shown == Shown::nothing
+             ? "a trace (see `scb trace`), or another engine's recording"
+             : "a trace (see `scb trace`), another engine's recording, or two "
+               "of these to compare"));
     add_hierarchy_options(command, options.hierarchy, false);
     if (options.query.distance) {
         add_traversal_options(command, options.query);

@@ -8,9 +8,10 @@
 #include "app/query/distance_options.h"
 #include "app/query/inside_report.h"
 #include "app/query/query_options.h"
-#include "core/base/text_format.h"
 #include "render/figures/distance_figure.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_file.h"
+#include "scenes/recordings/recording_input.h"
 
 namespace scb::app {
 namespace {
@@ -45,15 +46,16 @@ render::SceneFigure distance_figure(const QueryView& view, const QuerySource& so
 }
 
 int run(QueryViewOptions& options, const Console& console) {
+    for (const std::string& name : options.scene.names) {
+        if (scenes::names_trace(name))
+            throw InputError(name + ": a trace has the queries that it recorded; give its scene.");
+        if (options.scene.names.size() > 1 && scenes::names_recording(name))
+            throw InputError(name +
+                             ": a recording has both bodies already; give the recording alone.");
+    }
     options.check();
-    if (options.scene.is_trace())
-        throw InputError(options.scene.names[0] +
-                         ": a trace has the queries that it recorded; give its scene.");
+    // Of a recording, only the meshes and poses are used.
     options.recording = {"distance"};
-    const DistanceQuery& asked = *options.query.distance;
-    if (asked.within) options.named.add("within", exact_number(*asked.within));
-    if (asked.limits.order != DistanceOptions{}.order)
-        options.named.add("order", std::string(distance_order_name(asked.limits.order)));
     QuerySources sources = options.open(console);
     std::optional<SheetRun> sheet =
         options.planned_sheet(sources.front().frames().size(), std::nullopt);
@@ -93,14 +95,15 @@ void add_render_distance(const Command& render_command, const Console& console, 
         "The black line is the shortest distance, with its number, and dashed where a body hides "
         "it. Strong colors are the closest triangles.\n"
         "With --within, lines are between the closest points of all pairs of triangles that near.\n"
-        "The colors of the panel say along which direction the bound was the largest that left out "
-        "a pair of volumes: the line of the\n"
-        "centers, the axes of A or B, or the product of the long axes. Not needed any more: pairs "
-        "of volumes that were near enough\n"
-        "when they were tested, but not near enough when their turn came.\n"
-        "Without --camera, and if the scene has no camera, the view is from where most of the line "
-        "is visible; a short line is shown\n"
-        "closely. index.json has the counts of `scb distance`.\n\n"
+        "The panel counts the pairs of volumes that were left out, by the direction of the largest "
+        "bound: the line of the centers, the\n"
+        "axes of A or B, or the product of the long axes. Not needed any more: pairs that were "
+        "near "
+        "enough when they were tested, but\n"
+        "not when their turn came.\n"
+        "Without --camera or a camera in the scene, the view is from where most of the line is "
+        "visible. A short line is shown closely.\n"
+        "index.json has the counts of `scb distance`.\n\n"
         "Examples:\n"
         "  scb render distance spheres-l1 --frames 0 -o out/\n"
         "  scb render distance a.ply b.ply --poses log.csv --frames 0:99:10 --sheet -o out/");

@@ -35,8 +35,7 @@ void check_recorded(const scenes::RecordedTrace& recorded, const std::string& fi
 }
 
 int run(CollideCommandOptions& options, const Console& console) {
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
+    check_one_format(options.json, options.csv);
     if (!options.contacts.empty() && std::find(contact_names.begin(), contact_names.end(),
                                                options.contacts) == contact_names.end())
         throw InputError("--contacts " + options.contacts + ": give " + name_list(contact_names) +

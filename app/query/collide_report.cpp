@@ -132,8 +132,7 @@ CollideReport::CollideReport(const CollideCommandOptions& options, SceneQuery& q
                                 : counted_stages(query.kind, query.options.overlap)),
       met_(query.pairs.size()),
       intervals_(query.pairs.size()) {
-    pairs_ = std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
-             (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
+    pairs_ = pair_lines_header(query);
     for (const BodyPair& pair : query.pairs) {
         query.choose(pair);
         inside_.emplace_back(query);
@@ -226,13 +225,7 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
         add_json(frame, found, touching, there, difference);
     else
         add_row(frame, found, touching, there, difference);
-    if (!options_.pairs_out.empty())
-        for (const IndexPair& pair : found.pairs)
-            pairs_ += format("%d,", frame) +
-                      (is_of_many(query_) ? csv_field(body_name(query_, query_.a)) + "," +
-                                                csv_field(body_name(query_, query_.b)) + ","
-                                          : "") +
-                      format("%u,%u\n", pair.a, pair.b);
+    if (!options_.pairs_out.empty()) pairs_ += pair_lines(query_, frame, found.pairs);
 }
 
 void CollideReport::add_json(int frame, const Collision& found, std::size_t touching,

@@ -14,7 +14,7 @@ namespace {
 
 void check_length(const std::string& option, double value) {
     if (!std::isfinite(value) || value < 0)
-        throw InputError(option + format(" %g: give 0 or more.", value));
+        throw InputError(option + format(" %g: give a finite number, 0 or more.", value));
 }
 
 }  // namespace
@@ -31,8 +31,7 @@ void add_distance_options(const Command& command, DistanceQuery& query) {
     add_choice(command, "--order", query.limits.order,
                choices_of(std::span<const DistanceOrder>(orders), distance_order_name),
                "The pair of nodes to divide next: the one with the least bound (nearest), the "
-               "nearer child (depth-first), or the least bound while few pairs wait (hybrid). The "
-               "distance is the same, the counts are not")
+               "nearer child (depth-first), or the least bound while few pairs wait (hybrid)")
         .type_name("ORDER")
         .shareable();
     command

@@ -29,4 +29,8 @@ void check_output(const std::string& path, const std::string& option,
         throw OutputError(option + " " + path + ": a folder has that name; name a file.");
 }
 
+void check_one_format(bool json, bool csv) {
+    if (json && csv) throw InputError("--json and --csv exclude each other; give one of them.");
+}
+
 }  // namespace scb::app

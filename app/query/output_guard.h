@@ -10,4 +10,7 @@ namespace scb::app {
 void check_output(const std::string& path, const std::string& option,
                   const std::string& folder_to_make = "");
 
+/// Throws InputError if both --json and --csv were given.
+void check_one_format(bool json, bool csv);
+
 }  // namespace scb::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "app/study/scene_query.h"
@@ -21,5 +22,10 @@ std::string bodies_title(const SceneQuery& query);
 nlohmann::ordered_json bodies_json(const SceneOptions& scene, const SceneQuery& query);
 /// How hierarchies are built, as JSON.
 nlohmann::ordered_json build_json(const BuildOptions& build);
+
+/// The first line of a CSV file of pairs of triangles, or of nodes of a level.
+std::string pair_lines_header(const SceneQuery& query);
+/// A line for each of these pairs of the chosen bodies.
+std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs);
 
 }  // namespace scb::app

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/query/layout_options.h"
+#include "app/query/output_guard.h"
 #include "app/query/query_options.h"
 #include "app/report/stats_report.h"
 #include "core/analysis/hierarchy_measures.h"
@@ -176,8 +177,7 @@ std::vector<HierarchyStats> measure_recorded(const StatsOptions& options) {
 }
 
 int run(const StatsOptions& options, const Console& console) {
-    if (options.json && options.csv)
-        throw InputError("--json and --csv exclude each other; give one of them.");
+    check_one_format(options.json, options.csv);
     const bool recorded = options.scene.is_recording() && asks_for_recorded(options.recording);
     if (recorded) {
         print_stats(options, measure_recorded(options));

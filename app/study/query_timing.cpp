@@ -26,6 +26,23 @@ Collision collision_of(const PackedTouch& found) {
     return result;
 }
 
+Collision collision_of(PackedWithin found) {
+    Collision result;
+    result.pairs = std::move(found.pairs);
+    result.n_v = found.n_v;
+    result.n_p = found.n_p;
+    return result;
+}
+
+Distance distance_of(const PackedDistance& found) {
+    Distance result;
+    result.found = found.found;
+    result.triangles = found.triangles;
+    result.n_v = found.n_v;
+    result.n_p = found.n_p;
+    return result;
+}
+
 std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& timing) {
     const std::size_t subjects = timing.subjects, frames = timing.frames;
     // Per subject, per frame, per repeat.

@@ -6,6 +6,7 @@
 
 #include "scb/collide.h"
 #include "scb/packed_collide.h"
+#include "scb/packed_distance.h"
 
 namespace scb::app {
 
@@ -32,6 +33,9 @@ struct QueryTiming {
 /// The result of a packed query as a Collision.
 Collision collision_of(PackedCollision found);
 Collision collision_of(const PackedTouch& found);
+Collision collision_of(PackedWithin found);
+/// The same of a distance.
+Distance distance_of(const PackedDistance& found);
 
 /// The time of every query in milliseconds (processor time, or wall-clock time with `wall`), per
 /// subject and frame: the median of the repeats. None if `step` ended it.

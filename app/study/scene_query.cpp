@@ -128,29 +128,18 @@ Collision SceneQuery::collide(int frame, StepRecorder& recorder) const {
 Distance SceneQuery::nearest(int frame, const DistanceOptions& limits) const {
     if (!is_packed())
         return scb::distance(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), limits);
-    const PackedDistance packed_found =
-        distance_packed(packed[scene.bodies[a].mesh], mesh(a), packed[scene.bodies[b].mesh],
-                        mesh(b), b_to_a(frame), limits);
-    Distance found;
-    found.found = packed_found.found;
-    found.triangles = packed_found.triangles;
-    found.n_v = packed_found.n_v;
-    found.n_p = packed_found.n_p;
-    return found;
+    return distance_of(distance_packed(packed[scene.bodies[a].mesh], mesh(a),
+                                       packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame),
+                                       limits));
 }
 
 Collision SceneQuery::within(int frame, double tolerance) const {
     if (!is_packed())
         return scb::within(hierarchy(a), mesh(a), hierarchy(b), mesh(b), b_to_a(frame), tolerance,
                            options.descent);
-    PackedWithin packed_found =
-        within_packed(packed[scene.bodies[a].mesh], mesh(a), packed[scene.bodies[b].mesh], mesh(b),
-                      b_to_a(frame), tolerance);
-    Collision found;
-    found.pairs = std::move(packed_found.pairs);
-    found.n_v = packed_found.n_v;
-    found.n_p = packed_found.n_p;
-    return found;
+    return collision_of(within_packed(packed[scene.bodies[a].mesh], mesh(a),
+                                      packed[scene.bodies[b].mesh], mesh(b), b_to_a(frame),
+                                      tolerance));
 }
 
 QueryKind SceneQuery::query_kind() const {
@@ -235,6 +224,10 @@ SceneQuery open_query(const SceneOptions& scene, const HierarchyOptions& hierarc
     result.mutation = hierarchy.mutation;
     result.build = hierarchy.build();
     result.scene = scene.load(query.frames);
+    if (query.distance && result.scene.bodies.size() < 2)
+        throw InputError(scene.names[0] +
+                         ": it has one body, and a distance is of two; give a scene with two, or "
+                         "two mesh files.");
     result.pairs = body_pairs(result.scene, query.bodies, bodies);
     for (const scenes::Body& body : result.scene.bodies)
         if (result.scene.meshes[body.mesh].mesh.triangles.empty())

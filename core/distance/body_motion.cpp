@@ -24,6 +24,14 @@ Mat3 rotation_by(const Vec3& axis, double turns) {
 
 }  // namespace
 
+double farthest_vertex(const Mesh& mesh) {
+    double squared = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t corner : t)
+            squared = std::max(squared, squared_norm(mesh.vertices[corner]));
+    return std::sqrt(squared);
+}
+
 BodyMotion::BodyMotion(const Pose& from, const Pose& to)
     : from_(from), to_(to), velocity_(to.translation - from.translation) {
     const Mat3 turn = relative_pose(from, to).rotation;
@@ -49,17 +57,26 @@ BodyMotion::BodyMotion(const Pose& from, const Pose& to)
     if (dot(axis_, sines) < 0) axis_ = -axis_;
 }
 
+Mat3 BodyMotion::rotation_at(double time) const {
+    if (angle_ == 0) return from_.rotation;
+    const Mat3 turn = rotation_by(axis_, time * angle_ / (2 * std::numbers::pi));
+    Mat3 rotation;
+    for (int column = 0; column < 3; ++column)
+        rotation.col(column) = rotate(from_.rotation, Vec3(turn.col(column)));
+    return rotation;
+}
+
 Pose BodyMotion::at(double time) const {
     if (time <= 0) return from_;
     if (time >= 1) return to_;
-    Pose pose;
-    pose.translation = from_.translation + time * velocity_;
-    pose.rotation = from_.rotation;
-    if (angle_ == 0) return pose;
-    const Mat3 turn = rotation_by(axis_, time * angle_ / (2 * std::numbers::pi));
-    for (int column = 0; column < 3; ++column)
-        pose.rotation.col(column) = rotate(from_.rotation, Vec3(turn.col(column)));
-    return pose;
+    return {rotation_at(time), from_.translation + time * velocity_};
+}
+
+double BodyMotion::last_jump(const Mesh& mesh) const {
+    const Mat3 jump = to_.rotation - rotation_at(1);
+    double squared = 0;
+    for (int column = 0; column < 3; ++column) squared += squared_norm(Vec3(jump.col(column)));
+    return std::sqrt(squared) * farthest_vertex(mesh);
 }
 
 double BodyMotion::turning_speed(const Mesh& mesh) const {
@@ -67,7 +84,8 @@ double BodyMotion::turning_speed(const Mesh& mesh) const {
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t corner : t)
             squared = std::max(squared, squared_norm(cross(axis_, mesh.vertices[corner])));
-    return angle_ * std::sqrt(squared) * (1 + 0x1p-40);
+    // The poses are rigid to 1e-9.
+    return angle_ * std::sqrt(squared) * (1 + 1e-8);
 }
 
 }  // namespace scb

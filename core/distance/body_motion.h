@@ -20,14 +20,23 @@ class BodyMotion {
     const Vec3& velocity() const { return velocity_; }
     /// The angle, in radians.
     double angle() const { return angle_; }
-    /// The largest speed that the rotation gives a vertex, rounded up: the angle times the distance
-    /// of the farthest vertex from the axis.
+    /// The largest speed that the rotation gives a vertex, or more: the angle times the distance of
+    /// the farthest vertex from the axis.
     double turning_speed(const Mesh& mesh) const;
+    /// How far a vertex may jump when the motion ends at the given pose, since poses are rigid to
+    /// 1e-9 only.
+    double last_jump(const Mesh& mesh) const;
 
   private:
+    /// The rotation at a time before the end.
+    Mat3 rotation_at(double time) const;
+
     Pose from_, to_;
     Vec3 velocity_, axis_ = Vec3::Zero();  ///< the axis in the frame of the body
     double angle_ = 0;
 };
+
+/// The distance of the farthest corner of a triangle from the origin.
+double farthest_vertex(const Mesh& mesh);
 
 }  // namespace scb

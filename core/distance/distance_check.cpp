@@ -8,7 +8,8 @@
 #include "core/distance/distance_certificate.h"
 #include "core/geometry/exact_sum.h"
 
-// The checker of certificates. It shares no code with the search, volumes or make_certificate.
+// The checker of certificates. It uses neither the search nor volumes. A distance of 0 rests on the
+// exact test of two triangles.
 //
 // With u = 2^-53, each rounding of a normal number changes it by a factor of 1 - u to 1 + u.
 // Factors such as 1 - 32 u are for more roundings than there are. Numbers below the normal ones are

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace scb {
 namespace {
@@ -16,18 +15,30 @@ class Advancement {
         double now = 0, distance = measure(0);
         if (distance == 0) return contact(0, 0);
         while (now < 1) {
-            const double safe = span(distance), next = std::min(1.0, now + approach_.tolerance);
-            if (now + safe >= 1) break;
-            if (safe >= approach_.tolerance / 2) {
+            // Half of the tolerance at a time: a contact may follow a part that is undecided. A
+            // step below the rounding of the time still advances.
+            const double safe = span(distance),
+                         next = std::min(1.0, std::max(now + approach_.tolerance / 2,
+                                                       std::nextafter(now, HUGE_VAL)));
+            if (now + safe >= 1) {
+                // For the least distance.
+                if (measure(1) == 0) return contact(1, 1);
+                break;
+            }
+            if (safe >= approach_.tolerance / 4) {
                 now += safe;
                 distance = measure(now);
                 if (distance == 0) return contact(now, now);
                 continue;
             }
-            // Too near to advance: look from both ends of the tolerance.
+            if (found_.distances > most_distances) {
+                give_up(now + safe, 1);
+                break;
+            }
+            // Too near to advance: look from both ends of the step.
             const double beyond = measure(next);
             if (beyond == 0) return contact(now + safe, next);
-            if (const auto hit = between(now + safe, next - span(beyond))) return *hit;
+            if (between(now + safe, next - span(beyond))) return found_;
             now = next;
             distance = beyond;
         }
@@ -35,6 +46,9 @@ class Advancement {
     }
 
   private:
+    /// Bodies that slide along each other would take as many as the time has tolerances.
+    static constexpr std::uint64_t most_distances = 100'000;
+
     /// How long the bodies are apart at least.
     double span(double distance) const {
         const double sure = distance - approach_.error;
@@ -51,27 +65,38 @@ class Advancement {
         return distance;
     }
 
+    /// If the bodies came too near before, they may have touched there already.
     FirstContact contact(double not_before, double at_latest) {
+        if (found_.outcome == ContactOutcome::none)
+            found_.not_before = std::min(not_before, at_latest);
         found_.outcome = ContactOutcome::contact;
-        found_.not_before = std::min(not_before, at_latest);
         found_.at_latest = at_latest;
         return found_;
     }
 
-    /// The first contact in a part of the time; none if the bodies are apart.
-    std::optional<FirstContact> between(double from, double to) {
-        if (from >= to) return std::nullopt;
-        if (to - from < 0x1p-10 * approach_.tolerance) {
-            found_.outcome = ContactOutcome::undecided;
-            found_.not_before = from;
-            found_.at_latest = to;
-            return found_;
+    /// A part of the time that stays undecided.
+    void give_up(double from, double to) {
+        if (found_.outcome == ContactOutcome::none) found_.not_before = from;
+        found_.outcome = ContactOutcome::undecided;
+        found_.at_latest = to;
+    }
+
+    /// Looks for a contact in a part of the time, and returns whether there is one.
+    bool between(double from, double to) {
+        if (from >= to) return false;
+        const double middle = from + (to - from) / 2;
+        const bool can_divide = from < middle && middle < to;
+        if (!can_divide || to - from < 0x1p-10 * approach_.tolerance) {
+            give_up(from, to);
+            return false;
         }
-        const double middle = from + (to - from) / 2, distance = measure(middle);
-        if (distance == 0) return contact(from, middle);
+        const double distance = measure(middle);
+        if (distance == 0) {
+            contact(from, middle);
+            return true;
+        }
         const double safe = span(distance);
-        if (const auto hit = between(from, middle - safe)) return hit;
-        return between(middle + safe, to);
+        return between(from, middle - safe) || between(middle + safe, to);
     }
 
     const Approach& approach_;

@@ -11,6 +11,11 @@
 namespace scb {
 namespace {
 
+std::string_view unquoted(std::string_view cell) {
+    const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+    return is_quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
 /// Blanks about a comma or semicolon belong to it.
 NumberRows::Cells cells_of(std::string_view line) {
     constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
@@ -21,7 +26,7 @@ NumberRows::Cells cells_of(std::string_view line) {
     skip_blanks();
     while (true) {
         const std::size_t end = std::min(line.find_first_of(separators), line.size());
-        cells.push_back(line.substr(0, end));
+        cells.push_back(unquoted(line.substr(0, end)));
         line.remove_prefix(end);
         skip_blanks();
         if (line.empty()) return cells;

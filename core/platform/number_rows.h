@@ -11,8 +11,8 @@
 namespace scb {
 
 /// The rows of a text file of numbers. Commas, semicolons or blanks separate the cells of a row.
-/// Blank lines and lines that begin with # are left out. A first row without any number is a
-/// header.
+/// A number may stand in quotes. Blank lines and lines that begin with # are left out. A first row
+/// without any number is a header.
 class NumberRows {
   public:
     using Cells = std::vector<std::string_view>;

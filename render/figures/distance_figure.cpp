@@ -76,8 +76,7 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
     }
     items.emplace_back(PanelRow{"body", column_names(items, names), pale, true});
     items.emplace_back(PanelRow{"triangles", counts});
-    if (!is_within && !closest.empty())
-        items.emplace_back(PanelRow{"closest triangle", closest, strong});
+    if (!is_within && !closest.empty()) items.emplace_back(PanelRow{"closest", closest, strong});
     items.emplace_back(PanelHeading{""});
     if (is_within) {
         items.emplace_back(PanelRow{"at most", {number(header.tolerance)}});
@@ -105,9 +104,12 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
                                           count_text(count), format("%.1f %%", share)});
     }
     const bool meets = frame.nearest && frame.nearest->distance == 0;
+    if (frame.found.pairs.empty()) return items;
     items.emplace_back(PanelKey{theme.text, is_within ? "between closest points"
                                             : meets   ? "where triangles meet"
-                                                      : "the shortest distance"});
+                                            : header.distance.relative_error > 0
+                                                ? "the distance found"
+                                                : "the shortest distance"});
     items.emplace_back(PanelNote{"dashed, or pale: behind a body"});
     return items;
 }

@@ -145,7 +145,7 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
                        ending_color(Stage::triangles_apart, *style.theme), side == 1);
     }
     if (pairs_are_nodes(header)) return pane;
-    pane.areas = contact_areas(bodies, frame);
+    if (!is_of_distance(header.kind)) pane.areas = contact_areas(bodies, frame);
     for (Area& area : pane.areas) {
         area.id += first_pair_id;
         area.color = area_color();

@@ -28,9 +28,8 @@ std::vector<std::uint32_t> in_pairs(const TraceHeader& header, std::vector<Index
                                     std::size_t side);
 
 /// Of a query of distances: distance_segments. Else the segments in which the pairs of triangles
-/// meet, in the world, without pairs that meet in an
-/// area; then the outlines of these areas. The id of each is the index of its pair. Empty if the
-/// pairs are nodes.
+/// meet, in the world, without pairs that meet in an area; then the outlines of these areas. The id
+/// of each is the index of its pair. Empty if the pairs are nodes.
 std::vector<Segment> contact_segments(const QueryBodies& bodies, const TraceHeader& header,
                                       const QueryTrace& frame);
 

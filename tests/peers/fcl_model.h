@@ -9,7 +9,8 @@ namespace scb {
 
 using FclModel = fcl::BVHModel<fcl::OBBd>;
 
-inline void build(const PeerMesh& mesh, FclModel& model) {
+template <class Model>
+void build(const PeerMesh& mesh, Model& model) {
     std::vector<fcl::Vector3d> vertices;
     for (const auto& v : mesh.vertices) vertices.emplace_back(v[0], v[1], v[2]);
     std::vector<fcl::Triangle> triangles;

@@ -12,6 +12,7 @@
 #include "app/python/binding/packed.h"
 #include "app/python/binding/signals.h"
 #include "app/python/binding/source.h"
+#include "app/study/query_timing.h"
 #include "core/base/parallel_for.h"
 #include "core/base/text_format.h"
 #include "scb/any_distance.h"
@@ -45,14 +46,7 @@ Distance nearest(const BuiltHierarchy& a, const BuiltHierarchy& b, const Pose& b
 }
 Distance nearest(const BuiltPacked& a, const BuiltPacked& b, const Pose& b_to_a,
                  const DistanceOptions& options) {
-    const PackedDistance found =
-        distance_packed(a.packed, *a.mesh, b.packed, *b.mesh, b_to_a, options);
-    Distance result;
-    result.found = found.found;
-    result.triangles = found.triangles;
-    result.n_v = found.n_v;
-    result.n_p = found.n_p;
-    return result;
+    return app::distance_of(distance_packed(a.packed, *a.mesh, b.packed, *b.mesh, b_to_a, options));
 }
 
 std::vector<IndexPair> pairs_within(const BuiltHierarchy& a, const BuiltHierarchy& b,
@@ -75,12 +69,17 @@ void add_counts(FoundDistance& result, const Distance& found, const BuiltHierarc
 }
 void add_counts(FoundDistance&, const Distance&, const BuiltPacked&) {}
 
+template <class Side>
+void check_alike(const Side& a, const Side& b) {
+    if (a.kind != b.kind)
+        refuse("a and b", "they have different volumes; build both with the same.");
+}
+
 /// The options of a query, from Python's arguments.
 template <class Side>
 DistanceOptions options_of(const Side& a, const Side& b, const std::string& order, double limit,
                            double relative_error) {
-    if (a.kind != b.kind)
-        refuse("a and b", "they have different volumes; build both with the same.");
+    check_alike(a, b);
     DistanceOptions options;
     const std::optional<DistanceOrder> named = distance_order_of(order);
     if (!named) refuse("order", "\"" + order + "\" is none; give nearest, depth-first or hybrid.");
@@ -167,7 +166,7 @@ FoundDistances distance_poses(const Side& a, const Side& b, const py::object& ma
 template <class Side>
 py::array within_once(const Side& a, const Side& b, double tolerance, const py::object& pose) {
     const Pose b_to_a = pose_of(pose, "pose");
-    options_of(a, b, "hybrid", 0, 0);
+    check_alike(a, b);
     if (std::isinf(length_of("tolerance", tolerance))) refuse("tolerance", "give a finite number.");
     std::vector<IndexPair> pairs;
     {
@@ -191,8 +190,8 @@ pose: 4 x 4 or 3 x 4, from b's frame to a's; None is the identity. order: "neare
 relative_error: the answer may be too large by this share. seed: triangles of a and b to begin with,
 such as Distance.triangles of the pose before; the nearer they are, the fewer tests follow.
 
-Hierarchies or packed hierarchies; these are quicker by far. Bodies inside each other have the
-distance of their surfaces. Runs in one thread, without the
+a and b are hierarchies, or packed hierarchies, which are quicker by far. Bodies inside each other
+have the distance of their surfaces. Runs in one thread, without the
 interpreter's lock. Raises InputError where the pose is not rigid, or the volumes of a and b are not
 of one kind.)");
     module.def("distance_poses", &distance_poses<Side>, py::arg("a"), py::arg("b"),

@@ -98,6 +98,11 @@ TEST_F(DistanceCommand, ListsTrianglesWithinATolerance) {
     const std::string scene = "spheres-l1 --frames 0,2";
     const json whole = json_of(scene)["frames"];
     const double nearest = whole[0]["distance"];
+    // Whether a body is inside is judged, too, where triangles are near and do not intersect.
+    const json nested = json_of("spheres-l1 --frames 100,250 --within 0.06")["frames"];
+    EXPECT_TRUE(nested[0]["inside"].is_null());
+    EXPECT_EQ(nested[1]["inside"][0]["body"], "A");
+    EXPECT_GT(nested[1]["pairs"], 0);
     const json within =
         json_of(scene + " --within 0.06 --pairs-out " + (folder_.path / "near.csv").string());
     EXPECT_EQ(within["query"], "within");

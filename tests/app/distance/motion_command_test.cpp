@@ -61,9 +61,9 @@ TEST_F(MotionCommand, SaysNothingOfBodiesThatAreTooNear) {
     EXPECT_EQ(step["contact"], "undecided");
     EXPECT_LT(step["least_distance"], 1e-15);
     EXPECT_LE(step["not_before"], 1.0 / 3);
-    EXPECT_NE(
-        run_scb("motion cube.obj cube.obj --poses log.csv", here_).out.find("too near to say"),
-        std::string::npos);
+    EXPECT_NE(run_scb("motion cube.obj cube.obj --poses log.csv", here_)
+                  .out.find("too near for the tolerance"),
+              std::string::npos);
 }
 
 TEST_F(MotionCommand, RefusesOneFrameAndWrongTolerances) {

@@ -45,13 +45,32 @@ TEST(FirstContact, DistinguishesNearFromContact) {
         const FirstContact apart =
             first_contact(approach_of([gap](double t) { return std::abs(t - 0.4) + gap; }, 1));
         EXPECT_EQ(apart.outcome, ContactOutcome::none) << gap;
-        EXPECT_LE(apart.least_distance, gap + 1e-4);
+        EXPECT_LE(apart.least_distance, 2 * gap + 1e-4);
     }
     const FirstContact grazing =
         first_contact(approach_of([](double t) { return std::abs(t - 0.4) + 1e-15; }, 1));
     EXPECT_EQ(grazing.outcome, ContactOutcome::undecided);
     EXPECT_NEAR(grazing.not_before, 0.4, 1e-4);
     EXPECT_GE(grazing.at_latest, 0.4);
+}
+
+TEST(FirstContact, GoesOnBehindATimeThatIsTooNear) {
+    const FirstContact found = first_contact(approach_of(
+        [](double t) { return t > 0.8 ? 0 : std::min(std::abs(t - 0.4) + 1e-15, 0.8 - t); }, 1));
+    EXPECT_EQ(found.outcome, ContactOutcome::contact);
+    EXPECT_LE(found.not_before, 0.4);
+    EXPECT_NEAR(found.not_before, 0.4, 1e-4);
+    EXPECT_GE(found.at_latest, 0.8);
+    EXPECT_NEAR(found.at_latest, 0.8, 1e-4);
+}
+
+TEST(FirstContact, EndsWithATinyTolerance) {
+    Approach approach = approach_of([](double t) { return t < 0.3 ? 0.3 - t + 1e-15 : 1e-15; }, 1);
+    approach.tolerance = 1e-16;
+    const FirstContact found = first_contact(approach);
+    EXPECT_EQ(found.outcome, ContactOutcome::undecided);
+    EXPECT_NEAR(found.not_before, 0.3, 1e-12);
+    EXPECT_EQ(found.at_latest, 1);
 }
 
 TEST(FirstContact, KnowsTheEnds) {

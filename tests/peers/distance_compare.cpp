@@ -1,0 +1,164 @@
+// scb_distance_peers: the distance of two bodies by this project and by FCL: equal distances first,
+// times second. See README.md.
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "core/base/exit_status.h"
+#include "core/base/statistics.h"
+#include "core/base/text_format.h"
+#include "scb/error.h"
+#include "scenes/meshes/mesh_file.h"
+#include "tests/peers/core_mesh.h"
+#include "tests/peers/distance_scene.h"
+
+namespace scb {
+namespace {
+
+struct Options {
+    std::vector<std::string> meshes;
+    std::string models_dir;
+    std::vector<double> gaps = {0.001, 0.01, 0.1, 1};
+    int rounds = 5;
+    std::size_t poses = 4;
+};
+
+struct Named {
+    std::string title;
+    std::unique_ptr<DistancePeer> peer;
+};
+
+/// The first is the one that the others are compared with.
+std::vector<Named> peers_of(const DistanceBodies& bodies) {
+    const PeerMesh a = peer_mesh(bodies.a.mesh), b = peer_mesh(bodies.b.mesh);
+    std::vector<Named> peers;
+    const auto own = [&](const char* title, DistanceTree tree, DistanceOrder order,
+                         bool seeded = false) {
+        peers.push_back({title, own_distance_peer(bodies, tree, order, seeded)});
+    };
+    own("packed", DistanceTree::packed, DistanceOrder::hybrid);
+    own("depth first", DistanceTree::packed, DistanceOrder::depth_first);
+    own("nearest", DistanceTree::packed, DistanceOrder::nearest);
+    own("with a seed", DistanceTree::packed, DistanceOrder::hybrid, true);
+    own("one slab", DistanceTree::packed_one_slab, DistanceOrder::hybrid);
+    own("reference", DistanceTree::reference, DistanceOrder::hybrid);
+    peers.push_back({"FCL OBBRSS", fcl_distance_peer(a, b, true)});
+    peers.push_back({"FCL RSS", fcl_distance_peer(a, b, false)});
+    return peers;
+}
+
+/// A row of the table, and the times of all peers in milliseconds. Sets `differs` if a distance
+/// differs: of this project at all, of FCL by more than 1e-9 of it.
+std::vector<double> measure(std::vector<Named>& named, const std::vector<PeerPoses>& poses,
+                            int rounds, std::string& row, bool& differs) {
+    std::uint64_t n_v = 0, n_p = 0;
+    for (const PeerPoses& at : poses) {
+        double expected = 0;
+        for (std::size_t p = 0; p < named.size(); ++p) {
+            named[p].peer->query(at.a, at.b);
+            const double found = named[p].peer->distance();
+            if (p == 0) expected = found;
+            const bool is_own = !named[p].title.starts_with("FCL");
+            if (is_own ? found != expected : std::abs(found - expected) > 1e-9 * expected) {
+                differs = true;
+                std::cerr << "scb_distance_peers: " << named[p].title << " finds "
+                          << exact_number(found) << " in place of " << exact_number(expected)
+                          << "\n";
+            }
+        }
+        n_v += named[0].peer->n_v();
+        n_p += named[0].peer->n_p();
+    }
+    std::vector<std::unique_ptr<Peer>> peers;
+    for (Named& each : named) peers.push_back(std::move(each.peer));
+    PeerTiming timing;
+    timing.rounds = rounds;
+    const std::vector<PeerTimes> times =
+        time_peers(peers, std::vector<double>(peers.size(), 0.0), poses, timing);
+    for (std::size_t p = 0; p < named.size(); ++p)
+        named[p].peer.reset(static_cast<DistancePeer*>(peers[p].release()));
+    std::vector<double> means;
+    for (const PeerTimes& each : times) means.push_back(mean(each.cold));
+    for (const double ms : means) row += format(" %.3g |", 1e3 * ms);
+    const auto count = [&poses](std::uint64_t sum) {
+        return static_cast<double>(sum) / static_cast<double>(poses.size());
+    };
+    row += format(" %.0f / %.0f | %.1f |", count(n_v), count(n_p), means[6] / means[0]);
+    return means;
+}
+
+int compare(const Options& options) {
+    const std::map<std::string, bool> known = {{"horse", true},    {"skeleton_hand", true},
+                                               {"aatbase", false}, {"anchor", false},
+                                               {"boeing", false},  {"tray_bottom", false}};
+    std::vector<std::string> names = options.meshes;
+    if (names.empty())
+        names = {"horse", "skeleton_hand", "aatbase", "anchor", "boeing", "tray_bottom"};
+    bool differs = false, has_header = false;
+    std::map<std::string, std::vector<double>> logs;  // of FCL's time over the time of the packed
+    for (const std::string& name : names) {
+        const std::filesystem::path file =
+            name.ends_with(".ply") ? std::filesystem::path(name)
+                                   : std::filesystem::path(options.models_dir) / (name + ".ply");
+        const Mesh mesh = normalized(scenes::load_mesh(file));
+        const DistanceBodies bodies(mesh, mesh);
+        std::vector<Named> peers = peers_of(bodies);
+        if (!has_header) {
+            std::cout << "FCL " << fcl_version() << "; microseconds, cold, mean of "
+                      << options.poses << " poses\n\n| mesh | gap |";
+            for (const Named& peer : peers) std::cout << " " << peer.title << " |";
+            std::cout << " N_v / N_p | FCL OBBRSS / packed |\n|---|--:|";
+            for (std::size_t i = 0; i < peers.size() + 2; ++i) std::cout << "--:|";
+            std::cout << "\n";
+            has_header = true;
+        }
+        const auto at = known.find(name);
+        const std::string group = at == known.end() ? "others" : at->second ? "smooth" : "CAD";
+        for (const double gap : options.gaps) {
+            std::string row = "| " + name + " | " + exact_number(gap) + " |";
+            const std::vector<double> ms = measure(peers, poses_at_gap(bodies, gap, options.poses),
+                                                   options.rounds, row, differs);
+            logs[group].push_back(std::log(ms[6] / ms[0]));
+            std::cout << row << std::endl;
+        }
+    }
+    std::cout << "\n";
+    for (const auto& [group, values] : logs)
+        std::cout << group << ": geometric mean of FCL OBBRSS / packed "
+                  << format("%.1f", std::exp(mean(values))) << "\n";
+    return differs ? exit_different : exit_done;
+}
+
+int run(int argc, char** argv) {
+    CLI::App program{"scb_distance_peers: distances of this project and of FCL."};
+    Options options;
+    program.add_option(
+        "MESH", options.meshes,
+        "PLY files, or names of models: each with a copy of itself; else six models");
+    program.add_option("--models", options.models_dir, "the folder of the models")
+        ->envname("SCB_MODELS");
+    program.add_option("--gaps", options.gaps, "distances, in longest sides of the mesh")
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber);
+    program.add_option("--poses", options.poses, "random poses of each gap")
+        ->check(CLI::Range(1, 1000));
+    program.add_option("--rounds", options.rounds, "how many times each query is timed")
+        ->check(CLI::Range(1, 1000));
+    program.footer("Exit status: 0 done, 1 a distance differs, 2 bad usage or input.");
+    try {
+        program.parse(argc, argv);
+        return compare(options);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? exit_done : exit_bad_input;
+    } catch (const InputError& error) {
+        std::cerr << "scb_distance_peers: error: " << error.what() << "\n";
+        return exit_bad_input;
+    }
+}
+
+}  // namespace
+}  // namespace scb
+
+int main(int argc, char** argv) { return scb::run(argc, argv); }
