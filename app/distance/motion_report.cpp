@@ -47,8 +47,8 @@ void MotionReport::add(int from, int to, const std::function<bool()>& is_interru
     const std::array<Pose, 2> start = query_.poses(from), end = query_.poses(to);
     const BodyMotion a(start[0], end[0]), b(start[1], end[1]);
     const Mesh &mesh_a = query_.mesh(query_.a), &mesh_b = query_.mesh(query_.b);
-    // Distances and poses are rounded, by some units in the last place of the coordinates, of which
-    // this is an upper bound for all times.
+    // Distances and poses are rounded, by some units in the last place of the coordinates. The sum
+    // bounds the coordinates at all times.
     constexpr double rounding = 0x1p-44;
     double largest = farthest_vertex(mesh_a) + farthest_vertex(mesh_b);
     for (const auto& poses : {start, end})

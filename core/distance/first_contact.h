@@ -34,7 +34,7 @@ struct Approach {
 /// for that distance over the speed. Both ends of a contact are shown: until `not_before` such
 /// spans cover the time, and at `at_latest` a distance is 0. The two differ by at most the
 /// tolerance, unless the bodies came too near before: nearer than the error, or so near that spans
-/// are shorter than 2^-10 of the tolerance. After 100,000 distances, the rest is undecided.
+/// are shorter than 2^-10 of the tolerance. After 20,000 distances, the rest is undecided.
 FirstContact first_contact(const Approach& approach);
 
 }  // namespace scb

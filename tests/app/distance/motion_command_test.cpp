@@ -59,7 +59,7 @@ TEST_F(MotionCommand, SaysNothingOfBodiesThatAreTooNear) {
     const json step =
         motion("1.0000000000000002 3 0 0 0 0 1\n1.0000000000000002 -3 0 0 0 0 1\n")["steps"][0];
     EXPECT_EQ(step["contact"], "undecided");
-    EXPECT_LT(step["least_distance"], 1e-15);
+    EXPECT_LT(step["least_measured"], 1e-15);
     EXPECT_LE(step["not_before"], 1.0 / 3);
     EXPECT_NE(run_scb("motion cube.obj cube.obj --poses log.csv", here_)
                   .out.find("too near for the tolerance"),

@@ -82,7 +82,7 @@ TEST(FirstContact, KnowsTheEnds) {
     EXPECT_EQ(at_end.at_latest, 1);
     const FirstContact resting = first_contact(approach_of([](double) { return 2.0; }, 0));
     EXPECT_EQ(resting.outcome, ContactOutcome::none);
-    EXPECT_EQ(resting.distances, 1u);
+    EXPECT_EQ(resting.distances, 2u);
 }
 
 TEST(BodyMotion, GoesFromOnePoseToTheOther) {
