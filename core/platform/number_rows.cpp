@@ -11,11 +11,6 @@
 namespace scb {
 namespace {
 
-std::string_view unquoted(std::string_view cell) {
-    const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-    return is_quoted ? cell.substr(1, cell.size() - 2) : cell;
-}
-
 /// Blanks about a comma or semicolon belong to it.
 NumberRows::Cells cells_of(std::string_view line) {
     constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
@@ -26,7 +21,7 @@ NumberRows::Cells cells_of(std::string_view line) {
     skip_blanks();
     while (true) {
         const std::size_t end = std::min(line.find_first_of(separators), line.size());
-        cells.push_back(unquoted(line.substr(0, end)));
+        cells.push_back(line.substr(0, end));
         line.remove_prefix(end);
         skip_blanks();
         if (line.empty()) return cells;
@@ -36,9 +31,15 @@ NumberRows::Cells cells_of(std::string_view line) {
     }
 }
 
+std::string_view unquoted(std::string_view cell) {
+    const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+    return is_quoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// Numbers in quotes are refused, but not taken for a header.
 bool has_number(const NumberRows::Cells& cells) {
     return std::any_of(cells.begin(), cells.end(),
-                       [](std::string_view cell) { return number_in(cell).has_value(); });
+                       [](std::string_view cell) { return number_in(unquoted(cell)).has_value(); });
 }
 
 }  // namespace

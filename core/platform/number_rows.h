@@ -11,7 +11,7 @@
 namespace scb {
 
 /// The rows of a text file of numbers. Commas, semicolons or blanks separate the cells of a row.
-/// A number may stand in quotes. Blank lines and lines that begin with # are left out. A first row
+/// Blank lines and lines that begin with # are left out. A first row
 /// without any number is a header.
 class NumberRows {
   public:

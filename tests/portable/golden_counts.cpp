@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/volumes/shape.h"
+#include "scb/any_distance.h"
 #include "scb/any_packed.h"
 #include "scenes/scene/builtin.h"
 #include "tests/core/hierarchy/built_mesh.h"
@@ -200,6 +201,40 @@ std::string packed_lines(const std::string& start, const BuiltMesh& a, const Bui
     return lines;
 }
 
+template <class Found>
+std::string distance_text(const Found& found) {
+    Hash hash;
+    hash.add(found.found.distance);
+    hash.add(found.found.point_a);
+    hash.add(found.found.point_b);
+    return " distance:" + count("v", found.n_v) + count("p", found.n_p) +
+           count("a", found.triangles->a) + count("b", found.triangles->b) + " " + hash.text() +
+           "\n";
+}
+
+/// Distances by some volumes and by packed hierarchies. Of spheres that are near everywhere, few:
+/// they take long on an emulated CPU.
+std::string distance_lines(const std::string& start, bool few, const BuiltMesh& a,
+                           const BuiltMesh& b, const Pose& b_to_a) {
+    std::string lines;
+    for (const VolumeKind kind : {VolumeKind::scb2, VolumeKind::obb}) {
+        if (few) break;
+        const auto index = static_cast<std::size_t>(kind);
+        lines += start + " " + std::string(volume_kind_name(kind)) +
+                 distance_text(
+                     distance(a.hierarchies[index], a.mesh, b.hierarchies[index], b.mesh, b_to_a));
+    }
+    constexpr auto two_slabs = static_cast<std::size_t>(VolumeKind::scb2);
+    for (const PackedLayout& layout : all_packed_layouts()) {
+        if (few && packed_layout_name(layout) != "quantized8") continue;
+        lines += start + " " + packed_layout_name(layout) +
+                 distance_text(distance_packed(
+                     pack_any(layout, a.hierarchies[two_slabs], a.mesh), a.mesh,
+                     pack_any(layout, b.hierarchies[two_slabs], b.mesh), b.mesh, b_to_a));
+    }
+    return lines;
+}
+
 std::string scene_lines(const Frames& chosen) {
     const scenes::Scene scene = scenes::load_builtin(*scenes::find_builtin(chosen.scene));
     std::vector<BuiltMesh> models;
@@ -217,6 +252,9 @@ std::string scene_lines(const Frames& chosen) {
                                  models[b.mesh], b_to_a);
         lines += packed_lines(scene.name + " " + std::to_string(frame), models[a.mesh],
                               models[b.mesh], b_to_a);
+        lines += distance_lines(scene.name + " " + std::to_string(frame),
+                                scene.name == "spheres-l1" && frame >= 250, models[a.mesh],
+                                models[b.mesh], b_to_a);
     }
     return lines;
 }
@@ -239,7 +277,10 @@ std::string golden_counts() {
         "# SCENE FRAME KIND [TEST] RULE: N_v, N_p, N_u, depth, triangle pairs, their hash; tests "
         "per stage\n"
         "# SCENE FRAME LAYOUT: N_v, N_p, of these undecided by floats, triangle pairs, their "
-        "hash\n";
+        "hash\n"
+        "# SCENE FRAME KIND or LAYOUT distance: N_v, N_p, triangles of A and B, hash of the "
+        "distance "
+        "and the points\n";
     for (const Frames& chosen : chosen_frames()) text += scene_lines(chosen);
     return text;
 }

@@ -13,6 +13,7 @@ namespace scb {
 ///     SCENE MODEL KIND: nodes, and the hash of the topology and of all volumes
 ///     SCENE FRAME KIND [TEST] RULE: N_v, N_p, N_u, depth, triangle pairs and their hash, tests per
 ///                                   stage
+///     SCENE FRAME KIND|LAYOUT distance: N_v, N_p, the triangles, and the hash of the distance
 ///
 /// with every volume kind, overlap test (printed and line8 too) and descent rule. Where the counts
 /// of two machines differ, the first line that does tells whether meshes, volumes or queries do.

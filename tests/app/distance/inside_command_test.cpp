@@ -78,6 +78,8 @@ TEST_F(InsideCommand, RefusesFilesWithoutPoints) {
     EXPECT_NE(error("1,2\n").find("line 1: it has 2 columns"), std::string::npos);
     EXPECT_NE(error("1,2,3\n1,2,nan\n").find("line 2: 'nan'"), std::string::npos);
     EXPECT_NE(error("1,2,3\nx,y,z\n").find("line 2: 'x'"), std::string::npos);
+    EXPECT_NE(error("\"1\",\"2\",\"3\"\n").find("line 1: '\"1\"'"), std::string::npos);
+    EXPECT_NE(error("a b\n1,2,3\n").find("the header before has 2 columns"), std::string::npos);
     EXPECT_NE(error("1,2,1e300\n").find("line 1: '1e300'"), std::string::npos);
     const ProgramRun two = run_scb("inside spheres-l1 --points points.csv", here_);
     EXPECT_EQ(two.status, 2);
