@@ -112,7 +112,7 @@ TEST_F(InsideCommand, AgreesWithRecordedAnswers) {
             ++checked;
         }
     }
-    EXPECT_GE(checked, 1000);
+    EXPECT_GE(checked, unless_sanitized(1000, 400));
 }
 
 }  // namespace

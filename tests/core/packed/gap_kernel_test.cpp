@@ -126,7 +126,8 @@ void expect_bounds_below_distances(double most_lost) {
         distances += distance;
     }
     EXPECT_GT(positive, pairs_tried / 3);
-    EXPECT_GT(too_large, 0) << "is a margin needed?";
+    // Few pairs need one.
+    EXPECT_GE(too_large, unless_sanitized(1, 0)) << "is a margin needed?";
     EXPECT_GT(bounds, (1 - most_lost) * distances) << "the bounds are weak";
 }
 
