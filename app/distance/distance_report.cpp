@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "app/query/pair_lines.h"
 #include "app/query/query_title.h"
 #include "app/report/build_text.h"
 #include "app/report/count_table.h"
@@ -91,7 +92,6 @@ void DistanceReport::add(int frame) {
 
 DistanceOptions DistanceReport::limits(const Bodies& bodies) const {
     DistanceOptions limits = asked().limits;
-    limits.descent = options_.query.descent;
     if (options_.seeded) limits.seed = bodies.closest;
     if (asked().within) {
         limits.order = DistanceOrder::depth_first;
@@ -203,7 +203,7 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
     if (!options_.json) return;
     Json query;
     if (is_of_many(query_))
-        query["bodies"] = {body_name(query_, query_.a), body_name(query_, query_.b)};
+        query["bodies"] = pair_json(query_);
     else
         query["frame"] = frame;
     query["pose"] = pose_json(query_.b_to_a(frame));
@@ -319,7 +319,7 @@ std::string DistanceReport::near_words() {
 render::DistancePlot DistanceReport::plot() {
     render::DistancePlot plot;
     plot.title = query_.scene.name + " · distance";
-    plot.subtitle = options_.query.distance->limits.relative_error > 0
+    plot.subtitle = asked().limits.relative_error > 0
                         ? format("relative error up to %g", asked().limits.relative_error)
                         : "";
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -367,8 +367,7 @@ Json DistanceReport::json() {
         for (std::string& name : bodies_[i].inside.not_closed()) not_closed.insert(std::move(name));
         if (!bodies_[i].near.empty())
             intervals.push_back(
-                {{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}},
-                 {"frames", bodies_[i].near.json()}});
+                {{"bodies", pair_json(query_)}, {"frames", bodies_[i].near.json()}});
     }
     json[asked().within ? "within_intervals" : "contact_intervals"] = std::move(intervals);
     if (!not_closed.empty()) json["not_closed"] = not_closed;

@@ -65,7 +65,7 @@ class DistanceReport {
         BodyPair bodies{};
     };
 
-    const DistanceQuery& asked() const { return *options_.query.distance; }
+    const DistanceQuery& asked() const { return *query_.distance; }
     bool lists_pairs() const { return asked().within && !options_.first; }
     DistanceOptions limits(const Bodies& bodies) const;
     void add_distance(Bodies& bodies, int frame);

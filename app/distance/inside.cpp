@@ -9,13 +9,11 @@
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/report/trace_report.h"
+#include "app/study/point_queries.h"
 #include "core/base/exit_status.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
-#include "core/geometry/mesh_parts.h"
-#include "core/hierarchy/mesh_parity.h"
 #include "core/platform/number_rows.h"
-#include "scb/distance.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -59,54 +57,9 @@ std::string_view side_name(PointSide side) {
     return "on";
 }
 
-/// Answers for the points of a mesh.
-class PointQueries {
-  public:
-    struct Answer {
-        std::optional<PointSide> side;  ///< none: the mesh is not closed
-        Distance nearest;               ///< from the mesh to the point
-    };
-
-    PointQueries(const Mesh& mesh, const BuildOptions& build)
-        : mesh_(mesh),
-          hierarchy_(build_hierarchy<Scb2>(mesh, build)),
-          of_probe_(build_hierarchy<Scb2>(probe_)) {
-        if (are_closed(joined_triangles(mesh))) parity_.emplace(mesh, *hierarchy_.topology);
-    }
-
-    bool is_closed() const { return parity_.has_value(); }
-
-    Answer at(const Vec3& point) {
-        Pose pose;
-        pose.translation = point;
-        DistanceOptions options;
-        if (last_) options.seed = last_;
-        Answer answer;
-        answer.nearest = distance(Collider<Scb2>{hierarchy_, mesh_},
-                                  Collider<Scb2>{of_probe_, probe_}, pose, options);
-        last_ = answer.nearest.triangles;
-        if (parity_) answer.side = parity_->side(point);
-        return answer;
-    }
-
-  private:
-    const Mesh& mesh_;
-    Mesh probe_{{Vec3::Zero()}, {Triangle{0, 0, 0}}};  ///< one triangle that is a point
-    Hierarchy<Scb2> hierarchy_, of_probe_;
-    std::optional<MeshParity> parity_;
-    std::optional<IndexPair> last_;
-};
-
-/// The distance, negative inside; none if the side is not known.
-std::optional<double> signed_distance(const PointQueries::Answer& answer) {
-    if (!answer.side) return std::nullopt;
-    const double distance = answer.nearest.found.distance;
-    return *answer.side == PointSide::in ? -distance : distance;
-}
-
-Json json_of(std::size_t number, const Vec3& point, const PointQueries::Answer& answer) {
+Json json_of(std::size_t number, const Vec3& point, const PointAnswer& answer) {
     const auto xyz = [](const Vec3& p) { return Json{p[0], p[1], p[2]}; };
-    const std::optional<double> depth = signed_distance(answer);
+    const std::optional<double> depth = answer.signed_distance();
     return {{"number", number},
             {"point", xyz(point)},
             {"answer", answer.side ? Json(side_name(*answer.side)) : Json()},
@@ -130,8 +83,7 @@ Table table_of_answers() {
                   {"", "closest_z"}});
 }
 
-std::vector<Cell> cells_of(std::size_t number, const Vec3& point,
-                           const PointQueries::Answer& answer) {
+std::vector<Cell> cells_of(std::size_t number, const Vec3& point, const PointAnswer& answer) {
     std::vector<Cell> cells = {number};
     const auto add = [&cells](const Vec3& p) {
         for (int i = 0; i < 3; ++i) cells.emplace_back(p[i], "%.6g");
@@ -140,7 +92,7 @@ std::vector<Cell> cells_of(std::size_t number, const Vec3& point,
     cells.push_back(answer.side ? Cell(side_name(*answer.side))
                                 : Cell(Json(), std::string("not judged")));
     cells.emplace_back(answer.nearest.found.distance, "%.6g");
-    const std::optional<double> depth = signed_distance(answer);
+    const std::optional<double> depth = answer.signed_distance();
     cells.push_back(depth ? Cell(*depth, "%.6g") : Cell());
     cells.emplace_back(answer.nearest.triangles->a);
     add(answer.nearest.found.point_a);
@@ -170,7 +122,7 @@ int run(const InsideOptions& options, const Console& console) {
             console.note("scb: interrupted; no answer is printed.");
             return exit_interrupted(watch.signal());
         }
-        const PointQueries::Answer answer = queries.at(points[i]);
+        const PointAnswer answer = queries.at(points[i]);
         if (answer.side) ++counts[static_cast<std::size_t>(*answer.side)];
         if (options.json)
             answers.push_back(json_of(i, points[i], answer));

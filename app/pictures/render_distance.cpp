@@ -54,8 +54,6 @@ int run(QueryViewOptions& options, const Console& console) {
                              ": a recording has both bodies already; give the recording alone.");
     }
     options.check();
-    // Of a recording, only the meshes and poses are used.
-    options.recording = {"distance"};
     QuerySources sources = options.open(console);
     std::optional<SheetRun> sheet =
         options.planned_sheet(sources.front().frames().size(), std::nullopt);

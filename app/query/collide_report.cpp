@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "app/query/pair_lines.h"
 #include "app/query/query_title.h"
 #include "app/report/build_text.h"
 #include "app/report/count_table.h"
@@ -236,7 +237,7 @@ void CollideReport::add_json(int frame, const Collision& found, std::size_t touc
     if (is_all_contacts()) counts["touching"] = touching;
     if (difference) counts["expected"] = json_of(*difference);
     if (is_of_many(query_)) {
-        Json query = {{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}}};
+        Json query = {{"bodies", pair_json(query_)}};
         counts.erase("frame");
         query.update(counts);
         json_frames_.back()["queries"].push_back(std::move(query));
@@ -346,8 +347,7 @@ Json CollideReport::contact_json() {
     for (std::size_t i = 0; i < query_.pairs.size(); ++i) {
         if (intervals_[i].empty()) continue;
         query_.choose(query_.pairs[i]);
-        list.push_back({{"bodies", {body_name(query_, query_.a), body_name(query_, query_.b)}},
-                        {"frames", intervals_[i].json()}});
+        list.push_back({{"bodies", pair_json(query_)}, {"frames", intervals_[i].json()}});
     }
     return list;
 }

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "app/report/table.h"
 #include "app/report/trace_report.h"
 #include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
@@ -56,18 +55,8 @@ nlohmann::ordered_json bodies_json(const SceneOptions& scene, const SceneQuery& 
     return json;
 }
 
-std::string pair_lines_header(const SceneQuery& query) {
-    return std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
-           (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
-}
-
-std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs) {
-    std::string start = format("%d,", frame), lines;
-    if (is_of_many(query))
-        start +=
-            csv_field(body_name(query, query.a)) + "," + csv_field(body_name(query, query.b)) + ",";
-    for (const IndexPair& pair : pairs) lines += start + format("%u,%u\n", pair.a, pair.b);
-    return lines;
+nlohmann::ordered_json pair_json(const SceneQuery& query) {
+    return {body_name(query, query.a), body_name(query, query.b)};
 }
 
 nlohmann::ordered_json build_json(const BuildOptions& build) {

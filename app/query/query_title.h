@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 
 #include "app/study/scene_query.h"
@@ -20,12 +19,9 @@ std::string bodies_title(const SceneQuery& query);
 
 /// The same as JSON: "version", "scene", "source", "bodies" and "volume".
 nlohmann::ordered_json bodies_json(const SceneOptions& scene, const SceneQuery& query);
+/// The names of the chosen bodies, as JSON.
+nlohmann::ordered_json pair_json(const SceneQuery& query);
 /// How hierarchies are built, as JSON.
 nlohmann::ordered_json build_json(const BuildOptions& build);
-
-/// The first line of a CSV file of pairs of triangles, or of nodes of a level.
-std::string pair_lines_header(const SceneQuery& query);
-/// A line for each of these pairs of the chosen bodies.
-std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs);
 
 }  // namespace scb::app

@@ -185,7 +185,9 @@ QuerySources open_sources(const SceneOptions& scene, const HierarchyOptions& hie
     } else if (scene.is_recording() && compare.names.find(recorded_name) != std::string::npos) {
         sources = beside_recording(scene, hierarchy, query, limits, compare);
     } else if (compare.names.empty()) {
-        sources.emplace_back(scene, hierarchy, query, limits, asks_for_recorded(compare.given));
+        // Distances are measured anew, between the recorded meshes.
+        const bool recorded = asks_for_recorded(compare.given) && !query.distance;
+        sources.emplace_back(scene, hierarchy, query, limits, recorded);
         if (!sources[0].is_recording()) {
             note_doubts(hierarchy, {sources[0].query().kind}, note);
             note_doubts(scene, sources[0].query().scene, query, {sources[0].query().kind}, note);

@@ -94,9 +94,9 @@ HWY_INLINE Lanes<n> gap(const LaneScbs<n>& a, const LaneScbs<n>& b, Lanes<n> mar
         of_balls);
 }
 
-/// The distance by which a volume with its center at d on an axis passes the interval of half the
-/// length `h` about 0. `part` is the direction of the axis along the axes of the volume. The extent
-/// of the volume has three upper bounds, as in reach_slab.
+/// The gap between two extents on an axis: the interval from -h to h, and the extent of a volume
+/// whose center is at d. `part`: the direction of the axis, along the axes of the volume. Its
+/// extent has three upper bounds, as in reach_slab.
 template <int n>
 HWY_INLINE Lanes<n> gap_along(Lanes<n> d, Lanes<n> h, const LaneScb2s<n>& volume,
                               const Lanes3<n>& part) {

@@ -46,6 +46,31 @@ inline constexpr float edge_error_a = 4.1f, edge_error_b = 12.3f, offset_error =
 /// Corners of the smallest triangles lose digits to the least exponent of floats.
 inline constexpr float least_error = 0x1p-120f;
 
+/// Calls `use` with each row of OpenPairs::points, and the numbers of these pairs in it.
+template <int n, class Use>
+HWY_INLINE void each_row(const TrianglePairs<n>& pairs, Use use) {
+    const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1, &pairs.f2, &pairs.w};
+    for (int k = 0; k < 5; ++k) {
+        use(3 * k, points[k]->x);
+        use(3 * k + 1, points[k]->y);
+        use(3 * k + 2, points[k]->z);
+    }
+    use(15, pairs.error_p);
+    use(16, pairs.error_f);
+    use(17, pairs.error_w);
+}
+
+/// n open pairs, from index `at` on.
+template <int n>
+HWY_INLINE TrianglePairs<n> triangle_pairs(const OpenPairs& open, std::size_t at) {
+    const auto lanes = [&open, at](int row)
+                           HWY_ATTR { return Lanes<n>::load(open.points[row] + at); };
+    const auto point = [&lanes](int k) HWY_ATTR {
+        return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
+    };
+    return {point(0), point(1), point(2), point(3), point(4), lanes(15), lanes(16), lanes(17)};
+}
+
 /// Tests pairs of leaves for triangles that intersect.
 class LeafPairs {
   public:
@@ -227,15 +252,8 @@ class LeafPairs {
                                HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
         store(open_.a, tiled(a.triangle_bits(), first));
         store(open_.b, spread(b.triangle_bits(), first));
-        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1, &pairs.f2, &pairs.w};
-        for (int k = 0; k < 5; ++k) {
-            store(open_.points[3 * k], points[k]->x);
-            store(open_.points[3 * k + 1], points[k]->y);
-            store(open_.points[3 * k + 2], points[k]->z);
-        }
-        store(open_.points[15], pairs.error_p);
-        store(open_.points[16], pairs.error_f);
-        store(open_.points[17], pairs.error_w);
+        each_row(pairs, [this, &store](int row, Lanes<n> lanes)
+                            HWY_ATTR { store(open_.points[row], lanes); });
         open_.count += static_cast<std::size_t>(std::popcount(bits));
         if (open_.count >= OpenPairs::enough) decide();
     }
@@ -245,13 +263,7 @@ class LeafPairs {
         const std::size_t count = open_.count < std::size_t{n} ? open_.count : std::size_t{n};
         open_.count -= count;
         const std::size_t at = open_.count;
-        const auto lanes = [this, at](int row)
-                               HWY_ATTR { return Lanes<n>::load(open_.points[row] + at); };
-        const auto point = [&lanes](int k) HWY_ATTR {
-            return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
-        };
-        const Certainty<n> result = intersection(TrianglePairs<n>{
-            point(0), point(1), point(2), point(3), point(4), lanes(15), lanes(16), lanes(17)});
+        const Certainty<n> result = intersection(triangle_pairs<n>(open_, at));
         std::uint32_t yes = result.intersect.bits() & low_bits(static_cast<std::uint32_t>(count));
         std::uint32_t unsure =
             result.open.bits() & low_bits(static_cast<std::uint32_t>(count)) & ~yes;

@@ -68,15 +68,8 @@ class NearTriangles {
         const ChosenLanes<n> chosen(bits);
         const auto store = [at, &chosen](float* row, Lanes<n> lanes)
                                HWY_ATTR { Lanes<n>{chosen(lanes.v)}.store(row + at); };
-        const Lanes3<n>* const points[] = {&pairs.p1, &pairs.p2, &pairs.f1, &pairs.f2, &pairs.w};
-        for (int k = 0; k < 5; ++k) {
-            store(open_.points[3 * k], points[k]->x);
-            store(open_.points[3 * k + 1], points[k]->y);
-            store(open_.points[3 * k + 2], points[k]->z);
-        }
-        store(open_.points[15], pairs.error_p);
-        store(open_.points[16], pairs.error_f);
-        store(open_.points[17], pairs.error_w);
+        each_row(pairs, [this, &store](int row, Lanes<n> lanes)
+                            HWY_ATTR { store(open_.points[row], lanes); });
         constexpr int side = most_leaf_triangles;
         for (; bits != 0; bits &= bits - 1) {
             const auto lane = static_cast<std::size_t>(first + std::countr_zero(bits));
@@ -88,13 +81,7 @@ class NearTriangles {
     /// Bounds the distances of n pairs. The first `count` of them are valid.
     template <int n>
     HWY_INLINE void bound(std::size_t at, std::size_t count) {
-        const auto lanes = [this, at](int row)
-                               HWY_ATTR { return Lanes<n>::load(open_.points[row] + at); };
-        const auto point = [&lanes](int k) HWY_ATTR {
-            return Lanes3<n>{lanes(3 * k), lanes(3 * k + 1), lanes(3 * k + 2)};
-        };
-        const TriangleGap<n> gap(TrianglePairs<n>{point(0), point(1), point(2), point(3), point(4),
-                                                  lanes(15), lanes(16), lanes(17)});
+        const TriangleGap<n> gap(triangle_pairs<n>(open_, at));
         float least[n], most[n];
         gap.least.store(least);
         gap.most.store(most);

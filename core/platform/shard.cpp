@@ -23,7 +23,8 @@ std::optional<std::size_t> shard_number(std::string_view digits) {
 Shard parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash != std::string_view::npos) {
-        const auto k = shard_number(text.substr(0, slash)), n = shard_number(text.substr(slash + 1));
+        const auto k = shard_number(text.substr(0, slash)),
+                   n = shard_number(text.substr(slash + 1));
         if (k && n && *k >= 1 && *k <= *n) return {*k, *n};
     }
     throw InputError("\"" + std::string(text) +

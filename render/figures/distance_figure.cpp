@@ -25,6 +25,10 @@ std::string words_of(const EndingGroup& group, QueryKind kind) {
             return kind == QueryKind::within ? "triangles within" : "triangles nearer than before";
         case Stage::left_over:
             return "not needed any more";
+        case Stage::slab_a:
+            return "axes of A";
+        case Stage::slab_b:
+            return "axes of B";
         default:
             return group.label;
     }

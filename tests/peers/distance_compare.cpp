@@ -1,5 +1,5 @@
 // scb_distance_peers: the distance of two bodies by this project and by FCL: equal distances first,
-// times second. See README.md.
+// times second. core/topics/section-7.md has its tables.
 
 #include <CLI/CLI.hpp>
 #include <cmath>

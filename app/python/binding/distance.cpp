@@ -225,9 +225,10 @@ void add_distance(py::module_& module) {
         .def_readonly("n_u", &FoundDistance::n_u,
                       "Points and directions of volumes that were transformed for the bounds; None "
                       "of packed hierarchies.")
-        .def_readonly("stages", &FoundDistance::stages,
-                      R"(Pairs of volumes: "near", nearer than the answer so far, or the direction
-of the largest bound, by which a pair was left out. None of packed hierarchies.)")
+        .def_readonly(
+            "stages", &FoundDistance::stages,
+            R"(Pairs of volumes by how their test ended: "near", or the direction of the bound that left the
+pair out. None for packed hierarchies, which do not count them.)")
         .def("__repr__", [](const FoundDistance& f) {
             return "<scb.Distance: " + exact_number(f.distance) +
                    ", N_v = " + std::to_string(f.n_v) + ", N_p = " + std::to_string(f.n_p) + ">";

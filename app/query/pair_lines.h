@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "app/study/scene_query.h"
+
+namespace scb::app {
+
+/// The first line of a CSV file of pairs of triangles, or of nodes of a level.
+std::string pair_lines_header(const SceneQuery& query);
+/// A line for each of these pairs of the chosen bodies.
+std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs);
+
+}  // namespace scb::app
