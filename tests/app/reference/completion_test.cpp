@@ -35,7 +35,7 @@ class Completion : public testing::TestWithParam<const char*> {
 
 TEST_P(Completion, OffersCommands) {
     check({{"scb ren", {"render"}},
-           {"scb render ", {"levels", "pairs", "rejections", "traversal"}},
+           {"scb render ", {"distance", "levels", "pairs", "rejections", "traversal"}},
            {"scb golden se", {"selftest"}},
            // Neither an option nor its value is a command.
            {"scb --quiet --color always ren", {"render"}},
