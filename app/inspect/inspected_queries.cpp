@@ -137,8 +137,10 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
     // An error may be the cause of the waste of a recording that is wrong.
     if (inspected.file)
+        // The causes and cures of waste are known for tests of overlap only.
         report.has_waste = source.recorded()->has_results() && !report.recording->judged.wrong() &&
-                           report.sum.counts.all.volume_tests > 0;
+                           report.sum.counts.all.volume_tests > 0 &&
+                           !is_of_distance(source.header().kind);
     if (!report.has_waste) return {};
     for (std::size_t side = 0; side < 2; ++side) {
         const Mesh& mesh = *source.body(side, found.frames.front().frame).mesh;
@@ -162,7 +164,9 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
 
 bool can_compare(const InspectedQueries& inspected) {
     if (inspected.sources.empty()) return false;
-    if (inspected.file) return !inspected.report.recording->judged.wrong();
+    if (inspected.file)
+        return !inspected.report.recording->judged.wrong() &&
+               !is_of_distance(inspected.sources.front().header().kind);
     const SceneQuery& query = inspected.sources.front().query();
     return inspected.found->complete && query.options.stop_level < 0 &&
            query.mutation == Mutation::none && inspected.report.sum.counts.missed == 0;

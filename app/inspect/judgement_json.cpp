@@ -108,7 +108,10 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["test_problems"] = groups_json(judged.test_problems);
     json["missed"] = groups_json(judged.missed);
     json["false"] = groups_json(judged.false_pairs);
-    json["wasted"] = {{"loose", judged.wasted_loose}, {"weak", judged.wasted_weak}};
+    json["wrong_distances"] = groups_json(judged.answers);
+    json["wasted"] = {{"loose", judged.wasted_loose},
+                      {"weak", judged.wasted_weak},
+                      {"early", judged.wasted_early}};
     json["unjudged"] = judged.unjudged;
     json["not_looked_into"] = judged.not_looked_into;
     json["ended_early"] = judged.ended_early;

@@ -195,12 +195,19 @@ std::string costs_text(const RecordingJudgement& judged,
 
 std::string results_text(const RecordingJudgement& judged) {
     if (!judged.summary.has_results()) return "Results: none were recorded.\n\n";
+    std::string text;
+    if (judged.summary.answers > 0 || !judged.answers.empty()) {
+        std::uint64_t wrong = 0;
+        for (const ProblemGroup& group : judged.answers) wrong += group.count;
+        text = "Results: " + counted(judged.distances, "distance", "distances") + " recorded, " +
+               count_text(wrong) + " wrong.\n";
+        if (judged.summary.pairs == 0) return text + "\n";
+    }
     const bool told = judged.summary.has_pairs || judged.summary.pairs > 0;
-    std::string text =
-        "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
-        (told ? " reported" : " met by the tests of triangles");
+    text += "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
+            (told ? " reported" : " met by the tests of triangles");
     if (judged.unknown_items < judged.total(&FrameJudgement::queries))
-        text += ", " + count_text(judged.exact_pairs) + " intersect; " +
+        text += ", " + count_text(judged.exact_pairs) + (judged.summary.measures > 0 ? " are near enough; " : " intersect; ") +
                 count_text(judged.total(&FrameJudgement::missed)) + " missed, " +
                 count_text(judged.total(&FrameJudgement::false_pairs)) + " false" +
                 (judged.grazing > 0 ? ", " + count_text(judged.grazing) + " within the tolerance"
@@ -217,15 +224,24 @@ std::string waste_text(const RecordingJudgement& judged) {
     const std::uint64_t tests =
         judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
-    const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose;
+    const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose + judged.wasted_early;
+    const bool measures = judged.summary.measures > 0;
     if (!judged.summary.has_results())
         return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
                " tests are below volumes that do not even meet; what else led to nothing, only "
                "results tell.\n";
     return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
            " tests: " + count_text(judged.wasted_loose) +
-           " below volumes that meet though nothing below them does, " +
-           count_text(judged.wasted_weak) + " below volumes that do not even meet.\n";
+           (measures ? " below volumes that are near enough though no triangles below them are, "
+                     : " below volumes that meet though nothing below them does, ") +
+           count_text(judged.wasted_weak) +
+           (measures ? " below volumes that are too far apart, since their bound is too small"
+                     : " below volumes that do not even meet") +
+           (judged.wasted_early > 0
+                ? ", " + count_text(judged.wasted_early) +
+                      " below volumes that were tested before a near answer was known"
+                : "") +
+           ".\n";
 }
 
 /// Lengths within which results are not judged.
@@ -309,6 +325,7 @@ std::string recording_text(const InspectedRecording& recording,
     text += trees_text(judged, top, cases) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
             tolerance_text(judged) + results_text(judged) +
+            groups_text("Wrong distances", judged.answers, cases) +
             groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) +
             log_text(judged, top) + waste_text(judged) + frames_text(judged, top);

@@ -18,12 +18,14 @@ std::string wrong_words(const RecordingJudgement& judged) {
     const auto add = [&text](std::uint64_t count, const char* one, const char* several) {
         if (count > 0) text += (text.empty() ? ": " : ", ") + counted(count, one, several);
     };
-    std::uint64_t faults = 0, tests = 0;
+    std::uint64_t faults = 0, tests = 0, answers = 0;
     for (const TreeJudgement& tree : judged.trees) faults += tree.problems.size();
     for (const ProblemGroup& group : judged.test_problems) tests += group.count;
     add(faults, "fault of trees", "faults of trees");
     add(judged.poses.size(), "query that fits another pose", "queries that fit another pose");
     add(tests, "test that went wrong", "tests that went wrong");
+    for (const ProblemGroup& group : judged.answers) answers += group.count;
+    add(answers, "wrong distance", "wrong distances");
     add(judged.total(&FrameJudgement::missed), "pair missed", "pairs missed");
     add(judged.total(&FrameJudgement::false_pairs), "false pair", "false pairs");
     add(judged.odd.count, "record that contradicts its tree",

@@ -487,6 +487,50 @@ static inline void scb_record_named_query(scb_recorder* r, uint32_t body_a, uint
     scb_rec_end(r);
 }
 
+/** After scb_record_query: this query looks for the smallest distance of the two bodies. `limit`:
+ * nothing beyond this distance is looked for; INFINITY if there is no such limit. `relative_error`:
+ * the distance may be so much too large, such as 0.01; 0 if it may not. */
+static inline void scb_record_nearest(scb_recorder* r, double limit, double relative_error) {
+    const double values[2] = {limit, relative_error};
+    scb_rec_begin(r, 206, 17);
+    scb_rec_put8(r, 1);
+    scb_rec_doubles(r, values, 2);
+    scb_rec_end(r);
+}
+
+/** After scb_record_query: this query looks for all pairs whose distance is at most `tolerance`. If
+ * it ends at the first pair, it is not complete, see scb_record_query_end. */
+static inline void scb_record_within(scb_recorder* r, double tolerance) {
+    const double values[2] = {tolerance, 0};
+    scb_rec_begin(r, 206, 17);
+    scb_rec_put8(r, 2);
+    scb_rec_doubles(r, values, 2);
+    scb_rec_end(r);
+}
+
+/** The answer of scb_record_nearest: the distance that the query returns, and two items that have
+ * it, or SCB_RECORD_NONE twice. `points`: three coordinates of the closest point of A and three of
+ * the closest point of B, in the world; or NULL. If nothing is nearer than the limit, record no
+ * answer. */
+static inline void scb_record_distance(scb_recorder* r, double distance, uint32_t item_a,
+                                       uint32_t item_b, const double points[6]) {
+    scb_rec_begin(r, 207, points ? 68 : 20);
+    scb_rec_doubles(r, &distance, 1);
+    scb_rec_put32(r, item_a);
+    scb_rec_put32(r, item_b);
+    scb_rec_put32(r, points ? 6 : 0);
+    if (points) scb_rec_doubles(r, points, 6);
+    scb_rec_end(r);
+}
+
+/** The length that the next test has: the lower bound of the distance of two volumes, or the
+ * distance of two items. */
+static inline void scb_record_length(scb_recorder* r, double length) {
+    uint64_t bits;
+    memcpy(&bits, &length, 8);
+    scb_rec_event(r, 132, (uint32_t)bits, (uint32_t)(bits >> 32));
+}
+
 /** A line of your engine's log, in the current frame. Reports show the line if a test or a pair of
  * the frame is wrong. */
 static inline void scb_record_log(scb_recorder* r, const char* text) {
@@ -514,6 +558,21 @@ static inline void scb_record_step(scb_recorder* r, uint32_t parent, uint32_t no
 /** A test of two triangles, or of two objects: items of leaves. */
 static inline void scb_record_items(scb_recorder* r, uint32_t item_a, uint32_t item_b, int meet) {
     scb_rec_event(r, (unsigned char)(meet ? 129 : 128), item_a, item_b);
+}
+
+/** A lower bound of the distance of two nodes. A test that leads to no other test counts as left
+ * out by its bound. `stage`: 0, or 1 to 127 if the engine leaves the nodes out at once. */
+static inline void scb_record_bound(scb_recorder* r, uint32_t node_a, uint32_t node_b, double bound,
+                                    uint8_t stage) {
+    scb_record_length(r, bound);
+    scb_record_test(r, node_a, node_b, stage);
+}
+
+/** The distance of two items that the query measured. */
+static inline void scb_record_item_distance(scb_recorder* r, uint32_t item_a, uint32_t item_b,
+                                            double distance) {
+    scb_record_length(r, distance);
+    scb_record_items(r, item_a, item_b, 0);
 }
 
 /** A pair that the query reports. */

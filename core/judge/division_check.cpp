@@ -21,8 +21,8 @@ struct BoxedNode {
 
 class DivisionCheck {
   public:
-    DivisionCheck(const EngineQuery& query, std::span<const JudgedTest> tests)
-        : query_(query), tests_(tests) {}
+    DivisionCheck(const EngineQuery& query, std::span<const JudgedTest> tests, double reach)
+        : query_(query), tests_(tests), reach_(reach) {}
 
     DivisionCounts counted() {
         std::vector<Division> divisions(tests_.size());
@@ -85,12 +85,12 @@ class DivisionCheck {
 
     /// Compares the boxes first, since a node may have many children.
     bool overlap(const BoxedNode& a, const BoxedNode& b) const {
-        if ((a.box.lower.array() > b.box.upper.array()).any() ||
-            (b.box.lower.array() > a.box.upper.array()).any())
+        if ((a.box.lower.array() - reach_ > b.box.upper.array()).any() ||
+            (b.box.lower.array() - reach_ > a.box.upper.array()).any())
             return false;
         return exact_verdict((*query_.sides[0].tree)[a.node].volume,
                              (*query_.sides[1].tree)[b.node].volume, query_.b_to_a,
-                             tolerance_of(query_, {a.node, b.node}))
+                             tolerance_of(query_, {a.node, b.node}), reach_)
                    .contact == Contact::overlapping;
     }
 
@@ -154,13 +154,15 @@ class DivisionCheck {
 
     const EngineQuery& query_;
     std::span<const JudgedTest> tests_;
+    const double reach_;
     DivisionCounts counts_;
 };
 
 }  // namespace
 
-DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests) {
-    return DivisionCheck(query, tests).counted();
+DivisionCounts check_divisions(const EngineQuery& query, std::span<const JudgedTest> tests,
+                               double reach) {
+    return DivisionCheck(query, tests, reach).counted();
 }
 
 }  // namespace scb

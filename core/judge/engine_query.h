@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/model/engine_nodes.h"
+#include "scb/collide.h"
 #include "scb/mesh.h"
 #include "scb/observer.h"
 
@@ -27,6 +29,10 @@ struct EngineEvent {
     /// `volumes`: the recorded index, among the tests of volumes of this query, of the earlier test
     /// that led to this one. Its nodes are these nodes or above them. no_index: not recorded.
     std::uint32_t parent = no_index;
+    /// A lower bound of the distance of two volumes, or the distance of two items, as recorded: any
+    /// number. Only if `has_length`.
+    double length = 0;
+    bool has_length = false;
 
     friend bool operator==(const EngineEvent&, const EngineEvent&) = default;
 };
@@ -56,13 +62,25 @@ enum class ToleranceCause {
     reach,     ///< the coordinates of volumes and meshes
 };
 
+/// The answer of a recorded distance query.
+struct EngineAnswer {
+    double distance = 0;                          ///< as recorded: any number
+    IndexPair items{no_index, no_index};          ///< the items with this distance, if recorded
+    std::optional<std::array<Vec3, 2>> points{};  ///< of A and of B, in the world, if recorded
+};
+
 /// A recorded query of two trees.
 struct EngineQuery {
     int frame = 0;
     std::array<EngineSide, 2> sides;
-    bool self = false;   ///< one body against itself
-    bool placed = true;  ///< both poses are finite and keep the bodies' volumes
-    Pose b_to_a;
+    QueryKind kind = QueryKind::collide;  ///< collide, distance or within
+    /// distance: nothing beyond it is looked for; within: the tolerance.
+    double limit = HUGE_VAL;
+    double relative_error = 0;           ///< distance: the answer may be so much too large
+    std::optional<EngineAnswer> answer;  ///< of a distance query, if it found something
+    bool self = false;                   ///< one body against itself
+    bool placed = true;                  ///< both poses are finite and keep the bodies' volumes
+    Pose b_to_a, a_to_world;
     std::optional<Pose> b_to_a_before;  ///< the relative pose at the previous frame, if any
     std::vector<EngineEvent> events;
     /// Whether the recording has tests of items, and reported pairs, in this query or in another.

@@ -1,11 +1,14 @@
 #include "core/judge/engine_trace.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
 
+#include "core/judge/query_check.h"
 #include "core/judge/test_links.h"
+#include "scb/triangle_distance.h"
 
 namespace scb {
 namespace {
@@ -47,12 +50,34 @@ bool exist(const EngineQuery& query, IndexPair items) {
                                   items.b < query.sides[1].mesh->triangles.size());
 }
 
+/// The recorded distance and its triangles, as the pair that the query found.
+void take_answer(const EngineQuery& query, QueryTrace& frame) {
+    frame.found.pairs.clear();
+    if (!query.answer || !std::isfinite(query.answer->distance)) return;
+    const EngineAnswer& answer = *query.answer;
+    if (answer.items.a == no_index || answer.items.b == no_index || !exist(query, answer.items))
+        return;
+    frame.found.pairs.push_back(answer.items);
+    TriangleDistance& nearest = frame.nearest.emplace();
+    if (answer.points) {
+        const Pose to_a = relative_pose(query.a_to_world, Pose{});
+        nearest.point_a = transform_point(to_a, (*answer.points)[0]);
+        nearest.point_b = transform_point(to_a, (*answer.points)[1]);
+    } else if (!are_objects(query)) {
+        nearest = triangle_distance(
+            corners(*query.sides[0].mesh, answer.items.a),
+            transform_corners(query.b_to_a, corners(*query.sides[1].mesh, answer.items.b)));
+    }
+    nearest.distance = answer.distance;
+}
+
 }  // namespace
 
 QueryTrace trace_frame(const EngineQuery& query, const std::map<std::uint8_t, Stage>& stages) {
     QueryTrace frame{query.frame, query.b_to_a, {}, {}, {}};
     Collision& found = frame.found;
     TestLinks links(query);
+    const std::vector<bool> left_out = left_out_tests(query);
     std::vector<std::uint32_t> place;  // per test of volumes: its index in the frame, or no_index
     for (const EngineEvent& event : query.events) {
         if (event.kind == Kind::pair) {
@@ -77,7 +102,10 @@ QueryTrace trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
             place.push_back(no_index);
             continue;
         }
-        const Stage stage = event.stage == 0 ? Stage::overlapping : stages.at(event.stage);
+        const bool is_left_out = !left_out.empty() && left_out[place.size()];
+        const Stage stage = event.stage != 0 ? stages.at(event.stage)
+                            : is_left_out    ? stages.at(left_out_stage)
+                                             : Stage::overlapping;
         place.push_back(static_cast<std::uint32_t>(frame.steps.volumes.size()));
         frame.steps.volumes.push_back({nodes, depth_of(query.sides[0], nodes.a),
                                        depth_of(query.sides[1], nodes.b), stage,
@@ -91,6 +119,7 @@ QueryTrace trace_frame(const EngineQuery& query, const std::map<std::uint8_t, St
                      [](const ItemStep& x, const ItemStep& y) { return x.step < y.step; });
     found.n_v = frame.steps.volumes.size();
     found.complete = query.complete;
+    if (query.kind == QueryKind::distance) take_answer(query, frame);
     if (are_objects(query)) found.pairs = pairs_of_holders(query, std::move(found.pairs));
     std::sort(found.pairs.begin(), found.pairs.end());
     found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end()), found.pairs.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/geometry/triangle_segment.h"
 #include "core/judge/query_contacts.h"
@@ -66,6 +67,10 @@ ItemContact contact_of(const EngineQuery& query, const Pose& b_to_a, IndexPair i
                 found.margin};
     }
     const auto [a, b] = triangles_of(query, b_to_a, items);
+    if (query.kind == QueryKind::within) {
+        const double over = triangle_distance(a, b).distance - query.limit;
+        return {over <= 0, std::abs(over) <= query.triangle_tolerance, std::abs(over)};
+    }
     const bool meet = triangles_overlap(a, b);
     const double margin = meet ? triangle_depth(a, b) : triangle_distance(a, b).distance;
     return {meet, margin <= query.triangle_tolerance, margin};
@@ -87,6 +92,12 @@ std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
     }
     if (!have_meshes(query) || !are_finite(query, items)) return std::nullopt;
     const auto [a, b] = triangles_of(query, b_to_a, items);
+    if (query.kind != QueryKind::collide) {
+        if (!event.has_length) return std::nullopt;
+        const double error = std::abs(event.length - triangle_distance(a, b).distance);
+        if (error <= query.triangle_tolerance) return std::nullopt;
+        return std::isnan(error) ? HUGE_VAL : error;
+    }
     if (triangles_overlap(a, b) == (event.kind == EngineEvent::Kind::items_meet))
         return std::nullopt;
     const ItemContact contact = contact_of(query, b_to_a, items);

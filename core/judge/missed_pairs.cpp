@@ -70,7 +70,7 @@ MissedPairs::Found MissedPairs::search(const Ways& ways) const {
             const JudgedTest& test = tests_[i];
             const std::uint32_t other = by == 0 ? test.nodes.b : test.nodes.a;
             if (mark_[1 - by][other] != searches_) continue;
-            if (query_.events[test.event].stage != 0) {
+            if (query_.events[test.event].stage != 0 || test.left_out) {
                 found.rejected = std::min(found.rejected, i);
                 continue;
             }

@@ -18,22 +18,24 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-TestVerdict verdict_of(const std::optional<ContactCertificate>& certificate, std::uint8_t stage) {
+TestVerdict verdict_of(const std::optional<ContactCertificate>& certificate, bool passed) {
     if (!certificate) return TestVerdict::unjudged;
     if (certificate->contact == Contact::disjoint)
-        return stage == 0 ? TestVerdict::false_positive : TestVerdict::right;
+        return passed ? TestVerdict::false_positive : TestVerdict::right;
     if (certificate->contact == Contact::overlapping)
-        return stage == 0 ? TestVerdict::right : TestVerdict::wrong;
+        return passed ? TestVerdict::right : TestVerdict::wrong;
     return TestVerdict::right;
 }
 
+/// The verdict on the volumes of two nodes that count as overlapping if they are nearer than
+/// `reach`.
 std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const Pose& b_to_a,
-                                                 IndexPair nodes) {
+                                                 IndexPair nodes, double reach) {
     if (nodes.a == no_index || nodes.b == no_index) return std::nullopt;
     const NodeVolume &a = (*query.sides[0].tree)[nodes.a].volume,
                      &b = (*query.sides[1].tree)[nodes.b].volume;
     const double tolerance = tolerance_of(query, nodes);
-    const auto found = proven_verdict(a, b, b_to_a, tolerance);
+    const auto found = proven_verdict(a, b, b_to_a, tolerance, reach);
     // For volumes smaller than the tolerance, touching means nothing.
     if (found && found->contact == Contact::touching)
         for (const NodeVolume* volume : {&a, &b})
@@ -50,11 +52,27 @@ constexpr std::size_t most_looked_into = 100'000;
 /// wait, and shared in blocks, since a certificate takes microseconds and more.
 constexpr std::size_t events_at_once = 1 << 11, events_in_block = 128;
 
+/// The distance below which nodes must not be left out. If the recorded answer is too small, that
+/// is the fault, and not each test that follows from it.
+double reach_of(const EngineQuery& query, const QueryTruth& truth) {
+    if (query.kind == QueryKind::within) return query.limit;
+    if (query.kind != QueryKind::distance) return 0;
+    double least = std::min(truth.distance, query.limit);
+    if (query.answer) least = std::min(least, query.answer->distance);
+    least /= 1 + query.relative_error;
+    return least >= 0 && std::isfinite(least) ? least : 0;
+}
+
 class Judge {
   public:
-    Judge(const EngineQuery& query, std::span<const IndexPair> contacts,
-          const std::function<bool()>& go_on)
-        : query_(query), contacts_(contacts), go_on_(go_on), links_(query) {
+    Judge(const EngineQuery& query, const QueryTruth& truth, const std::function<bool()>& go_on)
+        : query_(query),
+          truth_(truth),
+          contacts_(truth.pairs),
+          go_on_(go_on),
+          links_(query),
+          reach_(reach_of(query, truth)),
+          left_out_(left_out_tests(query)) {
         if (!query.self || !have_meshes(query)) return;
         const EngineSide& side = query.sides[0];
         self_.emplace(*side.mesh, side.rest ? *side.rest : *side.mesh);
@@ -68,7 +86,11 @@ class Judge {
         }
         count_waste();
         count_objects();
-        if (query_.complete) result_.divisions = check_divisions(query_, result_.tests);
+        if (query_.complete) result_.divisions = check_divisions(query_, result_.tests, reach_);
+        if (query_.kind == QueryKind::distance) {
+            judge_answer();
+            return std::move(result_);
+        }
         // Without results there is nothing to compare.
         if (has_known_items(query_) && (query_.has_pairs || query_.has_item_tests)) {
             result_.exact = contacts_.size();
@@ -99,7 +121,7 @@ class Judge {
                     const EngineEvent& event = query_.events[first + i];
                     if (event.kind == Kind::volumes)
                         certificates_[i] =
-                            certificate_of(query_, query_.b_to_a, nodes_of(query_, event));
+                            certificate_of(query_, query_.b_to_a, nodes_of(query_, event), reach_);
                 }
             },
             events_in_block);
@@ -187,13 +209,62 @@ class Judge {
     void take_test(std::uint32_t i, const EngineEvent& event) {
         JudgedTest test{i, nodes_of(query_, event)};
         const std::optional<ContactCertificate>& found = certificates_[i % events_at_once];
-        test.verdict = verdict_of(found, event.stage);
+        test.left_out = !left_out_.empty() && left_out_[result_.tests.size()];
+        const bool passed = event.stage == 0 && !test.left_out;
+        test.verdict = verdict_of(found, passed);
+        // Once triangles meet, no pair of nodes can be nearer.
+        if (query_.kind == QueryKind::distance && reach_ == 0 && !passed)
+            test.verdict = TestVerdict::right;
         if (found) test.margin = found->margin;
+        test.early = test.verdict == TestVerdict::false_positive && event.has_length &&
+                     event.length > reach_;
+        if (event.has_length && query_.kind != QueryKind::collide) take_bound(test, event.length);
         const TestLinks::Link link =
             links_.take_volumes(test.nodes, event.stage == 0, event.parent);
         test.parent = link.led_by;
         test.repeated = link.repeated;
         result_.tests.push_back(test);
+    }
+
+    /// Notes a bound that the distance of the volumes contradicts.
+    void take_bound(const JudgedTest& test, double bound) {
+        // A bound up to the reach is right for volumes that are farther apart than the reach.
+        if (bound <= 0 || (bound <= reach_ && is_apart(test))) return;
+        const auto number = static_cast<std::uint32_t>(result_.tests.size());
+        if (!std::isfinite(bound)) {
+            if (test.verdict != TestVerdict::unjudged)
+                result_.wrong_bounds.push_back({number, bound, HUGE_VAL});
+            return;
+        }
+        const auto found = certificate_of(query_, query_.b_to_a, test.nodes, bound);
+        if (found && found->contact == Contact::overlapping)
+            result_.wrong_bounds.push_back({number, bound, found->margin});
+    }
+
+    /// Whether it is proven that the volumes of a judged test are farther apart than the reach.
+    bool is_apart(const JudgedTest& test) const {
+        const auto& found = certificates_[test.event % events_at_once];
+        return found && found->contact == Contact::disjoint;
+    }
+
+    /// Judges the distance that the query found, and finds out why a nearer pair was missed.
+    void judge_answer() {
+        if (!has_known_items(query_) || !have_meshes(query_) || query_.self) return;
+        result_.not_certified = !truth_.certified;
+        if (!truth_.certified) return;
+        result_.exact = 1;
+        result_.reported = query_.answer.has_value();
+        result_.answer_problems = check_answer(query_, truth_);
+        const bool is_missed =
+            std::any_of(result_.answer_problems.begin(), result_.answer_problems.end(),
+                        [](const AnswerProblem& problem) {
+                            return problem.cause == AnswerCause::unknown &&
+                                   (problem.fault == AnswerFault::too_large ||
+                                    problem.fault == AnswerFault::none);
+                        });
+        if (is_missed && query_.complete && truth_.closest)
+            result_.pairs.push_back(
+                MissedPairs(query_, result_.tests, item_tests_).cause_of(*truth_.closest));
     }
 
     void report(std::uint32_t i, const EngineEvent& event) {
@@ -212,18 +283,20 @@ class Judge {
     }
 
     void count_waste() {
-        // 0: not wasted; 1: below a pair that a weak test passed; 2: below a pair of loose volumes.
+        // 0: not wasted; 1: below a pair that a weak test passed; 2: below a pair of loose volumes;
+        // 3: below a pair that was passed early.
         std::vector<std::uint8_t> within(result_.tests.size(), 0);
         const auto of = [&](std::uint32_t led) -> std::uint8_t {
             if (led == no_index) return 0;
             const JudgedTest& test = result_.tests[led];
-            if (test.verdict == TestVerdict::false_positive) return 1;
+            if (test.verdict == TestVerdict::false_positive) return test.early ? 3 : 1;
             if (within[led] != 0) return within[led];
             return test.meets ? 0 : 2;
         };
         const auto add = [&](std::uint8_t kind) {
             result_.wasted_weak += kind == 1;
             result_.wasted_loose += kind == 2;
+            result_.wasted_early += kind == 3;
         };
         for (std::size_t i = 0; i < result_.tests.size(); ++i)
             add(within[i] = of(result_.tests[i].parent));
@@ -276,7 +349,7 @@ class Judge {
         if (!has_object_volumes(query_)) return false;
         const IndexPair leaves{query_.sides[0].shape->holder_of(items.a),
                                query_.sides[1].shape->holder_of(items.b)};
-        const auto found = certificate_of(query_, query_.b_to_a, leaves);
+        const auto found = certificate_of(query_, query_.b_to_a, leaves, reach_);
         return found && found->contact == Contact::overlapping;
     }
 
@@ -326,10 +399,13 @@ class Judge {
     }
 
     const EngineQuery& query_;
+    const QueryTruth& truth_;
     std::span<const IndexPair> contacts_;
     const std::function<bool()>& go_on_;
     QueryJudgement result_;
     TestLinks links_;
+    const double reach_;                ///< see reach_of
+    const std::vector<bool> left_out_;  ///< per test of volumes, see left_out_tests; or empty
     std::vector<std::optional<ContactCertificate>> certificates_;  ///< see find_certificates
     std::optional<SelfPairs> self_;  ///< set in a self query of triangles
     // By pair_key: lookups only.
@@ -349,6 +425,34 @@ std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
                       [&](const JudgedTest& test) { return test.verdict == verdict; }));
 }
 
+std::vector<bool> left_out_tests(const EngineQuery& query) {
+    if (query.kind == QueryKind::collide) return {};
+    // A query that ended early leaves nodes that it had no reason to leave out.
+    double most = query.complete ? 0 : query.limit;
+    if (!query.complete && query.kind == QueryKind::distance && query.answer)
+        most = std::min(most, query.answer->distance) / (1 + query.relative_error);
+    TestLinks links(query);
+    std::vector<bool> left_out;
+    for (const EngineEvent& event : query.events) {
+        if (event.kind == Kind::pair) continue;
+        if (event.kind != Kind::volumes) {
+            const std::uint32_t led_by = links.led_to_items({event.a, event.b});
+            if (led_by != no_index) left_out[led_by] = false;
+            continue;
+        }
+        const IndexPair nodes = nodes_of(query, event);
+        const std::uint32_t led_by =
+            links.take_volumes(nodes, event.stage == 0, event.parent).led_by;
+        if (led_by != no_index) left_out[led_by] = false;
+        const bool needs_items = nodes.a != no_index && nodes.b != no_index &&
+                                 query.sides[0].shape->is_leaf(nodes.a) &&
+                                 query.sides[1].shape->is_leaf(nodes.b);
+        left_out.push_back(event.has_length && !(event.length < most) &&
+                           (query.has_item_tests || !needs_items));
+    }
+    return left_out;
+}
+
 std::uint64_t QueryJudgement::repeated() const {
     return static_cast<std::uint64_t>(std::count_if(
         tests.begin(), tests.end(), [](const JudgedTest& test) { return test.repeated; }));
@@ -358,9 +462,9 @@ bool has_known_items(const EngineQuery& query) {
     return have_meshes(query) || has_object_volumes(query);
 }
 
-QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts,
+QueryJudgement judge_query(const EngineQuery& query, const QueryTruth& truth,
                            const std::function<bool()>& go_on) {
-    return Judge(query, contacts, go_on).judged();
+    return Judge(query, truth, go_on).judged();
 }
 
 PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
@@ -371,8 +475,11 @@ PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
             fit.wrong_items += error_of(query, b_to_a, event).has_value();
             continue;
         }
-        const TestVerdict verdict =
-            verdict_of(certificate_of(query, b_to_a, nodes_of(query, event)), event.stage);
+        // The bounds of a distance query depend on its answer, which another pose changes.
+        if (query.kind == QueryKind::distance) continue;
+        const double reach = query.kind == QueryKind::within ? query.limit : 0;
+        const TestVerdict verdict = verdict_of(
+            certificate_of(query, b_to_a, nodes_of(query, event), reach), event.stage == 0);
         fit.wrong += verdict == TestVerdict::wrong;
         fit.false_positive += verdict == TestVerdict::false_positive;
     }

@@ -2,10 +2,10 @@
 
 #include <functional>
 #include <map>
-#include <span>
 #include <string>
 
 #include "core/explain/contact_certificate.h"
+#include "core/judge/answer_check.h"
 #include "core/judge/engine_query.h"
 
 namespace scb {
@@ -25,8 +25,20 @@ struct JudgedTest {
     TestVerdict verdict = TestVerdict::unjudged;
     bool repeated = false;  ///< the query had made the test before
     bool meets = false;     ///< the query found items that meet below it
+    /// In a query of distances: no test followed, and the recorded bound explains why.
+    bool left_out = false;
+    /// A false positive whose recorded bound is above the answer, which was not known yet.
+    bool early = false;
     /// A lower bound of the gap or depth of the volumes; 0 if they touch.
     double margin = 0;
+};
+
+/// A recorded bound that is larger than the distance of the volumes.
+struct WrongBound {
+    std::uint32_t test = 0;  ///< the judged test
+    double bound = 0;        ///< as recorded: any number
+    /// A lower bound of how much too large it is; infinity if it is no number.
+    double excess = 0;
 };
 
 /// Why a pair that intersects was not reported or, from `reported_in_spite` on, why a reported pair
@@ -107,6 +119,9 @@ struct QueryJudgement {
     /// Tests of items that are not in the two leaves that overlapped last, nor in other leaves that
     /// were tested; with the judged test before. Tests in wrong_item_tests are left out.
     std::vector<WrongItemTest> stray_item_tests;
+    std::vector<WrongBound> wrong_bounds;
+    std::vector<AnswerProblem> answer_problems;
+    bool not_certified = false;  ///< the answer of a distance query, so it is not judged
     std::uint64_t reported = 0;  ///< pairs, repeated ones once
     std::uint64_t exact = 0;     ///< pairs that intersect
     /// Pairs that intersect, if the results of the query were not recorded.
@@ -122,22 +137,27 @@ struct QueryJudgement {
     /// Unreported pairs beyond the first 100,000, which are not examined: they may only touch.
     std::uint64_t not_looked_into = 0;
     /// Tests of volumes and items below a pair that passed although its volumes are disjoint
-    /// (weak), or although no triangles below it intersect (loose).
-    std::uint64_t wasted_weak = 0, wasted_loose = 0;
+    /// (weak), or although no triangles below it intersect (loose). In a query of distances: below
+    /// a pair that is farther apart than the answer because its bound is too small (weak), or
+    /// because the answer was not known yet (early), or below a nearer pair though no triangles
+    /// below it are so near (loose).
+    std::uint64_t wasted_weak = 0, wasted_loose = 0, wasted_early = 0;
 
     std::uint64_t count(TestVerdict verdict) const;
     std::uint64_t repeated() const;
 };
 
+/// In a query of distances, per test of volumes: whether no test followed it, so that its recorded
+/// bound left its nodes out. Empty in other queries.
+std::vector<bool> left_out_tests(const EngineQuery& query);
+
 /// Whether the items are known well enough to judge results: both sides have triangles, or objects
 /// that has_object_volumes accepts.
 bool has_known_items(const EngineQuery& query);
 
-/// Judges a query, with O(tests) exact verdicts. `contacts`: all intersecting pairs of finite
-/// triangles, sorted; in a self query the pairs of SelfPairs; for objects the pairs of
-/// object_contacts; empty if only one side has a mesh. `go_on` is called from time to time; if it
-/// returns false, the judgement ends there, interrupted.
-QueryJudgement judge_query(const EngineQuery& query, std::span<const IndexPair> contacts,
+/// Judges a query, with O(tests) exact verdicts. `go_on` is called from time to time; if it returns
+/// false, the judgement ends there, interrupted.
+QueryJudgement judge_query(const EngineQuery& query, const QueryTruth& truth,
                            const std::function<bool()>& go_on = {});
 
 /// The number of tests that contradict a pose: they rejected overlapping volumes, passed disjoint

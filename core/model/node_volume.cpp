@@ -290,11 +290,11 @@ bool has_slab_beside_center(const NodeVolume& volume) {
 
 /// The open box, cut beyond the extents of the other volume so that the cut does not change how the
 /// two meet. `to_box`: the pose of the other volume in the box's frame.
-Obb cut_about(const OpenBox& box, const ConvexShape& other, const Pose& to_box) {
+Obb cut_about(const OpenBox& box, const ConvexShape& other, const Pose& to_box, double reach) {
     const ConvexShape seen = placed(other, to_box);
     const Box about = box_about(seen);
     const double beyond =
-        (about.upper - about.lower).maxCoeff() + std::sqrt(squared_norm(seen.center)) + 1;
+        (about.upper - about.lower).maxCoeff() + std::sqrt(squared_norm(seen.center)) + 1 + reach;
     return cut_box(box, about.lower.array() - beyond, about.upper.array() + beyond);
 }
 
@@ -330,20 +330,30 @@ bool has_verdict(const NodeVolume& a, const NodeVolume& b) {
 }  // namespace
 
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
-                                 double tolerance) {
-    return proven_verdict(a, b, b_to_a, tolerance).value_or(ContactCertificate{});
+                                 double tolerance, double reach) {
+    return proven_verdict(a, b, b_to_a, tolerance, reach).value_or(ContactCertificate{});
 }
 
 std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
-                                                 const Pose& b_to_a, double tolerance) {
+                                                 const Pose& b_to_a, double tolerance,
+                                                 double reach) {
     if (!has_verdict(a, b)) return std::nullopt;
+    // The convex shape of a ball cut by two slabs is its ball, which proves no overlap.
+    if (reach > 0 && std::holds_alternative<Scb2>(a)) return std::nullopt;
     const auto *open_a = std::get_if<OpenBox>(&a), *open_b = std::get_if<OpenBox>(&b);
+    if (open_a && open_b && reach > 0) return std::nullopt;
     if (open_a && open_b) return open_verdict(*open_a, *open_b, b_to_a, tolerance);
     if (open_a)
-        return proven_verdict(cut_about(*open_a, convex_shape(b), b_to_a), b, b_to_a, tolerance);
+        return proven_verdict(cut_about(*open_a, convex_shape(b), b_to_a, reach), b, b_to_a,
+                              tolerance, reach);
     if (open_b)
-        return proven_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a)), b_to_a,
-                              tolerance);
+        return proven_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a), reach),
+                              b_to_a, tolerance, reach);
+    if (reach > 0) {
+        ConvexShape grown = convex_shape(a);
+        grown.rounding += reach;
+        return verdict(grown, convex_shape(b), b_to_a, tolerance);
+    }
     return std::visit(
         [&]<class V>(const V& va) -> std::optional<ContactCertificate> {
             if constexpr (std::is_same_v<V, Obb> || std::is_same_v<V, Ball> ||

@@ -59,14 +59,17 @@ ConvexShape convex_shape(const NodeVolume& volume);
 /// The box along the axes about the shape.
 Box box_about(const ConvexShape& shape);
 
-/// The exact verdict on two volumes, in A's frame. They touch if the gap or depth is within
+/// The exact verdict on two volumes, in A's frame, of which A is grown by `reach` on all sides: so
+/// they overlap if they are nearer than `reach`. They touch if the gap or depth is within
 /// `tolerance`, a length. There is no verdict if one has no volume. There is none for a ball cut by
-/// two slabs with a volume of another type, or with its center outside of a slab. There is none for
-/// two open boxes that are turned against each other and do not meet near their finite sides.
+/// two slabs with a volume of another type, with its center outside of a slab, or with a reach.
+/// There is none for two open boxes that are turned against each other and do not meet near their
+/// finite sides, or with a reach.
 std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
-                                                 const Pose& b_to_a, double tolerance);
+                                                 const Pose& b_to_a, double tolerance,
+                                                 double reach = 0);
 /// The same; without a verdict the contact is touching, which claims nothing.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
-                                 double tolerance);
+                                 double tolerance, double reach = 0);
 
 }  // namespace scb

@@ -1,5 +1,8 @@
 #include "scenes/recordings/judgement_words.h"
 
+#include <cmath>
+
+#include "core/analysis/trace.h"
 #include "core/base/enum_names.h"
 #include "core/base/text_format.h"
 #include "core/judge/tree_check.h"
@@ -30,6 +33,46 @@ constexpr EnumNames<PairCause, pair_cause_count> cause_names = {
     "reported twice",
 };
 
+/// The same in a query of distances.
+constexpr EnumNames<PairCause, pair_cause_count> distance_cause_names = {
+    "the tree has no nodes",
+    "a triangle is in no leaf",
+    "left out at a node that does not contain the triangle",
+    "left out at a node whose volume is none",
+    "left out although the volumes are nearer",
+    "left out by a test that is not proven wrong",
+    "the children of two near nodes were never tested",
+    "below a node that does not contain the triangle",
+    "below a node whose volume is none",
+    "no tests of volumes were recorded, so that the cause is not known",
+    "no test of nodes above the triangles was made",
+    "the triangles of two near leaves were never measured",
+    "the two triangles were measured as farther apart",
+    "measured, but not reported",
+    "reported although they were measured as farther apart",
+    "the two triangles were measured as near enough",
+    "reported without a measurement of the two triangles",
+    "the two triangles share a vertex and meet nowhere else",
+    "one of the two does not exist",
+    "reported twice",
+};
+
+constexpr EnumNames<AnswerFault, answer_fault_count> answer_names = {
+    "no distance was found, though triangles are nearer than the limit",
+    "the distance is no number, or negative",
+    "the distance is too large",
+    "the distance is too small",
+    "the named triangles do not exist",
+    "the named triangles are exchanged: the first is of B, the second of A",
+    "the named triangles have another distance",
+    "the closest points are not finite",
+    "the closest points are exchanged: the first is of B, the second of A",
+    "the closest points are in the frames of their bodies, not in the world",
+    "the closest points are in the frame of A, not in the world",
+    "a closest point is not on its triangle",
+    "the closest points have another distance",
+};
+
 constexpr EnumNames<TreeFault, tree_fault_count> fault_names = {
     "nodes are described twice",
     "children are not described",
@@ -57,7 +100,42 @@ std::string for_objects(std::string words) {
 
 }  // namespace
 
+bool is_of_distance(const EngineQuery& query) { return is_of_distance(query.kind); }
+
 std::string fault_words(TreeFault fault) { return std::string(fault_names[fault]); }
+std::string fault_words(AnswerFault fault) { return std::string(answer_names[fault]); }
+
+std::string words_of(const AnswerProblem& problem) {
+    const auto is_named = problem.items.a != no_index && problem.items.b != no_index;
+    std::string words =
+        is_named ? pair_words("triangles", problem.items.a, problem.items.b) + ": " : std::string();
+    words += std::isinf(problem.recorded) && problem.fault == AnswerFault::none
+                 ? "nothing was recorded"
+                 : format("%.9g was recorded", problem.recorded);
+    if (problem.fault == AnswerFault::point_outside)
+        words += std::string("; the point of ") + (problem.side == 0 ? "A" : "B") + " is " +
+                 amount_words(problem.amount) + " from its triangle";
+    else if (problem.fault == AnswerFault::triangles_apart)
+        words += format(", and they are %.9g apart", problem.exact);
+    else if (problem.fault == AnswerFault::points_apart)
+        words += format(", and they are %.9g apart", problem.exact);
+    else if (std::isfinite(problem.exact))
+        words += format(", and the distance is %.9g", problem.exact);
+    switch (problem.cause) {
+        case AnswerCause::unknown:
+            break;
+        case AnswerCause::square:
+            return words + "; the square of the distance was recorded";
+        case AnswerCause::root:
+            return words + "; the square root of the distance was recorded";
+        case AnswerCause::unit:
+            return words + format("; it is %.6g times the distance, as in another unit of length",
+                                  problem.factor);
+        case AnswerCause::frame_before:
+            return words + "; it is the distance of the frame before";
+    }
+    return words;
+}
 
 std::string pair_words(const std::string& what, std::uint32_t a, std::uint32_t b) {
     return what + " " + std::to_string(a) + " of A and " + std::to_string(b) + " of B";
@@ -84,7 +162,7 @@ std::string tree_words(const RecordedQueries& recording, std::uint32_t tree) {
 }
 
 std::string words_of(const EngineQuery& query, PairCause cause) {
-    const std::string words(cause_names[cause]);
+    const std::string words((is_of_distance(query) ? distance_cause_names : cause_names)[cause]);
     return query.sides[0].mesh ? words : for_objects(words);
 }
 

@@ -25,6 +25,12 @@ std::string test_words(std::uint32_t number);
 std::string stage_words(const StageNames& stages, std::uint8_t stage);
 /// "tree 0 \"arm\"".
 std::string tree_words(const RecordedQueries& recording, std::uint32_t tree);
+/// Whether the query measures distances.
+bool is_of_distance(const EngineQuery& query);
+/// "the distance that was found is too large".
+std::string fault_words(AnswerFault fault);
+/// The numbers of a wrong answer, and what explains it.
+std::string words_of(const AnswerProblem& problem);
 /// Why a pair of triangles or objects was missed or wrongly reported.
 std::string words_of(const EngineQuery& query, PairCause cause);
 /// The pair of a problem, with its nodes and its test of volumes, counted from 0.

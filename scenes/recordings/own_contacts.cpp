@@ -2,20 +2,28 @@
 
 #include <algorithm>
 
+#include "core/distance/distance_certificate.h"
 #include "core/judge/query_contacts.h"
 #include "core/judge/self_pairs.h"
-#include "scb/collide.h"
+#include "scb/distance.h"
 
 namespace scb::scenes {
 
-std::vector<IndexPair> OwnContacts::contacts(const EngineQuery& query, const Meshes& meshes) {
+QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
     if (!query.placed) return {};
-    if (has_object_volumes(query)) return object_contacts(query);
+    if (has_object_volumes(query) && query.kind == QueryKind::collide)
+        return object_contacts(query);
     if (!meshes[0] || !meshes[1]) return {};
+    if (query.kind == QueryKind::distance) return nearest(query, meshes);
     std::vector<IndexPair> pairs;
     if (query.self)
         pairs = SelfPairs(*meshes[0], query.sides[0].rest ? *query.sides[0].rest : *meshes[0])
                     .all(*hierarchy_of(meshes[0]));
+    else if (query.kind == QueryKind::within)
+        pairs =
+            within(Collider<Obb>{*hierarchy_of(meshes[0]), *meshes[0]},
+                   Collider<Obb>{*hierarchy_of(meshes[1]), *meshes[1]}, query.b_to_a, query.limit)
+                .pairs;
     else
         pairs = collide(Collider<Obb>{*hierarchy_of(meshes[0]), *meshes[0]},
                         Collider<Obb>{*hierarchy_of(meshes[1]), *meshes[1]}, query.b_to_a)
@@ -26,6 +34,23 @@ std::vector<IndexPair> OwnContacts::contacts(const EngineQuery& query, const Mes
     };
     std::erase_if(pairs, is_broken);
     return pairs;
+}
+
+QueryTruth OwnContacts::nearest(const EngineQuery& query, const Meshes& meshes) {
+    QueryTruth truth;
+    if (query.self) return truth;
+    const Collider<Obb> a{*hierarchy_of(meshes[0]), *meshes[0]},
+        b{*hierarchy_of(meshes[1]), *meshes[1]};
+    const Distance found = distance(a, b, query.b_to_a);
+    truth.distance = found.found.distance;
+    truth.closest = found.triangles;
+    if (!found.triangles) return truth;
+    const DistanceCertificate certificate =
+        make_certificate(mesh_tree(a), mesh_tree(b), query.b_to_a, *found.triangles);
+    truth.certified =
+        certifies(check_distance(mesh_tree(a), mesh_tree(b), query.b_to_a, certificate),
+                  found.found.distance);
+    return truth;
 }
 
 std::shared_ptr<const Hierarchy<Obb>> OwnContacts::hierarchy_of(

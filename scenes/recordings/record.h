@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -22,6 +23,7 @@ enum class RecordTag : std::uint8_t {
     items_meet = 129,
     pair = 130,
     parent = 131,
+    length = 132,
     setting = 192,
     stage,
     mesh,
@@ -36,18 +38,31 @@ enum class RecordTag : std::uint8_t {
     end,
     object,
     log,
+    measure,
+    answer,
 };
 /// Records from this tag on have a length; all others have 9 bytes.
 inline constexpr std::uint8_t first_long_tag = 192;
 
 /// A test of two volumes or of two items (triangles, objects), a pair that a query reported, or
-/// the parent of the next test of volumes: `a` is the parent's number in the query, from 0.
+/// a fact about the next test. `parent`: `a` is the number of the next test's parent in the query,
+/// from 0. `length`: the bound or distance of the next test, see length_of.
 struct RecordedEvent {
     std::uint8_t tag = 0;
     std::uint32_t a = 0, b = 0;
 
     bool operator==(const RecordedEvent&) const = default;
 };
+
+/// The bound of the next test of volumes, or the distance of the next test of items; any bits.
+inline RecordedEvent recorded_length(double length) {
+    const auto bits = std::bit_cast<std::uint64_t>(length);
+    return {static_cast<std::uint8_t>(RecordTag::length), static_cast<std::uint32_t>(bits),
+            static_cast<std::uint32_t>(bits >> 32)};
+}
+inline double length_of(const RecordedEvent& event) {
+    return std::bit_cast<double>(std::uint64_t{event.b} << 32 | event.a);
+}
 
 struct RecordedSetting {
     std::string key, value;
@@ -175,6 +190,28 @@ struct RecordedLog {
     bool operator==(const RecordedLog&) const = default;
 };
 
+/// What a query measures.
+enum class RecordedAim : std::uint8_t { overlap, distance, within };
+inline constexpr std::size_t recorded_aim_count = 3;
+
+/// The current query measures distances.
+struct RecordedMeasure {
+    std::uint8_t aim = 0;       ///< a RecordedAim
+    double limit = 0;           ///< nothing beyond this distance is looked for
+    double relative_error = 0;  ///< the answer may be so much too large
+
+    bool operator==(const RecordedMeasure&) const = default;
+};
+
+/// The distance that the current query found.
+struct RecordedAnswer {
+    double distance = 0;
+    std::uint32_t item_a = record_none, item_b = record_none;
+    std::vector<double> points;  ///< a point of A and a point of B in the world; or empty
+
+    bool operator==(const RecordedAnswer&) const = default;
+};
+
 /// The recorder was closed.
 struct RecordedEnd {
     bool operator==(const RecordedEnd&) const = default;
@@ -188,10 +225,11 @@ struct RecordedUnknown {
     bool operator==(const RecordedUnknown&) const = default;
 };
 
-struct Record : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh,
-                             RecordedTree, RecordedNode, RecordedRefit, RecordedBody, RecordedFrame,
-                             RecordedPose, RecordedQuery, RecordedQueryEnd, RecordedEnd,
-                             RecordedObject, RecordedLog, RecordedUnknown> {
+struct Record
+    : std::variant<RecordedEvent, RecordedSetting, RecordedStage, RecordedMesh, RecordedTree,
+                   RecordedNode, RecordedRefit, RecordedBody, RecordedFrame, RecordedPose,
+                   RecordedQuery, RecordedQueryEnd, RecordedEnd, RecordedObject, RecordedLog,
+                   RecordedMeasure, RecordedAnswer, RecordedUnknown> {
     using variant::variant;
 
     /// Bytes that a newer version appended to the record.

@@ -81,10 +81,16 @@ void RecordedQueries::take(const RecordedEvent& event) {
         return;
     }
     if (!is_selected_) return;
-    EngineEvent taken{EngineEvent::Kind::volumes, 0, event.a, event.b};
+    EngineEvent taken;
+    taken.a = event.a;
+    taken.b = event.b;
     const auto tag = static_cast<RecordTag>(event.tag);
     if (tag == RecordTag::parent) {
         next_parent_ = event.a;
+        return;
+    }
+    if (tag == RecordTag::length) {
+        next_length_ = length_of(event);
         return;
     }
     if (tag < RecordTag::items_apart) {
@@ -99,7 +105,50 @@ void RecordedQueries::take(const RecordedEvent& event) {
     } else {
         return;  // of a later version
     }
+    if (taken.kind != EngineEvent::Kind::pair && next_length_) {
+        taken.has_length = true;
+        taken.length = *std::exchange(next_length_, std::nullopt);
+    }
     query_.events.push_back(taken);
+}
+
+void RecordedQueries::take(const RecordedMeasure& measure) {
+    if (!in_query_) return note(unusable_, "a measure of distances stands outside of queries");
+    if (!is_selected_) return;
+    if (measure.aim >= recorded_aim_count || !(measure.limit >= 0) ||
+        !(measure.relative_error >= 0 && std::isfinite(measure.relative_error)))
+        return note(unusable_, "a query has a kind, a limit or a relative error that is none");
+    constexpr std::array<QueryKind, recorded_aim_count> kinds = {
+        QueryKind::collide, QueryKind::distance, QueryKind::within};
+    query_.kind = kinds[measure.aim];
+    query_.limit = measure.limit;
+    query_.relative_error = measure.relative_error;
+}
+
+void RecordedQueries::take(const RecordedAnswer& answer) {
+    if (!in_query_) return note(unusable_, "a distance stands outside of queries");
+    if (!is_selected_) return;
+    if (query_.kind != QueryKind::distance)
+        return note(unusable_, "a distance was recorded in a query that looks for none");
+    constexpr std::size_t coordinates = 6;
+    EngineAnswer& taken = query_.answer.emplace();
+    taken.distance = answer.distance;
+    taken.items = {answer.item_a, answer.item_b};
+    if (answer.points.size() == coordinates)
+        taken.points = {Vec3(answer.points[0], answer.points[1], answer.points[2]),
+                        Vec3(answer.points[3], answer.points[4], answer.points[5])};
+    else if (!answer.points.empty())
+        note(unusable_, "the points of a distance are not two");
+}
+
+void RecordedQueries::compare_lengths() {
+    if (query_.kind == QueryKind::collide) return;
+    double most = query_.limit;
+    if (query_.kind == QueryKind::distance) most = query_.answer ? query_.answer->distance : -1;
+    for (EngineEvent& event : query_.events)
+        if (event.kind == EngineEvent::Kind::items_apart && event.has_length &&
+            event.length <= most)
+            event.kind = EngineEvent::Kind::items_meet;
 }
 
 void RecordedQueries::take(const RecordedSetting& setting) {
@@ -204,7 +253,12 @@ void RecordedQueries::take(const RecordedQuery& query) {
                                 ", which was not recorded, so results are not judged");
     }
     query_.events.clear();
+    query_.kind = QueryKind::collide;
+    query_.limit = HUGE_VAL;
+    query_.relative_error = 0;
+    query_.answer.reset();
     next_parent_ = no_index;
+    next_length_.reset();
 }
 
 void RecordedQueries::check_parents() {
@@ -285,7 +339,9 @@ void RecordedQueries::take(const RecordedQueryEnd& end) {
                              : of_poses > of_numbers ? ToleranceCause::pose
                              : placing > length      ? ToleranceCause::distance
                                                      : ToleranceCause::reach;
+    compare_lengths();
     check_parents();
+    query_.a_to_world = bodies[0]->pose;
     query_.b_to_a_before.reset();
     if (query_.placed && bodies[0]->last && bodies[1]->last)
         query_.b_to_a_before = relative_pose(*bodies[0]->last, *bodies[1]->last);

@@ -127,6 +127,11 @@ class RecordedQueries {
     void take(const RecordedPose& pose);
     void take(const RecordedQuery& query);
     void take(const RecordedQueryEnd& end);
+    void take(const RecordedMeasure& measure);
+    void take(const RecordedAnswer& answer);
+    /// Tests of items whose distance is not above what the query looks for count as tests of items
+    /// that meet.
+    void compare_lengths();
     /// Removes the recorded parents that are not valid.
     void check_parents();
     void take(const RecordedLog& log) { log_.push_back(shown(log.text)); }
@@ -149,6 +154,7 @@ class RecordedQueries {
     QuerySelection selection_;
     RecordingReader reader_;
     std::uint32_t next_parent_ = no_index;  ///< of the test of volumes that follows
+    std::optional<double> next_length_;     ///< of the test that follows
     std::map<std::uint32_t, MeshState> meshes_;
     std::map<std::uint32_t, TreeState> trees_;
     std::map<std::uint32_t, BodyState> bodies_;

@@ -97,6 +97,7 @@ void RecordedTrace::read_bodies() {
             ++engine.left_out;
             continue;
         }
+        take_kind(queries.query());
         const std::vector<EngineEvent>& events = queries.query().events;
         test_counts_[queries.frame()] = static_cast<std::uint64_t>(std::count_if(
             events.begin(), events.end(),
@@ -138,6 +139,21 @@ void RecordedTrace::take_engine(const RecordedQueries& queries) {
             engine.settings.push_back({setting.key, setting.value});
 }
 
+void RecordedTrace::take_kind(const EngineQuery& query) {
+    const bool is_first = bodies_.empty();
+    if (!is_first && query.kind != header_.kind)
+        throw InputError(recording_->file->path +
+                         ": the queries of these bodies are of several kinds, at frame " +
+                         std::to_string(query.frame) +
+                         " of another kind than before; select queries of one kind with --query, "
+                         "--tag or --frames.");
+    header_.kind = query.kind;
+    if (query.kind == QueryKind::within) header_.tolerance = query.limit;
+    if (query.kind != QueryKind::distance) return;
+    header_.distance.limit = query.limit;
+    header_.distance.relative_error = query.relative_error;
+}
+
 void RecordedTrace::take_stages(const RecordedQueries& queries) {
     const std::set<std::uint8_t>& used = recording_->file->summary.stages;
     std::vector<std::uint8_t> order = queries.stage_order();
@@ -158,6 +174,11 @@ void RecordedTrace::take_stages(const RecordedQueries& queries) {
             if (used.contains(number) == are_used)
                 stages_[number] = header_.stages.add(names[number]);
     for (const std::uint8_t number : order) header_.engine->stages.push_back(stages_[number]);
+    if (!is_of_distance(header_.kind)) return;
+    std::string name = "left out by its bound";
+    while (!taken.insert(name).second) name += " of distance";
+    stages_[left_out_stage] = header_.stages.add(name);
+    header_.engine->stages.push_back(stages_[left_out_stage]);
 }
 
 const BodyAtFrame& RecordedTrace::body(std::size_t side, int frame) const {
@@ -208,8 +229,7 @@ int RecordedTrace::frame_of_test(IndexPair nodes, int usual) const {
 Attribution RecordedTrace::attribution() {
     const EngineQuery& query = queries_->query();
     if (!query.placed) return {};
-    return scb::attribution(query,
-                            judge_query(query, own_.contacts(query, queries_->finite_meshes())),
+    return scb::attribution(query, judge_query(query, own_.truth(query, queries_->finite_meshes())),
                             header_, frame_);
 }
 
@@ -220,8 +240,7 @@ RecordedResults RecordedTrace::results() {
     std::erase_if(query.events, [](const EngineEvent& event) {
         return event.kind == EngineEvent::Kind::volumes;
     });
-    const QueryJudgement judged =
-        judge_query(query, own_.contacts(query, queries_->finite_meshes()));
+    const QueryJudgement judged = judge_query(query, own_.truth(query, queries_->finite_meshes()));
     RecordedResults results{judged.reported, judged.not_looked_into, 0, judged.grazing};
     for (const PairProblem& problem : judged.pairs)
         ++(is_missed(problem.cause) ? results.missed : results.wrong);

@@ -82,6 +82,8 @@ class RecordedTrace {
     /// Sets the engine's data of the header, after all is read.
     void take_engine(const RecordedQueries& queries);
     void take_stages(const RecordedQueries& queries);
+    /// Throws InputError if the chosen queries are not of one kind.
+    void take_kind(const EngineQuery& query);
 
     std::shared_ptr<const Recording> recording_;
     std::array<std::size_t, 2> sides_{};

@@ -138,6 +138,11 @@ Record read_record(RecordTag tag, ByteReader& in) {
             return RecordedEnd{};
         case RecordTag::log:
             return RecordedLog{read_text(in)};
+        case RecordTag::measure:
+            return RecordedMeasure{in.byte(), in.real(), in.real()};
+        case RecordTag::answer:
+            return RecordedAnswer{in.real(), in.fixed32(), in.fixed32(),
+                                  read_reals(in, in.fixed32())};
         default:
             break;
     }
@@ -254,6 +259,20 @@ struct WriteRecord {
     RecordTag operator()(const RecordedLog& r) {
         write_text(out, r.text);
         return RecordTag::log;
+    }
+    RecordTag operator()(const RecordedMeasure& r) {
+        out.byte(r.aim);
+        out.real(r.limit);
+        out.real(r.relative_error);
+        return RecordTag::measure;
+    }
+    RecordTag operator()(const RecordedAnswer& r) {
+        out.real(r.distance);
+        out.fixed32(r.item_a);
+        out.fixed32(r.item_b);
+        out.fixed32(static_cast<std::uint32_t>(r.points.size()));
+        for (const double value : r.points) out.real(value);
+        return RecordTag::answer;
     }
     RecordTag operator()(const RecordedUnknown& r) {
         out.append(r.bytes);

@@ -66,6 +66,8 @@ Json event_json(const RecordedEvent& event) {
             return {"pair", event.a, event.b};
         case RecordTag::parent:
             return {"parent", event.a, event.b};
+        case RecordTag::length:
+            return {"length", real_json(length_of(event))};
         default:
             return {event.tag, event.a, event.b};
     }
@@ -129,6 +131,18 @@ struct LineOf {
     }
     Json operator()(const RecordedEnd&) { return {{"end", true}}; }
     Json operator()(const RecordedLog& r) { return {{"log", text_json(r.text)}}; }
+    Json operator()(const RecordedMeasure& r) {
+        const bool named = r.aim < recorded_aim_count;
+        return {{"measure",
+                 named ? Json(recorded_aim_names[static_cast<RecordedAim>(r.aim)]) : Json(r.aim)},
+                {"limit", real_json(r.limit)},
+                {"relative_error", real_json(r.relative_error)}};
+    }
+    Json operator()(const RecordedAnswer& r) {
+        return {{"distance", real_json(r.distance)},
+                {"items", {number_json(r.item_a), number_json(r.item_b)}},
+                {"points", reals_json(r.points)}};
+    }
     Json operator()(const RecordedUnknown& r) {
         return {{"unknown", r.tag}, {"hex", hex_of(r.bytes)}};
     }

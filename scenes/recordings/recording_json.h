@@ -13,6 +13,10 @@ namespace scb::scenes {
 inline constexpr EnumNames<RecordedKind, recorded_kind_count> recorded_kind_names{
     "none", "aabb", "obb", "ball", "capsule", "rss", "kdop", "scb", "scb2", "hull"};
 
+/// The names of what a query measures.
+inline constexpr EnumNames<RecordedAim, recorded_aim_count> recorded_aim_names{
+    "overlap", "distance", "within"};
+
 /// Writes records as JSON Lines: one line per record, and one line for up to a hundred tests that
 /// follow each other. README.md of this folder lists the fields. Numbers read back unchanged.
 /// Non-finite numbers are "nan", "inf", "-inf", and texts that are not UTF-8 are {"hex": "..."}.

@@ -116,12 +116,21 @@ RecordedVolume volume_of(const JsonPlace& object) {
 }
 
 void add_events(RecordingWriter& out, const JsonPlace& list) {
-    const char* expected = "a test: [stage or \"apart\", \"meet\", \"pair\", \"parent\", a, b]";
+    const char* expected =
+        "a test: [stage or \"apart\", \"meet\", \"pair\", \"parent\", a, b], or [\"length\", a "
+        "number]";
     const std::size_t size = array_size(list, "a list of tests");
     for (std::size_t i = 0; i < size; ++i) {
         const JsonPlace place = element(list, i);
-        if (array_size(place, expected) != 3) refuse_value(place, expected);
+        const std::size_t fields = array_size(place, expected);
+        if (fields != 2 && fields != 3) refuse_value(place, expected);
         const JsonPlace what = element(place, 0);
+        if (fields == 2) {
+            if (!what.value->is_string() || read_text(what) != "length")
+                refuse_value(place, expected);
+            out.add(recorded_length(real_of(element(place, 1))));
+            continue;
+        }
         RecordedEvent event;
         if (what.value->is_string()) {
             const std::string word = read_text(what);
@@ -219,10 +228,42 @@ Record pose_of_body(const JsonPlace& line) {
     return r;
 }
 
+Record measure_of(const JsonPlace& line) {
+    check_fields(line, {"measure", "limit", "relative_error"});
+    const JsonPlace place = field(line, "measure");
+    RecordedMeasure r;
+    if (place.value->is_string()) {
+        const auto aim = recorded_aim_names.find(read_text(place));
+        if (!aim) refuse_value(place, name_list(recorded_aim_names.names));
+        r.aim = static_cast<std::uint8_t>(*aim);
+    } else {
+        r.aim = static_cast<std::uint8_t>(number_of(place, 255));
+    }
+    if (has(line, "limit")) r.limit = real_of(field(line, "limit"));
+    if (has(line, "relative_error")) r.relative_error = real_of(field(line, "relative_error"));
+    return r;
+}
+
+Record answer_of(const JsonPlace& line) {
+    check_fields(line, {"distance", "items", "points"});
+    RecordedAnswer r{real_of(field(line, "distance")), record_none, record_none,
+                     reals_of(line, "points")};
+    if (!has(line, "items")) return r;
+    const JsonPlace items = field(line, "items");
+    if (array_size(items, "two items") != 2) refuse_value(items, "two items");
+    const auto item = [&items](std::size_t i) {
+        const JsonPlace place = element(items, i);
+        return place.value->is_null() ? record_none : number_of(place);
+    };
+    r.item_a = item(0);
+    r.item_b = item(1);
+    return r;
+}
+
 Record unknown_of(const JsonPlace& line) {
     check_fields(line, {"unknown", "hex"});
     const std::uint32_t tag = number_of(field(line, "unknown"), 255);
-    if (tag <= static_cast<std::uint32_t>(RecordTag::log))
+    if (tag <= static_cast<std::uint32_t>(RecordTag::answer))
         refuse_value(field(line, "unknown"), "a kind of record that this version does not know");
     return RecordedUnknown{static_cast<std::uint8_t>(tag), bytes_of_hex(field(line, "hex"))};
 }
@@ -284,6 +325,8 @@ constexpr LineKind line_kinds[] = {
          check_fields(line, {"log"});
          return RecordedLog{text_of(line, "log")};
      }},
+    {"measure", measure_of},
+    {"distance", answer_of},
     {"end",
      [](const JsonPlace& line) -> Record {
          check_fields(line, {"end"});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/text_format.h"
+#include "core/judge/answer_check.h"
 #include "scenes/recordings/judgement_words.h"
 #include "scenes/recordings/own_contacts.h"
 #include "scenes/recordings/query_costs.h"
@@ -97,18 +98,24 @@ class RecordingJudge {
         const bool known = has_known_items(query);
         result_.unknown_items += !known;
         note_moves(query, name);
-        const QueryJudgement judged =
-            judge_query(query, own_.contacts(query, recording_.finite_meshes()), go_on_);
+        QueryTruth truth = own_.truth(query, recording_.finite_meshes());
+        if (const auto before = distances_.find(bodies); before != distances_.end())
+            truth.distance_before = before->second;
+        const QueryJudgement judged = judge_query(query, truth, go_on_);
         if (judged.interrupted) return;
+        if (query.kind == QueryKind::distance) distances_[bodies] = truth.distance;
         if (visit_) visit_(recording_, judged);
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         tests_.take(recording_, query, judged, name, row);
-        row.wasted += judged.wasted_weak + judged.wasted_loose;
+        row.wasted += judged.wasted_weak + judged.wasted_loose + judged.wasted_early;
+        result_.wasted_early += judged.wasted_early;
         result_.wasted_weak += judged.wasted_weak;
         result_.wasted_loose += judged.wasted_loose;
         result_.grazing += judged.grazing;
+        if (query.kind == QueryKind::distance) take_answer(query, judged, name);
+        if (query.kind == QueryKind::within) note_twice(query, judged, name);
         take_pairs(query, judged, name, row);
-        costs_.take(recording_, query, judged);
+        if (query.kind == QueryKind::collide) costs_.take(recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
         unknown_objects_ = std::max(unknown_objects_, judged.unknown_objects);
         objects_ = std::max(objects_, judged.objects);
@@ -120,7 +127,10 @@ class RecordingJudge {
         const bool errs =
             std::any_of(judged.wrong_item_tests.begin(), judged.wrong_item_tests.end(),
                         [](const WrongItemTest& test) { return !test.unknown; });
-        if (!query.self && (judged.count(TestVerdict::wrong) > 0 || errs))
+        // The bounds of distances depend on the answer too, so only measured triangles show a pose.
+        const bool rejects =
+            query.kind == QueryKind::collide && judged.count(TestVerdict::wrong) > 0;
+        if (!query.self && (rejects || errs))
             poses_.take(query, name, recording_.bodies().at(bodies[0]),
                         recording_.bodies().at(bodies[1]));
     }
@@ -151,10 +161,40 @@ class RecordingJudge {
         }
     }
 
+    void take_answer(const EngineQuery& query, const QueryJudgement& judged,
+                     const QueryName& name) {
+        ++distance_queries_;
+        result_.distances += query.answer.has_value();
+        not_certified_ += judged.not_certified;
+        unmeasured_ += query.self || !has_known_items(query);
+        for (const AnswerProblem& problem : judged.answer_problems)
+            add_case(answers_, fault_words(problem.fault),
+                     {name, words_of(problem), {no_index, no_index}, problem.items});
+    }
+
+    /// Whether the query reported just the pairs within twice its tolerance.
+    void note_twice(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name) {
+        const bool any =
+            std::any_of(judged.pairs.begin(), judged.pairs.end(),
+                        [](const PairProblem& pair) { return !is_missed(pair.cause); });
+        if (!any || twice_noted_) return;
+        EngineQuery twice = query;
+        twice.limit *= 2;
+        const QueryJudgement again =
+            judge_query(twice, own_.truth(twice, recording_.finite_meshes()), go_on_);
+        if (!again.pairs.empty() || again.interrupted) return;
+        twice_noted_ = true;
+        result_.notes.push_back(query_words(name) +
+                                ": the reported pairs are the pairs within twice the tolerance; "
+                                "was the tolerance added twice?");
+    }
+
     void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
                     FrameJudgement& row) {
-        row.pairs += judged.reported;
-        result_.exact_pairs += judged.exact;
+        if (query.kind != QueryKind::distance) {
+            row.pairs += judged.reported;
+            result_.exact_pairs += judged.exact;
+        }
         result_.not_looked_into += judged.not_looked_into;
         without_results_ += judged.without_results;
         broken_pairs_ += judged.broken;
@@ -233,6 +273,10 @@ class RecordingJudge {
                            tree_words(recording_, number) + " was recorded without nodes");
         }
         tests_.list_not_judged(result_.not_judged);
+        not_judged(not_certified_ - unmeasured_, distance_queries_, "distances",
+                   "no certificate proves the distance of the bodies");
+        not_judged(unmeasured_, distance_queries_, "distances",
+                   "they are of objects, or of a body to itself");
         std::uint64_t reported = 0;
         for (const FrameJudgement& row : result_.frames) reported += row.pairs;
         const std::uint64_t pairs = std::max(reported, result_.exact_pairs);
@@ -276,6 +320,7 @@ class RecordingJudge {
         result_.unjudged = tests_.unjudged();
         result_.missed = by_count(std::move(missed_));
         result_.false_pairs = by_count(std::move(false_));
+        result_.answers = by_count(std::move(answers_));
         result_.test_problems = by_count(tests_.problems());
         result_.odd = recording_.contradictions();
         result_.unusable = recording_.unusable();
@@ -294,7 +339,11 @@ class RecordingJudge {
     ToleranceCheck tolerances_;
     QueryCosts costs_;
     TestFindings tests_;
-    ProblemGroups missed_, false_;
+    ProblemGroups missed_, false_, answers_;
+    std::uint64_t distance_queries_ = 0, not_certified_ = 0, unmeasured_ = 0;
+    bool twice_noted_ = false;  ///< see note_twice
+    /// Per pair of bodies, the smallest distance at their last query, if it was certified.
+    std::map<std::array<std::uint32_t, 2>, double> distances_;
     PoseSearch poses_;
     bool moves_noted_ = false;
     // What was not judged, and why.
@@ -324,8 +373,8 @@ Verdict RecordingJudgement::verdict() const {
     const bool tree = std::any_of(trees.begin(), trees.end(), [](const TreeJudgement& judged) {
         return !judged.problems.empty();
     });
-    if (tree || !missed.empty() || !false_pairs.empty() || !test_problems.empty() ||
-        !poses.empty() || odd.count > 0)
+    if (tree || !missed.empty() || !false_pairs.empty() || !answers.empty() ||
+        !test_problems.empty() || !poses.empty() || odd.count > 0)
         return Verdict::wrong;
     return not_judged.empty() && damage.empty() ? Verdict::valid : Verdict::partly_judged;
 }

@@ -114,6 +114,8 @@ struct RecordingJudgement {
     std::vector<FrameJudgement> frames;
     std::vector<StageJudgement> stages;             ///< stages that occur, or were named
     std::vector<ProblemGroup> missed, false_pairs;  ///< by cause; the most frequent first
+    std::vector<ProblemGroup> answers;              ///< wrong answers of distance queries, likewise
+    std::uint64_t distances = 0;                    ///< answers of distance queries
     std::vector<ProblemGroup> test_problems;        ///< of tests, by what is wrong
     std::vector<PoseProblem> poses;
     std::vector<std::string> stretches;  ///< bodies whose poses scale or mirror them: clauses
@@ -123,7 +125,8 @@ struct RecordingJudgement {
     std::string damage;
     std::vector<NotJudged> not_judged;
     std::vector<CostFinding> costs;
-    std::uint64_t wasted_weak = 0, wasted_loose = 0, nanoseconds = 0, grazing = 0, exact_pairs = 0;
+    std::uint64_t wasted_weak = 0, wasted_loose = 0, wasted_early = 0, nanoseconds = 0, grazing = 0,
+                  exact_pairs = 0;
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
     std::uint64_t unjudged = 0;         ///< tests of volumes that could not be judged
     std::uint64_t ended_early = 0;      ///< queries, whose missed pairs are not reported

@@ -85,6 +85,8 @@ RecordingSummary summary_of(const RecordingBytes& bytes, std::string_view name,
         } else if (const auto* body = std::get_if<RecordedBody>(record)) {
             summary.body_names[body->body] = shown(body->name);
         }
+        summary.measures += is_selected && std::holds_alternative<RecordedMeasure>(*record);
+        summary.answers += is_selected && std::holds_alternative<RecordedAnswer>(*record);
         if (const auto* setting = std::get_if<RecordedSetting>(record))
             summary.has_pairs |= setting->key == "results" && setting->value == "pairs";
         if (const auto* query = std::get_if<RecordedQuery>(record)) {

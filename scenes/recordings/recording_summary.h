@@ -31,10 +31,12 @@ struct RecordingSummary {
     std::vector<int> frames;
     std::set<std::uint8_t> stages;  ///< stages at which tests rejected
     std::uint64_t queries = 0, volume_tests = 0, item_tests = 0, pairs = 0;
+    std::uint64_t measures = 0;  ///< queries of distances
+    std::uint64_t answers = 0;   ///< distances that queries found
     /// Whether the setting `results` announces recorded pairs, though there may be none.
     bool has_pairs = false;
-    /// Whether it has pairs, or tests of items, anywhere.
-    bool has_results() const { return has_pairs || pairs + item_tests > 0; }
+    /// Whether it has pairs, distances, or tests of items, anywhere.
+    bool has_results() const { return has_pairs || pairs + answers + item_tests > 0; }
     /// By number. Names differ from each other, and have no comma, which separates two names.
     std::map<std::uint32_t, std::string> body_names;
 };

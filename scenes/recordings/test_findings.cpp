@@ -1,6 +1,7 @@
 #include "scenes/recordings/test_findings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/text_format.h"
 #include "core/judge/node_explanation.h"
@@ -71,7 +72,87 @@ void TestFindings::take(const RecordedQueries& recording, const EngineQuery& que
              {event.a, event.b},
              stray.test});
     }
+    if (is_of_distance(query)) take_distances(query, judged, name);
+    row.wrong += judged.wrong_bounds.size();
     take_divisions(query, judged, name);
+}
+
+namespace {
+
+/// Per test of volumes, the smallest distance that the query had measured before.
+std::vector<double> distances_before(const EngineQuery& query) {
+    std::vector<double> before;
+    double least = query.limit;
+    for (const EngineEvent& event : query.events) {
+        if (event.kind == EngineEvent::Kind::volumes)
+            before.push_back(least);
+        else if (query.kind == QueryKind::distance && event.has_length)
+            least = std::min(least, event.length);
+    }
+    return before;
+}
+
+/// The comparison of squares with plain lengths that explains why nodes were left out: each has a
+/// bound below the distance then known. Empty: none does.
+std::string comparison_words(const EngineQuery& query, const QueryJudgement& judged,
+                             const std::vector<std::uint32_t>& tests) {
+    const std::vector<double> before = distances_before(query);
+    const auto all = [&](const auto& is_explained) {
+        return std::all_of(tests.begin(), tests.end(), [&](std::uint32_t i) {
+            const double bound = query.events[judged.tests[i].event].length;
+            return bound < before[i] && is_explained(bound, before[i]);
+        });
+    };
+    if (all([](double bound, double best) { return bound * bound >= best; }))
+        return "; the square of each such bound is above the distance that was known then: is a "
+               "square compared with a plain length?";
+    if (all([](double bound, double best) { return bound >= best * best; }))
+        return "; each such bound is above the square of the distance that was known then: is a "
+               "plain length compared with a square?";
+    return "; no test of nodes below them followed";
+}
+
+}  // namespace
+
+/// The bounds that are too large, and the nodes that were left out although they are nearer than
+/// the answer.
+void TestFindings::take_distances(const EngineQuery& query, const QueryJudgement& judged,
+                                  const QueryName& name) {
+    const auto note = [&](std::uint32_t number, const std::string& what, const std::string& more) {
+        const EngineEvent& event = query.events[judged.tests[number].event];
+        const IndexPair nodes{event.a, event.b};
+        add(what, {name,
+                   pair_words("nodes", event.a, event.b) + test_words(number) + more,
+                   nodes,
+                   {no_index, no_index},
+                   number,
+                   have_volumes(query, nodes)});
+    };
+    std::vector<bool> has_wrong_bound(judged.tests.size(), false);
+    for (const WrongBound& wrong : judged.wrong_bounds) {
+        has_wrong_bound[wrong.test] = true;
+        const std::string bound = format(", bound %.6g", wrong.bound);
+        if (std::isinf(wrong.excess))
+            note(wrong.test, "a bound that is no finite number", bound);
+        else
+            note(wrong.test, "a bound that is larger than the distance of the volumes",
+                 bound + ", too large by " + amount_words(wrong.excess) + " or more");
+    }
+    std::vector<std::uint32_t> below, unknown;
+    for (std::uint32_t i = 0; i < judged.tests.size(); ++i) {
+        if (judged.tests[i].verdict != TestVerdict::wrong || has_wrong_bound[i]) continue;
+        (query.events[judged.tests[i].event].has_length ? below : unknown).push_back(i);
+    }
+    const std::string than = query.kind == QueryKind::within ? "the tolerance" : "the answer";
+    const std::string why = below.empty() ? std::string() : comparison_words(query, judged, below);
+    const auto nearer = [&](std::uint32_t i) {
+        return ", nearer than " + than + " by " + amount_words(judged.tests[i].margin) + " or more";
+    };
+    for (const std::uint32_t i : below)
+        note(i, "nodes were left out although their bound is below " + than,
+             format(", bound %.6g", query.events[judged.tests[i].event].length) + nearer(i) + why);
+    for (const std::uint32_t i : unknown)
+        note(i, "nodes were left out although they are nearer than " + than, nearer(i));
 }
 
 void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQuery& query,
@@ -119,10 +200,12 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     const bool is_sharp =
         searches_ < most_searches && (is_listed || test.margin < stage.least_depth);
     searches_ += is_sharp;
-    const double depth = is_sharp ? sharp_margin(query, test) : test.margin;
+    const bool measures = is_of_distance(query);
+    const double depth = is_sharp && !measures ? sharp_margin(query, test) : test.margin;
     stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
     stage.most_depth = std::max(stage.most_depth, depth);
     ++stage.wrong;
+    if (measures) return;  // see take_distances
     note("a test that rejected volumes which overlap, at stage \"" +
              stage_words(recording.stages(), event.stage) + "\"",
          ", " + depth_words(depth));
@@ -137,6 +220,15 @@ void TestFindings::take_items(const EngineQuery& query, const WrongItemTest& tes
         return add(query.sides[0].mesh ? "a test of a triangle that its mesh does not have"
                                        : "a test of an object that its tree does not have",
                    {name, words, {no_index, no_index}, {no_index, no_index}, test.test});
+    if (is_of_distance(query))
+        return add("a measured distance of two triangles is wrong",
+                   {name,
+                    words + format(", %.9g", event.length) +
+                        (std::isinf(test.margin) ? std::string()
+                                                 : ", wrong by " + amount_words(test.margin)),
+                    {no_index, no_index},
+                    {event.a, event.b},
+                    test.test});
     const bool meet = event.kind == EngineEvent::Kind::items_meet;
     add(meet ? "a test said that two " + what + " meet which do not"
              : "a test said that two " + what + " are apart which intersect",

@@ -28,6 +28,7 @@ std::map<std::string, EngineKind> engines() {
     std::map<std::string, EngineKind> all;
 #ifdef SCB_RECORD_FCL
     all["fcl"] = {"FCL " SCB_RECORD_FCL, record_fcl};
+    all["fcl-distance"] = {"FCL " SCB_RECORD_FCL, record_fcl_distance};
 #endif
 #ifdef SCB_RECORD_BULLET
     all["bullet"] = {"Bullet " SCB_RECORD_BULLET, record_bullet};

@@ -20,7 +20,7 @@ using RecordedQuery = std::function<void(const PeerPose& a, const PeerPose& b)>;
 /// Has the engine build its trees of two meshes, and records them. The recorder and the meshes
 /// live longer than what is returned.
 using MakeEngine = RecordedQuery(scb_recorder& recorder, const PeerMesh& a, const PeerMesh& b);
-MakeEngine record_fcl, record_bullet, record_dbvt, record_embree, record_cgal;
+MakeEngine record_fcl, record_fcl_distance, record_bullet, record_dbvt, record_embree, record_cgal;
 
 /// A mesh with a body of the same number, and the start of its tree, whose nodes follow.
 template <class Real = double>

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "tests/app/program.h"
-#include "tests/recordings/small_engine.h"
+#include "tests/recordings/bugs.h"
 #include "tests/temporary_folder.h"
 
 namespace scb::app {
@@ -16,8 +16,8 @@ class BrokenEngine : public testing::TestWithParam<int> {};
 /// Runs `scb inspect` on a recording of the small engine with this error.
 ProgramRun inspected(int bug) {
     const TemporaryFolder folder;
-    const std::string name = std::string(bug_names[bug]) + ".scbrec";
-    record_small_engine(static_cast<Bug>(bug), folder / name);
+    const std::string name = all_bug_names()[static_cast<std::size_t>(bug)] + ".scbrec";
+    record_bug(bug, folder / name);
     ProgramRun run =
         run_scb("--quiet inspect " + name, {.folder = folder.path.string(), .environment = {}});
     EXPECT_EQ(run.err, "");
@@ -25,9 +25,9 @@ ProgramRun inspected(int bug) {
 }
 
 TEST_P(BrokenEngine, IsNamedToTheNodeFrameAndTest) {
-    const std::string name = bug_names[GetParam()];
+    const std::string name = all_bug_names()[static_cast<std::size_t>(GetParam())];
     const ProgramRun run = inspected(GetParam());
-    EXPECT_EQ(run.status, name == "none" ? 0 : 1);
+    EXPECT_EQ(run.status, name.ends_with("none") ? 0 : 1);
     EXPECT_EQ(run.out, file_text(source_folder + "/tests/recordings/broken/" + name + ".txt"));
 }
 
@@ -54,9 +54,11 @@ TEST(SmallEngine, IsComparedWithOwnHierarchiesOfOneFrame) {
 
 /// The lines that the manual shows of it are there, in that order.
 TEST_P(BrokenEngine, IsAsTheManualShows) {
-    const std::string name = bug_names[GetParam()];
-    if (name == "none") return;
-    std::istringstream manual(file_text(source_folder + "/scenes/recordings/broken.md"));
+    const std::string name = all_bug_names()[static_cast<std::size_t>(GetParam())];
+    if (name.ends_with("none")) return;
+    std::istringstream manual(
+        file_text(source_folder + "/scenes/recordings/" +
+                  (GetParam() < bug_count ? "broken.md" : "broken-distances.md")));
     std::string line;
     while (std::getline(manual, line) && line.find("`" + name + "`") == std::string::npos) {
     }
@@ -71,11 +73,13 @@ TEST_P(BrokenEngine, IsAsTheManualShows) {
     EXPECT_GT(lines, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BrokenEngine, testing::Range(0, bug_count), [](const auto& param) {
-    std::string name = bug_names[param.param];
-    std::erase(name, '-');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, BrokenEngine, testing::Range(0, bug_count + distance_bug_count),
+                         [](const auto& param) {
+                             std::string name =
+                                 all_bug_names()[static_cast<std::size_t>(param.param)];
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 }  // namespace
 }  // namespace scb::app

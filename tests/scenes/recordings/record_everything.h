@@ -65,9 +65,15 @@ static inline int record_everything(const char* path) {
         scb_record_refit(&r, 7, 1, &in_box);
         if (i == 0) {
             scb_record_query(&r, 0, 1);
+            scb_record_nearest(&r, 2.5, 0.125);
+            scb_record_bound(&r, 0, 2, 0.75, 3);
+            scb_record_item_distance(&r, 1, 0, -0.25);
+            scb_record_distance(&r, 0.5, 1, 0, pose);
+            scb_record_distance(&r, 1.5, SCB_RECORD_NONE, SCB_RECORD_NONE, NULL);
         } else {
             scb_record_log(&r, "gripper closed");
             scb_record_named_query(&r, 0, 1, "lift", tags, 2);
+            scb_record_within(&r, 0.375);
         }
         scb_record_test(&r, 0, 0, 0);
         /* More than a block of them. */

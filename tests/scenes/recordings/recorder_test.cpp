@@ -69,12 +69,20 @@ TEST(Recorder, IsReadBackAsItWasCalled) {
               (std::vector<RecordedQueryEnd>{{true, 123456789012345}, {true, 123456789012345}}));
     EXPECT_EQ(all_of<RecordedEnd>(records).size(), 1u);
 
+    EXPECT_EQ(all_of<RecordedMeasure>(records),
+              (std::vector<RecordedMeasure>{{1, 2.5, 0.125}, {2, 0.375, 0}}));
+    EXPECT_EQ(all_of<RecordedAnswer>(records),
+              (std::vector<RecordedAnswer>{{0.5, 1, 0, {1, 0, 0, 0.5, 0, 1}},
+                                           {1.5, record_none, record_none, {}}}));
+
     std::vector<RecordedEvent> expected = {{0, 0, 0}};
     for (std::uint32_t k = 0; k < 10'000; ++k)
         expected.push_back({static_cast<std::uint8_t>(k % 2), k, 2});
     expected.insert(expected.end(),
                     {{131, 7, 0}, {127, 2, 1}, {129, 0, 1}, {128, 1, 1}, {130, 0, 1}});
     const std::vector<RecordedEvent> once = expected;
+    expected.insert(expected.begin(),
+                    {recorded_length(0.75), {3, 0, 2}, recorded_length(-0.25), {128, 1, 0}});
     expected.insert(expected.end(), once.begin(), once.end());
     EXPECT_EQ(all_of<RecordedEvent>(records), expected);
 }
