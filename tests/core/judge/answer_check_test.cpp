@@ -120,7 +120,7 @@ TEST(AnswerCheck, NamesTheFrameOfPoints) {
     of_a = {0, 1, 0};
     of_b = {1, 0, 2};
     EXPECT_EQ(apart.faults(), Apart::Faults{AnswerFault::points_in_body_frames});
-    of_b = {0, 1, 2};
+    of_b = {-1, 0, 2};
     EXPECT_EQ(apart.faults(), Apart::Faults{AnswerFault::points_in_frame_of_a});
     of_a = {5, 6, 7};
     of_b = {5, 6, 9.5};
