@@ -10,6 +10,7 @@
 #include "app/report/build_text.h"
 #include "app/report/count_table.h"
 #include "app/report/scene_report.h"
+#include "app/report/trace_report.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
 #include "core/distance/distance_certificate.h"
@@ -91,12 +92,8 @@ void DistanceReport::add(int frame) {
 }
 
 DistanceOptions DistanceReport::limits(const Bodies& bodies) const {
-    DistanceOptions limits = asked().limits;
+    DistanceOptions limits = asked().within ? asked().up_to_first() : asked().limits;
     if (options_.seeded) limits.seed = bodies.closest;
-    if (asked().within) {
-        limits.order = DistanceOrder::depth_first;
-        limits.enough = limits.limit = *asked().within;
-    }
     return limits;
 }
 
@@ -338,11 +335,8 @@ Json DistanceReport::json() {
     json["query"] = asked().within ? "within" : "distance";
     if (asked().within) json["tolerance"] = *asked().within;
     if (!asked().within) {
-        json["order"] = distance_order_name(asked().limits.order);
-        json["relative_error"] = asked().limits.relative_error;
+        json.update(limits_json(asked().limits));
         json["seeded"] = options_.seeded;
-        const double limit = asked().limits.limit;
-        json["limit"] = std::isfinite(limit) ? Json(limit) : Json();
     }
     if (query_.is_packed()) {
         json["layout"] = options_.layout.layout;

@@ -17,6 +17,14 @@ void check_length(const std::string& option, double value) {
         throw InputError(option + format(" %g: give a finite number, 0 or more.", value));
 }
 
+/// A given option that is of the smallest distance only; empty: none.
+std::string smallest_only(const DistanceQuery& query) {
+    if (query.limits.relative_error != 0) return "--relative-error";
+    if (!(query.limits.limit == HUGE_VAL)) return "--limit";
+    if (query.limits.order != DistanceOptions{}.order) return "--order";
+    return "";
+}
+
 }  // namespace
 
 void set_distance_defaults(HierarchyOptions& hierarchy, QueryOptions& query) {
@@ -56,20 +64,39 @@ void add_distance_options(const Command& command, DistanceQuery& query) {
         .shareable();
 }
 
+void add_kind_options(const Command& command, KindOptions& options) {
+    constexpr std::array kinds = {QueryKind::collide, QueryKind::distance};
+    add_choice(
+        command, "--kind", options.kind,
+        choices_of(std::span<const QueryKind>(kinds), query_kind_name),
+        "What queries look for: triangles that intersect (collide), or the smallest distance "
+        "(distance)")
+        .type_name("KIND")
+        .shareable();
+    add_distance_options(command, options.distance);
+}
+
+void KindOptions::apply(QueryOptions& query) const {
+    query.distance.reset();
+    if (kind == QueryKind::collide && !distance.within) {
+        if (const std::string given = smallest_only(distance); !given.empty())
+            throw InputError(given + " is of distances; add --kind distance, or leave it out.");
+        return;
+    }
+    check_distance(distance);
+    query.distance = distance;
+}
+
 void check_distance(const DistanceQuery& query) {
     const auto& [limits, within] = query;
     if (within) check_length("--within", *within);
     check_length("--relative-error", limits.relative_error);
     if (std::isnan(limits.limit) || limits.limit < 0)
         throw InputError(format("--limit %g: give 0 or more.", limits.limit));
-    for (const auto& [name, is_given] :
-         {std::pair("--relative-error", limits.relative_error > 0),
-          std::pair("--limit", std::isfinite(limits.limit)),
-          std::pair("--order", limits.order != DistanceOptions{}.order)})
-        if (is_given && within)
-            throw InputError(std::string(name) +
-                             " is of the smallest distance, and --within asks for all triangles "
-                             "within a distance; leave one of them out.");
+    if (const std::string given = smallest_only(query); within && !given.empty())
+        throw InputError(given +
+                         " is of the smallest distance, and --within asks for all triangles within "
+                         "a distance; leave one of them out.");
 }
 
 }  // namespace scb::app

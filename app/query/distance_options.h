@@ -13,6 +13,19 @@ void set_distance_defaults(HierarchyOptions& hierarchy, QueryOptions& query);
 /// --order, --within, --relative-error and --limit.
 void add_distance_options(const Command& command, DistanceQuery& query);
 
+/// The kind of query, of commands that make queries of several kinds.
+struct KindOptions {
+    QueryKind kind = QueryKind::collide;
+    DistanceQuery distance;
+
+    /// Sets QueryOptions::distance. Throws InputError as check_distance does, and for options of
+    /// distances without --kind distance.
+    void apply(QueryOptions& query) const;
+};
+
+/// --kind, and the options of add_distance_options.
+void add_kind_options(const Command& command, KindOptions& options);
+
 /// Throws InputError for numbers out of range, and for options that --within excludes.
 void check_distance(const DistanceQuery& query);
 

@@ -33,6 +33,12 @@ Json body_json(const TraceBody& body) {
             {"hash", hash_text(body.mesh.hash)}};
 }
 
+Json limits_json(const DistanceOptions& limits) {
+    return {{"order", distance_order_name(limits.order)},
+            {"relative_error", limits.relative_error},
+            {"limit", std::isfinite(limits.limit) ? Json(limits.limit) : Json()}};
+}
+
 Json trace_header_json(const TraceHeader& header) {
     Json bodies = Json::array();
     for (const TraceBody& body : header.bodies) bodies.push_back(body_json(body));
@@ -61,10 +67,7 @@ Json trace_header_json(const TraceHeader& header) {
             result["tolerance"] = header.tolerance;
             return result;
         }
-        result["order"] = distance_order_name(header.distance.order);
-        result["relative_error"] = header.distance.relative_error;
-        const double limit = header.distance.limit;
-        result["limit"] = std::isfinite(limit) ? Json(limit) : Json();
+        result.update(limits_json(header.distance));
         return result;
     }
     if (header.volume == VolumeKind::scb) {

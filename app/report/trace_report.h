@@ -16,4 +16,7 @@ nlohmann::ordered_json trace_header_json(const TraceHeader& header);
 /// One test: nodes, depths, stage, and its consequence.
 nlohmann::ordered_json traced_test_json(const TracedTest& test, const BodyNames& bodies);
 
+/// The order and the limits of queries for the smallest distance.
+nlohmann::ordered_json limits_json(const DistanceOptions& limits);
+
 }  // namespace scb::app

@@ -15,8 +15,8 @@ std::string BenchSubject::title() const {
     std::string text(render::volume_title(kind));
     if (layout)
         text += " " + packed_layout_name(*layout) + (coherent ? " front" : "");
-    else if (kind == VolumeKind::scb)
-        text += " " + std::string(overlap_test_name(test));
+    else if (test)
+        text += " " + std::string(overlap_test_name(*test));
     return text + (names_split ? ", " + std::string(split_method_name(split)) : "");
 }
 
@@ -100,17 +100,21 @@ class BenchQueries {
     }
 
     /// The query of the i-th frame. Throws InputError if it finds more than max_pairs.
-    Collision query(std::size_t s, std::size_t i) {
-        Collision found = packed_[s].empty() ? reference_query(s, i) : packed_query(s, i);
+    QueryAnswer query(std::size_t s, std::size_t i) {
+        QueryAnswer answer =
+            options_.distance ? near_query(s, i) : QueryAnswer{overlap_query(s, i)};
+        Collision& found = answer.found;
         if (options_.first) {
             if (!found.pairs.empty()) found.pairs = {{0, 0}};
-            return found;
+            return answer;
         }
         if (!found.complete || found.pairs.size() > options_.max_pairs)
             throw InputError(scene_.name + ", frame " + std::to_string(frames_[i]) +
                              ": more than " + std::to_string(options_.max_pairs) +
-                             " pairs of triangles intersect; time other meshes or poses.");
-        return found;
+                             " pairs of triangles " +
+                             (options_.distance ? "are that near" : "intersect") +
+                             "; time other meshes or poses.");
+        return answer;
     }
 
     /// Bytes of the hierarchies of both bodies.
@@ -143,6 +147,41 @@ class BenchQueries {
         return built_[built_of_[s]].hierarchies;
     }
 
+    Collision overlap_query(std::size_t s, std::size_t i) {
+        return packed_[s].empty() ? reference_query(s, i) : packed_query(s, i);
+    }
+
+    QueryAnswer near_query(std::size_t s, std::size_t i) const {
+        const DistanceQuery& asked = *options_.distance;
+        if (asked.within && !options_.first) return {within_query(s, i, *asked.within)};
+        const Distance nearest =
+            nearest_query(s, i, asked.within ? asked.up_to_first() : asked.limits);
+        QueryAnswer answer{{}, nearest.found.distance};
+        if (asked.within && nearest.triangles) answer.found.pairs = {*nearest.triangles};
+        answer.found.n_v = nearest.n_v;
+        answer.found.n_p = nearest.n_p;
+        answer.found.n_u = nearest.n_u;
+        return answer;
+    }
+
+    Distance nearest_query(std::size_t s, std::size_t i, const DistanceOptions& limits) const {
+        const auto [a, b] = meshes_;
+        if (packed_[s].empty())
+            return distance(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i],
+                            limits);
+        return distance_of(distance_packed(packed_[s][0], mesh(a), packed_[s][1], mesh(b),
+                                           poses_[i], limits, options_.packed.level));
+    }
+
+    Collision within_query(std::size_t s, std::size_t i, double tolerance) const {
+        const auto [a, b] = meshes_;
+        if (packed_[s].empty())
+            return within(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i],
+                          tolerance, options_.collide.descent);
+        return collision_of(within_packed(packed_[s][0], mesh(a), packed_[s][1], mesh(b), poses_[i],
+                                          tolerance, options_.packed.level));
+    }
+
     Collision packed_query(std::size_t s, std::size_t i) {
         PackedOptions options = options_.packed;
         options.give_up_after = options_.max_pairs;
@@ -157,7 +196,7 @@ class BenchQueries {
 
     Collision reference_query(std::size_t s, std::size_t i) const {
         CollideOptions options = options_.collide;
-        options.overlap.test = options_.subjects[s].test;
+        if (const auto& test = options_.subjects[s].test) options.overlap.test = *test;
         options.max_pairs = options_.first ? 1 : options_.max_pairs + 1;
         const auto [a, b] = meshes_;
         return collide(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i], options);
@@ -180,13 +219,16 @@ class BenchQueries {
 double SubjectBench::mean_ms() const { return mean(ms); }
 
 SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
-                       const std::vector<BenchSubject>& subjects) {
+                       const BenchOptions& options) {
     SceneBench bench;
     bench.scene = scene.name;
     bench.bodies = {scene.bodies[a].name, scene.bodies[b].name};
     for (const std::size_t body : {a, b})
         bench.triangles.push_back(scene.meshes[scene.bodies[body].mesh].mesh.triangles.size());
-    for (const BenchSubject& subject : subjects) bench.subjects.push_back({.subject = subject});
+    bench.first = options.first;
+    bench.distance = options.distance;
+    for (const BenchSubject& subject : options.subjects)
+        bench.subjects.push_back({.subject = subject});
     return bench;
 }
 
@@ -194,9 +236,8 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
                                       const std::vector<int>& frames, const BenchOptions& options,
                                       const std::function<bool()>& step) {
     BenchQueries queries(scene, a, b, frames, options);
-    SceneBench result = empty_bench(scene, a, b, options.subjects);
+    SceneBench result = empty_bench(scene, a, b, options);
     result.frames = frames;
-    result.first = options.first;
     for (std::size_t s = 0; s < options.subjects.size(); ++s) {
         result.subjects[s].bytes_per_triangle =
             static_cast<double>(queries.bytes(s)) /
@@ -215,8 +256,10 @@ std::optional<SceneBench> bench_scene(const scenes::Scene& scene, std::size_t a,
     timing.before = [&](std::size_t s, std::size_t i) {
         if (i == 0) queries.clear_front(s);
     };
-    timing.keep = [&](std::size_t s, std::size_t, const Collision& found) {
+    timing.keep = [&](std::size_t s, std::size_t, const QueryAnswer& answer) {
+        const Collision& found = answer.found;
         SubjectBench& subject = result.subjects[s];
+        subject.distances.push_back(answer.distance);
         subject.n_v.push_back(found.n_v);
         subject.n_p.push_back(found.n_p);
         subject.n_u.push_back(found.n_u);

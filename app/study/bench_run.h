@@ -15,7 +15,7 @@ namespace scb::app {
 /// One hierarchy with one overlap test, or a packed one, which has its own test.
 struct BenchSubject {
     VolumeKind kind = VolumeKind::scb;
-    OverlapTest test = OverlapTest::corrected;
+    std::optional<OverlapTest> test{};  ///< of volumes that have several; none for distances
     std::optional<PackedLayout> layout{};
     bool coherent = false;  ///< with a PackedFront from frame to frame; packed only
     SplitMethod split = SplitMethod::section_3;
@@ -31,7 +31,8 @@ struct SubjectBench {
     std::vector<double> ms{};  ///< processor time of a query: the median of the repeats
     std::vector<std::uint64_t> n_v{}, n_p{}, n_u{}, pairs{};
     std::vector<std::uint64_t> pairs_hashes{};
-    double bytes_per_triangle = 0;  ///< of the hierarchies of both bodies, topology included
+    std::vector<double> distances{};  ///< of QueryKind::distance, see QueryAnswer
+    double bytes_per_triangle = 0;    ///< of the hierarchies of both bodies, topology included
     /// For a coherent subject: the share of queries that began at the front of an earlier query.
     /// The others began at the roots; some of these made a front.
     double from_front = 0;
@@ -51,13 +52,15 @@ struct SceneBench {
     bool all_frames = false;  ///< whether `frames` are all frames of the scene
     bool builtin = false;     ///< a built-in scene, perhaps one of Table 3's
     bool first = false;       ///< each query ended at its first pair, see BenchOptions
+    std::optional<DistanceQuery> distance{};  ///< see BenchOptions
     std::vector<SubjectBench> subjects;
 };
 
 struct BenchOptions {
     std::vector<BenchSubject> subjects;
     CollideOptions collide;
-    BuildOptions build;     ///< without the split, which each subject has
+    std::optional<DistanceQuery> distance{};  ///< none: the triangles that intersect
+    BuildOptions build;                       ///< without the split, which each subject has
     bool measures = false;  ///< whether hierarchies are also measured, see HierarchyMeasures
     PackedOptions packed;
     std::size_t max_pairs = 100'000'000;  ///< of a query
@@ -70,7 +73,7 @@ struct BenchOptions {
 
 /// A bench before the measurement: no frames yet.
 SceneBench empty_bench(const scenes::Scene& scene, std::size_t a, std::size_t b,
-                       const std::vector<BenchSubject>& subjects);
+                       const BenchOptions& options);
 
 /// Builds the hierarchies and times every query; before that it runs the first frame once, untimed.
 /// `step` is called after each query and ends the measurement by returning false; then there is no

@@ -9,6 +9,13 @@
 
 namespace scb::app {
 
+DistanceOptions DistanceQuery::up_to_first() const {
+    DistanceOptions first = limits;
+    first.order = DistanceOrder::depth_first;
+    first.enough = first.limit = *within;
+    return first;
+}
+
 std::vector<OverlapTest> QueryOptions::tests() const {
     std::vector<OverlapTest> tests;
     std::vector<std::string> known;

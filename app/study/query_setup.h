@@ -15,6 +15,10 @@ namespace scb::app {
 struct DistanceQuery {
     DistanceOptions limits;
     std::optional<double> within;  ///< all triangles that are at most this far apart
+
+    QueryKind kind() const { return within ? QueryKind::within : QueryKind::distance; }
+    /// The limits of a query that ends at the first triangles that are `within`.
+    DistanceOptions up_to_first() const;
 };
 
 /// Parameters of queries, besides the scene and its hierarchies.
@@ -26,6 +30,7 @@ struct QueryOptions {
     std::string bodies{};
     std::optional<DistanceQuery> distance{};  ///< none: the triangles that intersect
 
+    QueryKind kind() const { return distance ? distance->kind() : QueryKind::collide; }
     /// The overlap tests named, each once; throws InputError for an unknown name.
     std::vector<OverlapTest> tests() const;
     /// The one test named, and its threshold; throws InputError.

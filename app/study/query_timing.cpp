@@ -57,9 +57,9 @@ std::optional<std::vector<std::vector<double>>> time_queries(const QueryTiming& 
             const std::size_t i = cold ? k / subjects : k % frames;
             if (timing.before) timing.before(s, i);
             const double start = milliseconds(clock);
-            const Collision found = timing.query(s, i);
+            const QueryAnswer answer = timing.query(s, i);
             ms[s][i].push_back(std::max(0.0, milliseconds(clock) - start - reading));
-            if (repeat == 0 && timing.keep) timing.keep(s, i, found);
+            if (repeat == 0 && timing.keep) timing.keep(s, i, answer);
             if (!timing.step()) return std::nullopt;
         }
     std::vector<std::vector<double>> medians(subjects);

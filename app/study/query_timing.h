@@ -15,17 +15,24 @@ namespace scb::app {
 /// work does. Warm: each subject runs through all frames.
 enum class BenchOrder { cold, warm };
 
+/// What a timed query found.
+struct QueryAnswer {
+    Collision found;  ///< of QueryKind::distance, the counts
+    /// Of QueryKind::distance, the distance; infinity if nothing is within the limit.
+    double distance = 0;
+};
+
 /// A query of every subject in every frame, timed `repeats` times.
 struct QueryTiming {
     std::size_t subjects = 0, frames = 0;
     int repeats = 1;
     BenchOrder order = BenchOrder::cold;
     bool wall = false;  ///< wall-clock time, for queries that share threads
-    std::function<Collision(std::size_t subject, std::size_t frame)> query;
+    std::function<QueryAnswer(std::size_t subject, std::size_t frame)> query;
     /// Called before each query, untimed; may be empty.
     std::function<void(std::size_t subject, std::size_t frame)> before;
     /// Called once with each query's result; may be empty.
-    std::function<void(std::size_t subject, std::size_t frame, const Collision& found)> keep;
+    std::function<void(std::size_t subject, std::size_t frame, const QueryAnswer& answer)> keep;
     /// Called after each query; ends the measurement by returning false.
     std::function<bool()> step;
 };

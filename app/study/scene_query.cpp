@@ -143,7 +143,7 @@ Collision SceneQuery::within(int frame, double tolerance) const {
 }
 
 QueryKind SceneQuery::query_kind() const {
-    if (distance) return distance->within ? QueryKind::within : QueryKind::distance;
+    if (distance) return distance->kind();
     return is_self() ? QueryKind::self : QueryKind::collide;
 }
 

@@ -137,9 +137,10 @@ class Run {
                 subject_.prepare(packed[s - timed.size()], frames[i]);
         };
         timing.query = [&](std::size_t s, std::size_t i) {
-            return s < timed.size()
-                       ? subject_.query(built[of_timed[s]], rows[timed[s]].setting, frames[i])
-                       : collision_of(subject_.query(packed[s - timed.size()], frames[i]));
+            return QueryAnswer{
+                s < timed.size()
+                    ? subject_.query(built[of_timed[s]], rows[timed[s]].setting, frames[i])
+                    : collision_of(subject_.query(packed[s - timed.size()], frames[i]))};
         };
         timing.step = progress_.step;
         progress_.begin("settings timed",

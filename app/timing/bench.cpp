@@ -91,7 +91,7 @@ struct Report {
     const BenchCommandOptions& options;
     const BenchOptions& bench;
     std::size_t wanted;  ///< number of scenes to measure
-    std::string table{}, csv = bench_csv_header;
+    std::string table{}, csv = bench_csv_header(bench.distance);
     Json scenes = Json::array();
     BenchCosts costs{};
     std::optional<BenchCorrelation> correlation{};  ///< with --measures
@@ -114,7 +114,8 @@ struct Report {
                          {"complete", scenes.size() == wanted},
                          {"equation_1", costs.json()},
                          {"options",
-                          {{"threshold", options.query.threshold},
+                          {{"query", query_kind_name(options.query.kind())},
+                           {"threshold", options.query.threshold},
                            {"descent", descent_rule_name(options.query.descent)},
                            {"growth", ball_growth_name(options.hierarchy.growth)},
                            {"margin", options.hierarchy.margin},
@@ -128,6 +129,7 @@ struct Report {
                            {"order", options.warm ? "warm" : "cold"}}},
                          {"compiler", compiler_text()},
                          {"version", SCB_VERSION}};
+        if (options.query.distance) document["options"].update(asked_json(*options.query.distance));
         if (correlation) document["correlation"] = correlation->json();
         return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
@@ -223,8 +225,11 @@ BenchOptions measurement(const BenchCommandOptions& options) {
     result.build.threads = options.threads;
     result.measures = options.measures;
     result.first = options.first;
+    result.distance = options.query.distance;
+    if (result.distance) result.distance->limits.descent = options.query.descent;
     // Only packed queries for all pairs can share threads.
-    if (any_packed(result.subjects) && !options.first) result.packed.threads = options.threads;
+    if (any_packed(result.subjects) && !options.first && !result.distance)
+        result.packed.threads = options.threads;
     result.order = options.warm ? BenchOrder::warm : BenchOrder::cold;
     if (options.repeats < 1 || options.repeats > 1000)
         throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
@@ -246,7 +251,7 @@ void check_meshes(const std::vector<Entry>& all) {
 /// ended the measurement.
 std::optional<SceneBench> measured(const Entry& entry, std::size_t first, Parts& parts,
                                    const BenchOptions& options, const std::function<bool()>& step) {
-    std::optional<SceneBench> bench = empty_bench(entry.scene, entry.a, entry.b, options.subjects);
+    std::optional<SceneBench> bench = empty_bench(entry.scene, entry.a, entry.b, options);
     std::vector<int> frames;
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < entry.frames.size(); ++i) {
@@ -263,7 +268,6 @@ std::optional<SceneBench> measured(const Entry& entry, std::size_t first, Parts&
         for (std::size_t i = 0; i < frames.size(); ++i)
             parts.keep(numbers[i], bench_frame_json(*bench, i));
     bench->builtin = entry.builtin;
-    bench->first = options.first;
     bench->all_frames = entry.frames.size() == static_cast<std::size_t>(entry.scene.frames);
     return bench;
 }
@@ -280,7 +284,8 @@ void present(const BenchCommandOptions& options, const BenchFiles& files,
         open_file(all.size() == 1 ? files.picture(all[0]) : files.folder, console);
 }
 
-int run(const BenchCommandOptions& options, const Console& console) {
+int run(BenchCommandOptions& options, const Console& console) {
+    options.kind.apply(options.query);
     const BenchOptions bench_options = measurement(options);
     options.picture.check();
     // If a scene is refused, nothing is measured.

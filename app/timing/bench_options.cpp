@@ -24,17 +24,16 @@ std::vector<BenchSubject> subjects_of(const BenchCommandOptions& options) {
     std::vector<BenchSubject> result;
     for (const VolumeKind kind : options.hierarchy.kinds()) {
         if (!can_pack(kind)) {
-            result.push_back({kind, OverlapTest::corrected});
+            result.push_back({kind});
             continue;
         }
         for (const std::optional<PackedLayout>& layout :
              layouts_of(options.layouts, options.leaf_triangles)) {
-            if (layout) result.push_back({kind, OverlapTest::symmetric, layout});
-            if (layout && options.coherent)
-                result.push_back({kind, OverlapTest::symmetric, layout, true});
+            if (layout) result.push_back({kind, {}, layout});
+            if (layout && options.coherent) result.push_back({kind, {}, layout, true});
             if (layout) continue;
-            if (kind != VolumeKind::scb)
-                result.push_back({kind, OverlapTest::corrected});
+            if (kind != VolumeKind::scb || options.query.distance)
+                result.push_back({kind});
             else
                 for (const OverlapTest test : options.query.tests()) result.push_back({kind, test});
         }
@@ -53,6 +52,19 @@ std::vector<BenchSubject> subjects(const BenchCommandOptions& options) {
             subject.names_split = splits.size() > 1;
             result.push_back(subject);
         }
+    for (const auto& [name, is_given] :
+         {std::pair("--coherent", options.coherent), std::pair("--measures", options.measures),
+          std::pair("--test", options.query.test != QueryOptions{}.test),
+          std::pair("--threshold", options.query.threshold != QueryOptions{}.threshold)})
+        if (is_given && options.query.distance)
+            throw InputError(
+                std::string(name) +
+                " is of queries for triangles that intersect, and these queries are of "
+                "distances; leave it out.");
+    if (options.first && options.query.distance && !options.query.distance->within)
+        throw InputError(
+            "--first ends a query at its first pair, and a distance needs all; give --within T, or "
+            "leave it out.");
     refuse_with_shard(options.picture.shards, options.coherent, "--coherent",
                       "a front is kept from each frame to the next");
     if (options.coherent && std::none_of(result.begin(), result.end(),
@@ -97,8 +109,9 @@ void note_surprises(const BenchCommandOptions& options, const std::vector<BenchS
     }
     if (reference.empty() && options.query.descent != defaults.query.descent)
         note("--descent", own);
-    if (packed && options.first && options.threads > 1)
-        note("--threads", "a query up to the first pair runs in one thread.");
+    if (packed && options.threads > 1 && (options.first || options.query.distance))
+        note("--threads", options.first ? "a query up to the first pair runs in one thread."
+                                        : "a query of distances runs in one thread.");
     if (packed) return;
     const char* why = has_packable ? "it is of packed layouts; name one with --layout."
                                    : "only slab cut balls have packed layouts.";
@@ -131,8 +144,10 @@ std::string conditions(const BenchCommandOptions& options, const BenchOptions& b
                           " threads share a query of packed layouts; time that passes; ") +
            (options.repeats == 1 ? std::string("one run")
                                  : "median of " + std::to_string(options.repeats) + " runs") +
-           " per frame, " +
-           (bench.first ? "up to the first pair. " : "sorting the pairs included. ") +
+           (bench.distance && !bench.distance->within ? " per frame. " : " per frame, ") +
+           (bench.first                                 ? "up to the first pair. "
+            : bench.distance && !bench.distance->within ? ""
+                                                        : "sorting the pairs included. ") +
            (any_packed(bench.subjects)
                 ? "Packed layouts by the instructions '" + simd_text(bench.packed.level) + "'. "
                 : "") +
@@ -152,6 +167,7 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
             "default: the seven scenes of Table 3");
     add_hierarchy_options(command, options.hierarchy, true, &options.splits);
     add_query_options(command, options.query, true);
+    add_kind_options(command, options.kind);
     command
         .add_option("--layout", options.layouts,
                     "Layouts of slab cut balls: some of reference, " + layout_names() +
@@ -210,7 +226,8 @@ void add_bench_options(const Command& command, BenchCommandOptions& options) {
         "caches.\n"
         "Ctrl-C keeps what was finished and exits with 130.\n\n"
         "Examples:\n  scb bench spheres-l1 knots-l1 -o out/\n"
-        "  scb bench cad --volume scb,scb2,obb --frames 0:499:10");
+        "  scb bench cad --volume scb,scb2,obb --frames 0:499:10\n"
+        "  scb bench spheres-l1 --kind distance --volume scb2,rss --split cost --frames 0:499:10");
 }
 
 }  // namespace scb::app

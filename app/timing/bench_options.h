@@ -5,6 +5,7 @@
 
 #include "app/cli/console.h"
 #include "app/pictures/picture_options.h"
+#include "app/query/distance_options.h"
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/study/bench_run.h"
@@ -16,6 +17,7 @@ struct BenchCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy{.volumes = "scb,ball,ritter,obb"};
     QueryOptions query;
+    KindOptions kind;
     PictureOptions picture{.output = ""};
     std::string splits{split_method_name(SplitMethod::section_3)};
     std::string layouts = "reference", simd = "best";

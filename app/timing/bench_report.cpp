@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "app/report/trace_report.h"
 #include "core/analysis/measure_correlation.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
@@ -51,7 +54,7 @@ constexpr std::array<Table3Row, std::size(scenes::table_3_scenes)> table_3 = {{
 /// The entry of Table 3; none for other scenes and Ritter's balls, or if frames or pairs are
 /// missing. Its OBB figures are RAPID's.
 std::optional<Table3Entry> paper_entry(const SceneBench& bench, VolumeKind kind) {
-    if (!bench.builtin || !bench.all_frames || bench.first) return std::nullopt;
+    if (!bench.builtin || !bench.all_frames || bench.first || bench.distance) return std::nullopt;
     for (std::size_t i = 0; i < table_3.size(); ++i) {
         if (scenes::table_3_scenes[i] != bench.scene) continue;
         if (kind == VolumeKind::ball) return table_3[i].ball;
@@ -82,9 +85,50 @@ std::string front_cell(const SubjectBench& subject) {
     return subject.subject.coherent ? format(" %5.1f %%", 100 * subject.from_front) : "       -";
 }
 
+/// Whether each query looks for the smallest distance.
+bool is_of_smallest(const std::optional<DistanceQuery>& query) { return query && !query->within; }
+
+/// The found distances of all frames; null if there are none.
+Json mean_distance(const SubjectBench& subject) {
+    double sum = 0;
+    std::size_t found = 0;
+    for (const double distance : subject.distances)
+        if (std::isfinite(distance)) {
+            sum += distance;
+            ++found;
+        }
+    return found == 0 ? Json() : Json(sum / static_cast<double>(found));
+}
+
+std::string distance_cell(const SubjectBench& subject) {
+    const Json distance = mean_distance(subject);
+    return distance.is_null() ? "          -" : format(" %10.6g", distance.get<double>());
+}
+
+/// "  All found the same distances.", or the names of the subjects that did not. With an allowed
+/// error, they may differ.
+std::string distances_text(const SceneBench& bench) {
+    if (bench.distance->limits.relative_error > 0) return "";
+    const SubjectBench& first = bench.subjects.front();
+    std::string others;
+    for (const SubjectBench& subject : bench.subjects)
+        if (subject.distances != first.distances)
+            others += (others.empty() ? "" : ", ") + subject.subject.title();
+    return others.empty()
+               ? "  All found the same distances.\n"
+               : "  Other distances than " + first.subject.title() + ": " + others + "\n";
+}
+
+/// What the queries look for, at the end of a title: ", distance".
+std::string asked_words(const std::optional<DistanceQuery>& query) {
+    if (!query) return "";
+    return query->within ? format(", triangles at most %g apart", *query->within) : ", distance";
+}
+
 /// "  All found the same pairs.", or the names of the subjects that did not.
 std::string pairs_text(const SceneBench& bench) {
     if (bench.subjects.size() < 2) return "";
+    if (is_of_smallest(bench.distance)) return distances_text(bench);
     const SubjectBench& first = bench.subjects.front();
     std::string others;
     for (const SubjectBench& subject : bench.subjects)
@@ -106,6 +150,7 @@ std::string bench_table(const SceneBench& bench) {
                               render::count_text(bench.triangles[0]).c_str(),
                               render::count_text(bench.triangles[1]).c_str(), bench.frames.size(),
                               bench.frames.size() == 1 ? "" : "s");
+    text.insert(text.size() - 1, asked_words(bench.distance));
     std::size_t width = 16;
     for (const SubjectBench& subject : bench.subjects)
         width = std::max(width, subject.subject.title().size());
@@ -114,7 +159,9 @@ std::string bench_table(const SceneBench& bench) {
         std::any_of(bench.subjects.begin(), bench.subjects.end(),
                     [](const SubjectBench& subject) { return subject.subject.coherent; });
     text += format("  %-*s", column, "hierarchy");
-    text += "       ms    / SCB         N_v        N_p      pairs   ns/N_v  bytes";
+    const bool of_smallest = is_of_smallest(bench.distance);
+    text += std::string("       ms    / SCB         N_v        N_p ") +
+            (of_smallest ? "  distance" : "     pairs") + "   ns/N_v  bytes";
     if (coherent) text += "   front";
     text += in_paper ? "  |  Table 3: ms / SCB        N_v       N_p\n" : "\n";
     for (const SubjectBench& subject : bench.subjects) {
@@ -123,7 +170,7 @@ std::string bench_table(const SceneBench& bench) {
                 (scb == nullptr ? std::string("        -")
                                 : format(" %8.2f", ratio(ms, scb->mean_ms()))) +
                 count_cell(11, subject.n_v) + count_cell(11, subject.n_p) +
-                count_cell(11, subject.pairs) +
+                (of_smallest ? distance_cell(subject) : count_cell(11, subject.pairs)) +
                 (n_v > 0 ? format(" %8.1f", 1e6 * ms / n_v) : "        -") +
                 format(" %6.1f", subject.bytes_per_triangle) +
                 (coherent ? front_cell(subject) : "") +
@@ -224,6 +271,7 @@ Json BenchCosts::json() const {
 
 Json bench_json(const SceneBench& bench) {
     const SubjectBench* scb = first_scb(bench);
+    const bool of_smallest = is_of_smallest(bench.distance);
     Json hierarchies = Json::array();
     for (const SubjectBench& subject : bench.subjects) {
         const double ms = subject.mean_ms(), n_v = mean(subject.n_v);
@@ -232,15 +280,18 @@ Json bench_json(const SceneBench& bench) {
                     {"split", split_method_name(subject.subject.split)}};
         if (subject.subject.layout)
             row["layout"] = packed_layout_name(*subject.subject.layout);
-        else if (subject.subject.kind == VolumeKind::scb)
-            row["test"] = overlap_test_name(subject.subject.test);
+        else if (subject.subject.test)
+            row["test"] = overlap_test_name(*subject.subject.test);
         if (subject.subject.coherent) row["from_front"] = subject.from_front;
         row["ms"] = ms;
         row["n_v"] = n_v;
         row["n_p"] = mean(subject.n_p);
         row["n_u"] = mean(subject.n_u);
-        row["pairs"] = mean(subject.pairs);
-        if (!bench.first) row["pairs_hash"] = hash_text(subject.pairs_hash());
+        if (of_smallest)
+            row["distance"] = mean_distance(subject);
+        else
+            row["pairs"] = mean(subject.pairs);
+        if (!bench.first && !of_smallest) row["pairs_hash"] = hash_text(subject.pairs_hash());
         row["ns_per_volume_test"] = n_v > 0 ? Json(1e6 * ms / n_v) : Json();
         row["bytes_per_triangle"] = subject.bytes_per_triangle;
         for (std::size_t p = 0; p < subject.predictors.size(); ++p)
@@ -264,14 +315,17 @@ Json bench_json(const SceneBench& bench) {
 Json bench_frame_json(const SceneBench& bench, std::size_t i) {
     Json subjects = Json::array();
     for (const SubjectBench& subject : bench.subjects)
-        subjects.push_back({{"ms", subject.ms[i]},
-                            {"n_v", subject.n_v[i]},
-                            {"n_p", subject.n_p[i]},
-                            {"n_u", subject.n_u[i]},
-                            {"pairs", subject.pairs[i]},
-                            {"pairs_hash", subject.pairs_hashes[i]},
-                            {"bytes_per_triangle", subject.bytes_per_triangle},
-                            {"predictors", subject.predictors}});
+        subjects.push_back(
+            {{"ms", subject.ms[i]},
+             {"n_v", subject.n_v[i]},
+             {"n_p", subject.n_p[i]},
+             {"n_u", subject.n_u[i]},
+             {"pairs", subject.pairs[i]},
+             {"pairs_hash", subject.pairs_hashes[i]},
+             {"distance",
+              std::isfinite(subject.distances[i]) ? Json(subject.distances[i]) : Json()},
+             {"bytes_per_triangle", subject.bytes_per_triangle},
+             {"predictors", subject.predictors}});
     return {{"frame", bench.frames[i]}, {"subjects", std::move(subjects)}};
 }
 
@@ -287,37 +341,59 @@ void add_bench_frame(SceneBench& bench, const Json& json) {
         subject.n_u.push_back(count("n_u"));
         subject.pairs.push_back(count("pairs"));
         subject.pairs_hashes.push_back(count("pairs_hash"));
+        const Json& distance = from.at("distance");
+        subject.distances.push_back(distance.is_null() ? std::numeric_limits<double>::infinity()
+                                                       : distance.get<double>());
         // These values are the same in each frame.
         from.at("bytes_per_triangle").get_to(subject.bytes_per_triangle);
         from.at("predictors").get_to(subject.predictors);
     }
 }
 
+Json asked_json(const DistanceQuery& query) {
+    return query.within ? Json{{"tolerance", *query.within}} : limits_json(query.limits);
+}
+
+std::string bench_csv_header(const std::optional<DistanceQuery>& query) {
+    return std::string("scene,hierarchy,test,frame,ms,n_v,n_p,n_u,") +
+           (is_of_smallest(query) ? "distance" : "pairs") + ",split\n";
+}
+
+namespace {
+
+/// The number of pairs, or the distance with all of its digits; empty if there is none.
+std::string found_cell(const SceneBench& bench, const SubjectBench& subject, std::size_t i) {
+    if (!is_of_smallest(bench.distance)) return std::to_string(subject.pairs[i]);
+    const double distance = subject.distances[i];
+    return std::isfinite(distance) ? exact_number(distance) : "";
+}
+
+}  // namespace
+
 std::string bench_csv(const SceneBench& bench) {
     std::string text;
     for (const SubjectBench& s : bench.subjects) {
-        const bool is_scb = s.subject.kind == VolumeKind::scb;
         const std::string start =
             bench.scene + "," + std::string(volume_kind_name(s.subject.kind)) + "," +
             (s.subject.layout
                  ? packed_layout_name(*s.subject.layout) + (s.subject.coherent ? " front" : "")
-             : is_scb ? std::string(overlap_test_name(s.subject.test))
-                      : std::string());
+             : s.subject.test ? std::string(overlap_test_name(*s.subject.test))
+                              : std::string());
         for (std::size_t i = 0; i < bench.frames.size(); ++i)
             text += start +
-                    format(",%d,%.6f,%llu,%llu,%llu,%llu", bench.frames[i], s.ms[i],
+                    format(",%d,%.6f,%llu,%llu,%llu,", bench.frames[i], s.ms[i],
                            static_cast<unsigned long long>(s.n_v[i]),
                            static_cast<unsigned long long>(s.n_p[i]),
-                           static_cast<unsigned long long>(s.n_u[i]),
-                           static_cast<unsigned long long>(s.pairs[i])) +
-                    "," + std::string(split_method_name(s.subject.split)) + "\n";
+                           static_cast<unsigned long long>(s.n_u[i])) +
+                    found_cell(bench, s, i) + "," +
+                    std::string(split_method_name(s.subject.split)) + "\n";
     }
     return text;
 }
 
 render::BenchFigure bench_figure(const SceneBench& bench) {
     render::BenchFigure figure;
-    figure.scene = bench.scene;
+    figure.scene = bench.scene + asked_words(bench.distance);
     figure.triangles = {bench.triangles.begin(), bench.triangles.end()};
     for (const SubjectBench& subject : bench.subjects) {
         render::BenchSeries series;
@@ -327,7 +403,7 @@ render::BenchFigure bench_figure(const SceneBench& bench) {
         series.n_v = doubles(subject.n_v);
         series.n_p = doubles(subject.n_p);
         series.ms = subject.ms;
-        series.pairs = doubles(subject.pairs);
+        if (!is_of_smallest(bench.distance)) series.pairs = doubles(subject.pairs);
         figure.series.push_back(std::move(series));
     }
     // The surfaces of the two spheres pass each other here (Section 5).

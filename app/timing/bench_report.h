@@ -34,10 +34,12 @@ nlohmann::ordered_json bench_frame_json(const SceneBench& bench, std::size_t i);
 /// exceptions for JSON of another bench.
 void add_bench_frame(SceneBench& bench, const nlohmann::ordered_json& json);
 
-/// Lines "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split"; without the header.
+/// The tolerance, or the order and limits, of queries of distances.
+nlohmann::ordered_json asked_json(const DistanceQuery& query);
+
+/// Lines of the columns in bench_csv_header; without the header.
 std::string bench_csv(const SceneBench& bench);
-inline constexpr const char* bench_csv_header =
-    "scene,hierarchy,test,frame,ms,n_v,n_p,n_u,pairs,split\n";
+std::string bench_csv_header(const std::optional<DistanceQuery>& query);
 
 /// Figure 11 for the scene.
 render::BenchFigure bench_figure(const SceneBench& bench);

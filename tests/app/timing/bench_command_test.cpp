@@ -137,6 +137,72 @@ TEST(BenchCommand, EndsQueriesAtTheFirstPair) {
     EXPECT_NE(table.err.find("--threads has no effect"), std::string::npos) << table.err;
 }
 
+TEST(BenchCommand, HasTheCountsAndDistancesOfScbDistance) {
+    const TemporaryFolder folder;
+    const std::string query = " spheres-l1 --frames 0,120 ";
+    const ProgramRun run = run_scb("bench" + query +
+                                   "--kind distance --order nearest --volume scb,scb2,rss --layout "
+                                   "reference,quantized8 --repeat 1 --json -o " +
+                                   (folder / "out"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json document = json::parse(run.out);
+    EXPECT_EQ(document["options"]["query"], "distance");
+    EXPECT_EQ(document["options"]["order"], "nearest");
+    const json& rows = document["scenes"][0]["hierarchies"];
+    ASSERT_EQ(rows.size(), 5u);
+    for (const json& row : rows) {
+        const std::string layout = row.value("layout", "reference");
+        const json frames = json::parse(
+            run_scb("distance" + query + "--order nearest --split paper --json --volume " +
+                    row["volume"].get<std::string>() + " --layout " + layout)
+                .out)["frames"];
+        const auto mean = [&](const char* key) {
+            return (frames[0][key].get<double>() + frames[1][key].get<double>()) / 2;
+        };
+        for (const char* key : {"n_v", "n_p", "distance"})
+            EXPECT_EQ(row[key], mean(key)) << row << key;
+        EXPECT_FALSE(row.contains("pairs")) << row;
+        EXPECT_FALSE(row.contains("test")) << row;
+    }
+    EXPECT_TRUE(file_text(folder / "out/bench.csv")
+                    .starts_with("scene,hierarchy,test,frame,ms,n_v,n_p,n_u,distance,split\n"));
+    const ProgramRun table =
+        run_scb("bench" + query + "--kind distance --repeat 1 --volume scb,obb");
+    EXPECT_NE(table.out.find("frames, distance\n"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("All found the same distances."), std::string::npos) << table.out;
+}
+
+TEST(BenchCommand, TimesQueriesWithinATolerance) {
+    const std::string bench =
+        "bench spheres-l1 --frames 0,100 --repeat 1 --volume scb,scb2 --layout "
+        "reference,float8 --json --within ";
+    const json all = json::parse(run_scb(bench + "0.06").out),
+               first = json::parse(run_scb(bench + "0.06 --first").out),
+               none = json::parse(run_scb(bench + "0.0001 --first").out);
+    const json found = json::parse(
+        run_scb("distance spheres-l1 --frames 0,100 --within 0.06 --json").out)["frames"];
+    const double pairs = (found[0]["pairs"].get<double>() + found[1]["pairs"].get<double>()) / 2;
+    EXPECT_EQ(all["options"]["query"], "within");
+    EXPECT_EQ(all["options"]["tolerance"], 0.06);
+    for (std::size_t s = 0; s < 4; ++s) {
+        EXPECT_EQ(all["scenes"][0]["hierarchies"][s]["pairs"], pairs) << s;
+        EXPECT_EQ(first["scenes"][0]["hierarchies"][s]["pairs"], 1) << s;
+        EXPECT_EQ(none["scenes"][0]["hierarchies"][s]["pairs"], 0.5) << s;
+    }
+}
+
+TEST(BenchCommand, RefusesOptionsOfOtherKinds) {
+    const std::string bench = "bench spheres-l1 --frames 0 --repeat 1 ";
+    for (const char* options :
+         {"--order nearest", "--relative-error 0.1", "--limit 1", "--kind distance --first",
+          "--kind distance --test corrected", "--kind distance --layout float8 --coherent",
+          "--within 1 --measures", "--within 1 --order nearest", "--within -1", "--kind self"}) {
+        const ProgramRun run = run_scb(bench + options);
+        EXPECT_EQ(run.status, 2) << options;
+        EXPECT_EQ(run.out, "") << options;
+    }
+}
+
 TEST(BenchCommand, CorrelatesMeasuresWithWhatQueriesTook) {
     const TemporaryFolder folder;
     const ProgramRun run = run_scb(
