@@ -110,6 +110,7 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     // A query that ends at the first pair says nothing about the others.
     const bool is_apart = !found.triangles || (!options_.first && found.found.distance > 0);
     Json json = found_json(found.triangles, found.found);
+    if (options_.json && found.triangles) json["rounding"] = rounding(frame);
     std::vector<Cell> cells = found_cells(found);
     if (options_.prove) {
         json["proof"] = prove(frame, found);
@@ -117,6 +118,18 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
             cells.emplace_back(json["proof"][bound], std::string());
     }
     add_row(bodies, frame, found, std::move(cells), std::move(json), is_apart);
+}
+
+double DistanceReport::rounding(int frame) const {
+    double largest = 0;
+    const auto take = [&largest](const Mesh& mesh, const Pose& pose) {
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const Vec3& corner : transform_corners(pose, corners(mesh, t)))
+                largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+    };
+    take(query_.mesh(query_.a), Pose{});
+    take(query_.mesh(query_.b), query_.b_to_a(frame));
+    return allowed_width(0, largest);
 }
 
 Json DistanceReport::prove(int frame, const Distance& found) {

@@ -1,6 +1,7 @@
 #include "golden/compare/counts_difference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -26,6 +27,18 @@ std::optional<std::int64_t> integer_in(const json& leaf) {
     }
     if (leaf.is_number_integer()) return leaf.get<std::int64_t>();
     return std::nullopt;
+}
+
+/// Whether it is a value that may differ a little, see counts_difference.
+bool is_measured(const json& value) {
+    return value.is_object() && value.size() == 2 && value.contains("value") &&
+           value.contains("bound") && value["value"].is_number() && value["bound"].is_number();
+}
+
+bool equal_measured(const json& before, const json& after) {
+    // Written so that a number out of range is equal to nothing.
+    return std::abs(before["value"].get<double>() - after["value"].get<double>()) <=
+           before["bound"].get<double>();
 }
 
 /// The leaf as JSON, on one line.
@@ -77,6 +90,16 @@ class Walk {
   public:
     /// `before` and `after` are the values at `place`; null: that side has none.
     void compare(const json* before, const json* after, const std::string& place) {
+        if (before && after && is_measured(*before) && is_measured(*after)) {
+            if (equal_measured(*before, *after)) return;
+            changes_.push_back({place,
+                                {},
+                                {},
+                                text_of((*before)["value"]),
+                                text_of((*after)["value"]),
+                                text_of((*before)["bound"])});
+            return;
+        }
         const bool alike =
             before && after && is_container(*before) && before->type() == after->type();
         if (alike && before->is_object()) return compare_objects(*before, *after, place);

@@ -16,6 +16,8 @@ struct CountChange {
     /// A value that is not an integer of 64 bits, as JSON: "0.5", "\"scb\"", "{}". Empty for an
     /// integer or no value.
     std::string before_text{}, after_text{};
+    /// Of distances, the difference that was allowed, as JSON; empty for others.
+    std::string bound{};
 
     friend bool operator==(const CountChange&, const CountChange&) = default;
 };
@@ -31,7 +33,10 @@ bool is_hash(const CountChange& change);
 /// the other is added. '/' and '~' in keys are "~1" and "~0" in places, as in a JSON pointer (RFC
 /// 6901).
 ///
-/// The result is empty if and only if the trees are equal.
+/// Two objects {"value": x, "bound": b} of numbers are one value each, such as a distance. They are
+/// equal if the values differ by at most the bound on the side of `before`.
+///
+/// Without such objects, the result is empty if and only if the trees are equal.
 std::vector<CountChange> counts_difference(const nlohmann::json& before,
                                            const nlohmann::json& after);
 

@@ -28,7 +28,8 @@ Json count_json(const CountChange& change) {
             {"before", integer_json(change.before)},
             {"after", integer_json(change.after)},
             {"before_text", change.before_text},
-            {"after_text", change.after_text}};
+            {"after_text", change.after_text},
+            {"bound", change.bound}};
 }
 
 Json id_change_json(const IdChange& change) {

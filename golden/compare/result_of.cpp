@@ -47,10 +47,13 @@ PixelBox box_at(const JsonPlace& place) {
 }
 
 CountChange count_change_at(const JsonPlace& place) {
-    check_fields(place, {"place", "before", "after", "before_text", "after_text"});
-    return {read_text(field(place, "place")), optional_at(field(place, "before"), count_at),
-            optional_at(field(place, "after"), count_at), read_text(field(place, "before_text")),
-            read_text(field(place, "after_text"))};
+    check_fields(place, {"place", "before", "after", "before_text", "after_text", "bound"});
+    return {read_text(field(place, "place")),
+            optional_at(field(place, "before"), count_at),
+            optional_at(field(place, "after"), count_at),
+            read_text(field(place, "before_text")),
+            read_text(field(place, "after_text")),
+            read_text(field(place, "bound"))};
 }
 
 IdChange id_change_at(const JsonPlace& place) {

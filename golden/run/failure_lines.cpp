@@ -109,12 +109,34 @@ Cause find_cause(CaseResult& result, const ComparisonFolders& folders) {
 
 }  // namespace
 
+namespace {
+
+/// A sentence for each distance that differs.
+void add_distance_lines(CaseResult& result, const GoldenCase& golden) {
+    std::string scene;
+    for (const std::string& name : golden.own_scene) scene += (scene.empty() ? "" : " ") + name;
+    for (const CountChange& change : result.counts) {
+        if (change.bound.empty()) continue;
+        // "frames/3/distance" or "frames/3/queries/["A","B"]/distance".
+        const std::size_t begin = change.place.find('/') + 1, end = change.place.find('/', begin),
+                          bodies = change.place.find('[', end);
+        std::string line = scene + ", frame " + change.place.substr(begin, end - begin);
+        if (bodies != std::string::npos)
+            line += ", " + change.place.substr(bodies, change.place.rfind('/') - bodies);
+        result.lines.push_back(line + ": expected the distance " + change.before_text + ", got " +
+                               change.after_text + "; they may differ by " + change.bound + ".");
+    }
+}
+
+}  // namespace
+
 void add_lines(CaseResult& result, const GoldenCase& golden, const GoldenRunSettings& settings,
                const ComparisonFolders& folders) {
     if (result.verdict == Verdict::same) check_record(result, folders);
     if (result.verdict != Verdict::different && result.verdict != Verdict::size_differs) return;
     const Cause cause = find_cause(result, folders);
     if (result.verdict != Verdict::different) return;
+    add_distance_lines(result, golden);
     try {
         const bool same_meshes = add_trace_lines(result, folders, cause) && !cause.other_meshes;
         if (!result.ids && !(result.colors && golden.ids)) return;

@@ -34,6 +34,20 @@ bool is_no_count(const std::string& key) {
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 
+/// Whether it is a query of a distance, as `scb distance` prints it.
+bool has_distance(const Json& query) {
+    return query.contains("rounding") && query.contains("distance") &&
+           query["distance"].is_number() && query["rounding"].is_number();
+}
+
+/// The distance with its bound, and the closest triangles. At distance 0, any triangles that
+/// intersect are right.
+void add_distance(const Json& query, Json& counts) {
+    counts["distance"] = {{"value", query["distance"]}, {"bound", query["rounding"]}};
+    if (query["distance"] > 0)
+        counts["triangles"] = {{"a", query["triangles"].at(0)}, {"b", query["triangles"].at(1)}};
+}
+
 /// Nothing if it has no counts; only objects, lists, integers and booleans may have.
 std::optional<Json> counts_in(const Json& value, const std::string& place);
 
@@ -67,6 +81,10 @@ std::optional<Json> counts_in_object(const Json& object, const std::string& plac
     Json counts = Json::object();
     for (const auto& [key, inner] : object.items()) {
         if (is_no_count(key)) continue;
+        if (key == "inside" && inner.is_array()) {
+            counts[key] = inner.size();
+            continue;
+        }
         const std::string inner_place = place + "/" + key;
         if (key == "pairs_hash") {
             counts[key] = hash_count(inner, inner_place);
@@ -74,6 +92,7 @@ std::optional<Json> counts_in_object(const Json& object, const std::string& plac
             counts[key] = std::move(*found);
         }
     }
+    if (has_distance(object)) add_distance(object, counts);
     if (counts.empty()) return std::nullopt;
     return counts;
 }

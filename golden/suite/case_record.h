@@ -33,11 +33,20 @@ struct RecordedSetting {
     const char* name;
 };
 inline constexpr RecordedSetting recorded_settings[] = {
-    {"scene", "scene"},          {"volume", "volume"},
-    {"split", "split"},          {"growth", "growth of balls"},
-    {"margin", "margin"},        {"test", "overlap test"},
-    {"threshold", "threshold"},  {"descent", "descent rule"},
-    {"max_pairs", "most pairs"}, {"level", "level to stop at"},
+    {"scene", "scene"},
+    {"volume", "volume"},
+    {"split", "split"},
+    {"growth", "growth of balls"},
+    {"margin", "margin"},
+    {"test", "overlap test"},
+    {"threshold", "threshold"},
+    {"descent", "descent rule"},
+    {"max_pairs", "most pairs"},
+    {"level", "level to stop at"},
+    {"order", "order of the search"},
+    {"tolerance", "tolerance"},
+    {"relative_error", "relative error"},
+    {"limit", "limit"},
 };
 
 /// The record of a run as JSON, from its index.json or the JSON that it printed. A pose is one text

@@ -203,6 +203,8 @@ class Reader {
             refuse(place,
                    "`inspect` has no counts of a recording to compare; compare the "
                    "engine's counts with `external`.");
+        if (golden.run == GoldenRun::distance && !golden.test.empty())
+            refuse(place, "`test` is of queries for overlap, and distance has none; leave it out.");
         const bool ids = has_ids(golden.run), colors = has_picture(golden.run);
         if (given.contains("compare")) {
             if (golden.ids && !ids)
@@ -278,7 +280,9 @@ class Reader {
 
 }  // namespace
 
-bool has_picture(GoldenRun run) { return run != GoldenRun::collide && run != GoldenRun::external; }
+bool has_picture(GoldenRun run) {
+    return run != GoldenRun::collide && run != GoldenRun::distance && run != GoldenRun::external;
+}
 
 bool has_ids(GoldenRun run) {
     return run == GoldenRun::levels || run == GoldenRun::pairs || run == GoldenRun::rejections;

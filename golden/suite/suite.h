@@ -19,10 +19,10 @@ struct ColorTolerance {
 
 /// The outputs of a case, by the command of scb; `external`: the counts of another engine's
 /// recording, by `scb trace`.
-enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide, external };
+enum class GoldenRun { levels, pairs, rejections, traversal, inspect, collide, distance, external };
 
-inline constexpr EnumNames<GoldenRun, 7> golden_run_names = {
-    "levels", "pairs", "rejections", "traversal", "inspect", "collide", "external"};
+inline constexpr EnumNames<GoldenRun, 8> golden_run_names = {
+    "levels", "pairs", "rejections", "traversal", "inspect", "collide", "distance", "external"};
 
 /// Whether it makes a picture, and whether that has ids.
 bool has_picture(GoldenRun run);

@@ -39,6 +39,46 @@ std::string two_triangles(bool swapped) {
 
 constexpr const char* cutting_triangle = "v 0.2 0.2 -0.5\nv 0.2 0.3 -0.5\nv 0.2 0.2 0.5\nf 1 2 3\n";
 
+TEST_F(GoldenCommandCases, OfDistancesAllowTheStatedBound) {
+    write_cases(
+        {{{"name", "apart"}, {"run", "distance"}, {"scene", "spheres-l1"}, {"frames", "0"}}});
+    ASSERT_EQ(golden("update --all").status, 0);
+    const std::string file = folder / "my/baselines/apart.counts.json";
+    const json kept = json::parse(file_text(file));
+    const json& measured = kept["frames"]["0"]["distance"];
+    const double distance = measured["value"], bound = measured["bound"];
+    EXPECT_GT(distance, 0.05);
+    EXPECT_GT(bound, 0);
+    EXPECT_LT(bound, 1e-14);
+    const auto check_with = [&](double value) {
+        json other = kept;
+        other["frames"]["0"]["distance"]["value"] = value;
+        write_text(file, other.dump());
+        return golden("check");
+    };
+    EXPECT_EQ(check_with(distance + bound / 2).status, 0);
+    EXPECT_EQ(check_with(distance - bound / 2).status, 0);
+    const double far = distance + 2 * bound;
+    const ProgramRun run = check_with(far);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(
+        run.out.find("spheres-l1, frame 0: expected the distance " + json(far).dump() + ", got " +
+                     json(distance).dump() + "; they may differ by " + json(bound).dump() + "."),
+        std::string::npos)
+        << run.out;
+    // Counts and triangles are exact.
+    for (const char* place : {"/frames/0/n_v", "/frames/0/triangles/b", "/frames/0/stages/near"}) {
+        json other = kept;
+        json& count = other[json::json_pointer(place)];
+        count = count.get<int>() + 1;
+        write_text(file, other.dump());
+        EXPECT_EQ(golden("check").status, 1) << place;
+    }
+    write_cases(
+        {{{"name", "apart"}, {"run", "distance"}, {"scene", "spheres-l1"}, {"test", "corrected"}}});
+    EXPECT_EQ(golden("check").status, 2);
+}
+
 TEST_F(GoldenCommandCases, AreOfOnePicture) {
     write_cases({{{"name", "two-levels"},
                   {"run", "levels"},

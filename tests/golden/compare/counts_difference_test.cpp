@@ -36,6 +36,30 @@ TEST(CountsDifference, IsEmptyForEqualTrees) {
         EXPECT_EQ(difference(tree, tree), Changes{}) << tree;
 }
 
+TEST(CountsDifference, DistancesMayDifferByTheBoundOfTheBaseline) {
+    const auto with = [](double distance, double bound) {
+        return json{{"frames", {{"20", {{"distance", {{"value", distance}, {"bound", bound}}}}}}}};
+    };
+    const double bound = 0x1p-50;
+    const json before = with(2, bound);
+    for (const double near : {2.0, 2 + bound, 2 - bound})
+        EXPECT_EQ(counts_difference(before, with(near, 0)), Changes{}) << near;
+    for (const double far : {2 + 2 * bound, 2 - 2 * bound, 3.0, 1e300}) {
+        const Changes changes = counts_difference(before, with(far, 10));
+        ASSERT_EQ(changes.size(), 1u) << far;
+        EXPECT_EQ(changes[0].place, "frames/20/distance");
+        EXPECT_EQ(changes[0].before_text, "2.0");
+        EXPECT_EQ(changes[0].after_text, json(far).dump());
+        EXPECT_EQ(changes[0].bound, json(bound).dump());
+    }
+    EXPECT_EQ(counts_difference(with(0, 0), with(0, 0)), Changes{});
+    EXPECT_EQ(counts_difference(with(0, 0), with(5e-324, 0)).size(), 1u);
+    // A distance that is gone or new.
+    const json none = json::parse(R"({"frames": {"20": {}}})");
+    EXPECT_FALSE(counts_difference(before, none).empty());
+    EXPECT_FALSE(counts_difference(none, before).empty());
+}
+
 TEST(CountsDifference, NamesAChangedCountByItsPlace) {
     const char* before = R"({"frames": {"100": {"stages": {"ball-slab": 4, "overlapping": 9}}}})";
     const char* after = R"({"frames": {"100": {"stages": {"ball-slab": 5, "overlapping": 9}}}})";

@@ -38,6 +38,20 @@ TEST(CaseCounts, TellPairsApartThatAreAsMany) {
     }
 }
 
+TEST(CaseCounts, OfDistancesHaveTheDistanceAndItsBound) {
+    const json distances = json::parse(R"({"query": "distance", "relative_error": 0.0, "frames": [
+      {"frame": 0, "distance": 0.5, "rounding": 1e-15, "triangles": [3, 4],
+       "points": [[0.5, 0.0, 0.0], [1.0, 0.0, 0.0]], "signed_distance": 0.5, "inside": [],
+       "n_v": 7, "stages": {"near": 2}},
+      {"frame": 1, "distance": 0.0, "rounding": 2e-15, "triangles": [5, 6], "inside": [], "n_v": 2},
+      {"frame": 2, "distance": null, "triangles": null, "inside": null, "n_v": 1}]})");
+    EXPECT_EQ(case_counts(GoldenRun::distance, distances), json::parse(R"({"frames": {
+      "0": {"distance": {"value": 0.5, "bound": 1e-15}, "triangles": {"a": 3, "b": 4},
+            "inside": 0, "n_v": 7, "stages": {"near": 2}},
+      "1": {"distance": {"value": 0.0, "bound": 2e-15}, "inside": 0, "n_v": 2},
+      "2": {"n_v": 1}}})"));
+}
+
 TEST(CaseCounts, ListsAreByTheNamesOfTheirElements) {
     const json levels = json::parse(R"({"files": [{"file": "a.png", "frame": 3, "bodies": [
       {"body": "A", "first_id": 1, "volumes": 4}, {"body": "B", "first_id": 9, "volumes": 5}]}]})");
