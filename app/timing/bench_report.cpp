@@ -102,7 +102,7 @@ Json mean_distance(const SubjectBench& subject) {
 
 std::string distance_cell(const SubjectBench& subject) {
     const Json distance = mean_distance(subject);
-    return distance.is_null() ? "          -" : format(" %10.6g", distance.get<double>());
+    return distance.is_null() ? "          -" : format(" %10.5g", distance.get<double>());
 }
 
 /// "  All found the same distances.", or the names of the subjects that did not. With an allowed
