@@ -2,31 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/geometry/triangle_pair.h"
 
 namespace scb {
-namespace {
-
-/// Disjoint sets that can be joined; one of its members represents each set.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace
 
 std::vector<Triangle> joined_triangles(const Mesh& mesh) {
     std::vector<bool> used(mesh.vertices.size());
