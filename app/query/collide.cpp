@@ -53,6 +53,12 @@ int run(CollideCommandOptions& options, const Console& console) {
             throw InputError(std::string(name) +
                              " needs all pairs of triangles; leave out --first, --max-pairs and "
                              "--levels.");
+    if (options.patches && (options.first || !options.limits.levels.empty()))
+        throw InputError("--patches needs pairs of triangles; leave out --first and --levels.");
+    if (options.patches && !options.contacts.empty() && options.contacts != "all")
+        throw InputError("--contacts " + options.contacts +
+                         ": patches are of all pairs; give --contacts all, or leave out "
+                         "--patches.");
     if (options.scene.is_recording() && !options.expect.empty())
         throw InputError("--expect " + options.expect + ": " + options.scene.names[0] +
                          " has pairs of its own, which are compared; leave out --expect.");
@@ -125,6 +131,10 @@ void add_collide(const Command& program, const Console& console, Action& action)
                     "all pairs, with a column `touching`")
         .type_name("KIND")
         .offer(contact_names);
+    command.add_flag("--patches", options->patches,
+                     "Divide the pairs into contact patches, which are connected sets of pairs, "
+                     "with the box and the deepest vertices of each; with --csv, only these; with "
+                     "--pairs-out, a column `patch`");
     command
         .add_option(
             "--pairs-out", options->pairs_out,
@@ -153,6 +163,7 @@ void add_collide(const Command& program, const Console& console, Action& action)
         "Examples:\n"
         "  scb collide spheres-l1 --frames 0:499:50\n"
         "  scb collide a.ply b.ply --poses log.csv --pairs-out pairs.csv\n"
+        "  scb collide spheres-l1 --frames 100 --patches\n"
         "  scb collide a.ply b.ply --poses log.csv --expect engine.csv");
     command.callback([&action, &console, options] {
         action = [&console, options] { return run(*options, console); };

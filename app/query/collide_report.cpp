@@ -133,7 +133,8 @@ CollideReport::CollideReport(const CollideCommandOptions& options, SceneQuery& q
                                 : counted_stages(query.kind, query.options.overlap)),
       met_(query.pairs.size()),
       intervals_(query.pairs.size()) {
-    pairs_ = pair_lines_header(query);
+    pairs_ = pair_lines_header(query, options.patches);
+    if (options.patches) patches_.emplace(query);
     for (const BodyPair& pair : query.pairs) {
         query.choose(pair);
         inside_.emplace_back(query);
@@ -176,7 +177,7 @@ std::string CollideReport::text() {
         if (!not_closed.empty()) json["not_closed"] = not_closed;
         return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     }
-    if (options_.csv) return table_.csv_header() + table_.csv_rows();
+    if (options_.csv) return patches_ ? patches_->csv() : table_.csv_header() + table_.csv_rows();
     if (sums_.frames > 1) {
         std::vector<Cell> means = mean_cells(query_, sums_, stages_);
         if (is_all_contacts()) means.emplace_back(sums_.mean(all_touching_), "%.1f");
@@ -185,6 +186,7 @@ std::string CollideReport::text() {
     return title_of(options_, query_) + table_.text() + recorded_words() +
            (leaves_out_contacts() ? left_out_words() : "") +
            (is_of_many(query_) ? many_words() : apart_words()) + contact_words() +
+           (patches_ ? patches_->text() : "") +
            (comparison_ ? comparison_->text(sums_.frames) : "");
 }
 
@@ -212,6 +214,7 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
         for (Json& found_inside : inside_[i].add(frame))
             json_inside_.push_back(std::move(found_inside));
     const std::size_t touching = options_.contacts.empty() ? 0 : choose_contacts(found, frame);
+    if (patches_) patches_->add(frame, found);
     sums_.add(found);
     intervals_[i].add(frame, !found.pairs.empty());
     std::optional<RecordedCounts> there;
@@ -226,7 +229,9 @@ void CollideReport::add(std::size_t i, int frame, Collision found) {
         add_json(frame, found, touching, there, difference);
     else
         add_row(frame, found, touching, there, difference);
-    if (!options_.pairs_out.empty()) pairs_ += pair_lines(query_, frame, found.pairs);
+    if (!options_.pairs_out.empty())
+        pairs_ += pair_lines(query_, frame, found.pairs,
+                             patches_ ? patches_->patch_of_pairs() : std::vector<std::uint32_t>{});
 }
 
 void CollideReport::add_json(int frame, const Collision& found, std::size_t touching,
@@ -236,6 +241,7 @@ void CollideReport::add_json(int frame, const Collision& found, std::size_t touc
                                      : count_json(frame, query_.b_to_a(frame), found, stages_);
     if (is_all_contacts()) counts["touching"] = touching;
     if (difference) counts["expected"] = json_of(*difference);
+    if (patches_) counts.update(patches_->json());
     if (is_of_many(query_)) {
         Json query = {{"bodies", pair_json(query_)}};
         counts.erase("frame");

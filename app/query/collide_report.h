@@ -12,6 +12,7 @@
 #include "app/query/expected_pairs.h"
 #include "app/query/inside_report.h"
 #include "app/query/layout_options.h"
+#include "app/query/patch_report.h"
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
@@ -28,6 +29,7 @@ struct CollideCommandOptions {
     std::string pairs_out;
     std::string expect;  ///< a file of pairs to compare with; empty: none
     LayoutOptions layout;
+    bool patches = false;
     std::string contacts;  ///< --contacts; empty: all pairs, and contacts are not told apart
 };
 
@@ -115,6 +117,7 @@ class CollideReport {
     SceneQuery& query_;
     scenes::RecordedTrace* recorded_;
     std::optional<PairComparison> comparison_;  ///< with --expect
+    std::optional<PatchReport> patches_;        ///< with --patches
     std::vector<Stage> stages_;
     CollideSums sums_;
     Table table_;

@@ -6,17 +6,21 @@
 
 namespace scb::app {
 
-std::string pair_lines_header(const SceneQuery& query) {
+std::string pair_lines_header(const SceneQuery& query, bool with_patches) {
     return std::string("frame,") + (is_of_many(query) ? "body_a,body_b," : "") +
-           (query.options.stop_level >= 0 ? "node_a,node_b\n" : "triangle_a,triangle_b\n");
+           (query.options.stop_level >= 0 ? "node_a,node_b" : "triangle_a,triangle_b") +
+           (with_patches ? ",patch\n" : "\n");
 }
 
-std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs) {
+std::string pair_lines(const SceneQuery& query, int frame, std::span<const IndexPair> pairs,
+                       std::span<const std::uint32_t> patches) {
     std::string start = format("%d,", frame), lines;
     if (is_of_many(query))
         start +=
             csv_field(body_name(query, query.a)) + "," + csv_field(body_name(query, query.b)) + ",";
-    for (const IndexPair& pair : pairs) lines += start + format("%u,%u\n", pair.a, pair.b);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        lines += start + format("%u,%u", pairs[i].a, pairs[i].b) +
+                 (patches.empty() ? "\n" : format(",%u\n", patches[i]));
     return lines;
 }
 

@@ -91,14 +91,16 @@ class VerticesInside {
     std::vector<std::vector<std::uint32_t>> sets_;
 };
 
-/// The deepest of these vertices. All are inside `outer`.
+/// The deepest of these vertices, which are inside `outer`. The last ones are tested first: a walk
+/// from the surface reached them last, so they tend to be deep, and others then end early.
 template <Volume V>
 Deepest deepest_of(const PatchBody& inner, const PatchBody& outer, const Hierarchy<V>& hierarchy,
                    std::span<const std::uint32_t> vertices) {
     Deepest deepest;
     DistanceOptions options;
     Mesh probe{{Vec3::Zero()}, {Triangle{0, 0, 0}}};  // one triangle that is a point
-    for (const std::uint32_t v : vertices) {
+    for (std::size_t i = vertices.size(); i-- > 0;) {
+        const std::uint32_t v = vertices[i];
         const Vec3 at = probe.vertices[0] = transform_point(inner.to_a, inner.mesh.vertices[v]);
         const Hierarchy<V> of_probe = build_hierarchy<V>(probe);
         const Collider<V> point{of_probe, probe}, body{hierarchy, outer.mesh};
@@ -109,23 +111,6 @@ Deepest deepest_of(const PatchBody& inner, const PatchBody& outer, const Hierarc
         const DeepVertex here{v, at, found.found.distance, found.triangles->b};
         if (found.found.distance > options.enough && is_deeper(here, deepest)) deepest = here;
     }
-    return deepest;
-}
-
-Deepest deepest_in(const PatchBody& inner, const PatchBody& outer,
-                   const std::vector<std::uint32_t>& set) {
-    constexpr std::size_t vertices_in_block = 512;
-    std::vector<Deepest> of_blocks((set.size() + vertices_in_block - 1) / vertices_in_block);
-    parallel_for(processor_count(), of_blocks.size(), [&](std::size_t i) {
-        const std::span<const std::uint32_t> block = std::span(set).subspan(
-            i * vertices_in_block, std::min(vertices_in_block, set.size() - i * vertices_in_block));
-        of_blocks[i] = std::visit(
-            [&](const auto& hierarchy) { return deepest_of(inner, outer, hierarchy, block); },
-            outer.hierarchy);
-    });
-    Deepest deepest;
-    for (const Deepest& of_block : of_blocks)
-        if (is_deeper(*of_block, deepest)) deepest = of_block;
     return deepest;
 }
 
@@ -150,7 +135,9 @@ std::vector<Deepest> deepest_vertices(const PatchBody& inner, const PatchBody& o
     const VerticesInside found(inner, outer, side, pairs);
     std::vector<Deepest> of_sets, of_patches(patches.size());
     for (const std::vector<std::uint32_t>& set : found.sets())
-        of_sets.push_back(deepest_in(inner, outer, set));
+        of_sets.push_back(std::visit(
+            [&](const auto& hierarchy) { return deepest_of(inner, outer, hierarchy, set); },
+            outer.hierarchy));
     for (std::size_t i = 0; i < patches.size(); ++i)
         for (const std::uint32_t set : found.sets_at(triangles_of(patches[i], pairs, side)))
             if (is_deeper(*of_sets[set], of_patches[i])) of_patches[i] = of_sets[set];
