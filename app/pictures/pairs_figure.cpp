@@ -1,9 +1,11 @@
 #include "app/pictures/pairs_figure.h"
 
+#include "render/figures/patch_labels.h"
+
 namespace scb::app {
 
 std::string pairs_title(const render::PairsStyle& style) {
-    return style.leaves ? "pairs with leaves" : "pairs";
+    return style.leaves ? "pairs with leaves" : style.patches ? "contact patches" : "pairs";
 }
 
 void look_at_contact(render::SceneFigure& figure, const QueryView& view, const QueryTrace& frame,
@@ -30,6 +32,9 @@ render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& sourc
     else if (!frame.found.complete)
         figure.remark = stopped_remark(frame);
     look_at_contact(figure, view, frame, region);
+    if (style.patches)
+        figure.labels = render::patch_labels(render::patches_of(bodies, header, frame), bodies,
+                                             contact, figure.pane.camera, *style.theme);
     view.show_place_of_contact(figure, region);
     return figure;
 }

@@ -5,7 +5,7 @@
 
 namespace scb::app {
 
-/// "pairs", "pairs with leaves".
+/// "pairs", "pairs with leaves", "contact patches".
 std::string pairs_title(const render::PairsStyle& style);
 
 /// The picture of `scb render pairs` for a query's frame: the contact, with camera, numbers and

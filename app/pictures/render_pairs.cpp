@@ -16,7 +16,7 @@ namespace scb::app {
 namespace {
 
 struct PairsOptions : QueryViewOptions {
-    bool leaves = false;
+    bool leaves = false, patches = false;
     std::optional<HeatOf> heat;
     std::optional<int> heat_end;
 };
@@ -85,13 +85,24 @@ int run(PairsOptions& options, const Console& console) {
                          ": give at least 2, and --heat.");
     if (options.leaves && options.heat)
         throw InputError("--leaves: a heat picture has no leaves; leave out --leaves, or --heat.");
+    if (options.patches && (options.heat || options.leaves || !options.compare.empty()))
+        throw InputError(
+            "--patches: it numbers the pairs of one query; leave out --heat, --leaves and "
+            "--compare.");
+    if (options.patches && !options.limits.levels.empty())
+        throw InputError(
+            "--patches: at a level, pairs are of nodes, and patches are of triangles; leave out "
+            "--levels.");
     options.named.add_if(options.leaves, "leaves");
+    options.named.add_if(options.patches, "patches");
     if (options.leaves) options.shown = Shown::leaves;
     if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
     QuerySources sources = options.open(console);
     for (const QuerySource& source : sources)
-        if (options.heat && source.header().engine && source.header().engine->objects)
-            throw InputError("--heat: the items of " + source.header().source.front() +
+        if ((options.heat || options.patches) && source.header().engine &&
+            source.header().engine->objects)
+            throw InputError(std::string(options.heat ? "--heat" : "--patches") +
+                             ": the items of " + source.header().source.front() +
                              " are objects without triangles; leave it out.");
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
@@ -101,6 +112,7 @@ int run(PairsOptions& options, const Console& console) {
 
     render::PairsStyle style;
     style.leaves = options.leaves;
+    style.patches = options.patches;
     style.theme = options.picture.theme();
     const std::string what =
         !options.heat ? "pairs" : "heat-" + std::string(render::heat_names[*options.heat]);
@@ -132,6 +144,7 @@ int run(PairsOptions& options, const Console& console) {
         take_nothing,
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render pairs");
+            if (options.patches) head["options"]["patches"] = true;
             if (!options.heat)
                 head["options"]["leaves"] = style.leaves;
             else
@@ -150,6 +163,10 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
     command
         .add_flag("--leaves,!--no-leaves", options->leaves,
                   "Also draw the volumes of leaves that overlap although their triangles do not")
+        .shareable();
+    command
+        .add_flag("--patches,!--no-patches", options->patches,
+                  "Number the contact patches, which are connected sets of pairs: the largest is 1")
         .shareable();
     add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
                "Color triangles by number of tests: tests of the volumes that hold the triangle, "
@@ -174,6 +191,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         "Beside the pictures, index.json has their counts, which are `scb collide`'s.\n\n"
         "Examples:\n"
         "  scb render pairs spheres-l1 --frames 100 -o out/\n"
+        "  scb render pairs horses --frames 100 --patches -o out/\n"
         "  scb render pairs spheres.scbrec --frames all --camera contact -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);

@@ -8,6 +8,7 @@
 #include "render/figures/contact_areas.h"
 #include "render/figures/distance_figure.h"
 #include "render/figures/figure_words.h"
+#include "render/figures/patch_labels.h"
 #include "render/plots/ending_colors.h"
 #include "scb/level_cover.h"
 #include "scb/triangle_overlap.h"
@@ -213,6 +214,9 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     items.emplace_back(PanelRow{nodes ? "nodes" : "in pairs", in_pairs_counts, shown});
     items.emplace_back(PanelHeading{""});
     items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
+    if (style.patches)
+        for (PanelItem& row : patch_rows(patches_of(bodies, header, frame)))
+            items.push_back(std::move(row));
     items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(found.n_p)}});
     if (!header.engine) items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});

@@ -12,7 +12,8 @@ namespace scb::render {
 
 /// The content of pictures of a query's result.
 struct PairsStyle {
-    bool leaves = false;  ///< show the leaf volumes that overlapped
+    bool leaves = false;   ///< show the leaf volumes that overlapped
+    bool patches = false;  ///< number the contact patches; the pairs must be of triangles
     const Theme* theme = &light_theme;
 };
 
