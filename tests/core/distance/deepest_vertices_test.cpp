@@ -184,7 +184,7 @@ TEST(DeepestVertices, AreTheSameForAllVolumes) {
             expect_same(bodies.deepest(side, kind), bodies.deepest(side));
 }
 
-// Vertices far from the contact, most of which no test of a point sees.
+// Most vertices inside are far from the contact, and are not tested themselves.
 TEST(DeepestVertices, AreFoundByAWalk) {
     Random random(4);
     const Bodies bodies(bumpy_ball(random, 4, 0), box({-5, -5, -5}, {5, 5, 0.5}), {});
