@@ -149,6 +149,12 @@ TEST(ContactPatches, OfFacesOnEachOtherHoldTheArea) {
     EXPECT_EQ(patches[0].pairs.size(), 4u);
     EXPECT_EQ(patches[0].box.lower, Vec3(-1, -1, 0));
     EXPECT_EQ(patches[0].box.upper, Vec3(1, 1, 0));
+
+    // The longest edge is at y = 0.
+    const Mesh one{{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}}, {{0, 1, 2}}};
+    const Box box = patches_of(large, one, {}, {{0, 0}})[0].box;
+    EXPECT_LE(box.lower.norm(), 1e-15);
+    EXPECT_LE((box.upper - Vec3(4, 1, 0)).norm(), 1e-15);
 }
 
 TEST(ContactPatches, OfASoupAreTheOnesOfTheMesh) {
