@@ -161,5 +161,21 @@ TEST(Patches, AreOfAllPairsOfTriangles) {
     }
 }
 
+TEST(Patches, AreNumberedInPictures) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "out";
+    const ProgramRun run =
+        run_scb("render pairs soup --frames 100 --patches --size 320x240 -o " + out);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json index = json::parse(file_text(out + "/index.json"));
+    EXPECT_EQ(index["options"]["patches"], true);
+    const std::string picture = index["files"][0]["file"];
+    EXPECT_NE(picture.find("_patches_"), std::string::npos) << picture;
+    ASSERT_EQ(run_scb("render pairs soup --frames 100 --size 320x240 -o " + out).status, 0);
+    std::string plain = picture;
+    plain.replace(plain.find("_patches"), 8, "");
+    EXPECT_NE(file_text(out + "/" + picture), file_text(out + "/" + plain));
+}
+
 }  // namespace
 }  // namespace scb::app
