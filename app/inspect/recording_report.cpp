@@ -104,13 +104,17 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::s
 std::string tests_text(const RecordingJudgement& judged) {
     if (judged.stages.empty() || judged.total(&FrameJudgement::volume_tests) == 0)
         return "Tests: no tests of volumes were recorded.\n\n";
+    const bool measures = judged.summary.measures > 0;
     std::size_t width = 5;
     for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));
-    std::string text = "Tests" + std::string(width - 3, ' ') +
-                       "      tests    false    wrong   deep in each other, at least\n";
+    std::string text = "Tests" + std::string(width - 3, ' ') + "      tests    false    wrong   " +
+                       (measures ? "nearer than the answer" : "deep in each other") +
+                       ", at least\n";
     for (const auto& stage : judged.stages) {
         text +=
-            "  " + left_aligned(stage.name, width) + right_aligned(count_text(stage.tests), 11) +
+            "  " +
+            left_aligned(measures && stage.name == "overlap" ? "bounds" : stage.name, width) +
+            right_aligned(count_text(stage.tests), 11) +
             right_aligned(stage.false_positives > 0 ? count_text(stage.false_positives) : "", 9) +
             right_aligned(stage.wrong > 0 ? count_text(stage.wrong) : "", 9);
         if (stage.wrong > 0) text += format("   %.4g to %.4g", stage.least_depth, stage.most_depth);
@@ -207,7 +211,8 @@ std::string results_text(const RecordingJudgement& judged) {
     text += "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
             (told ? " reported" : " met by the tests of triangles");
     if (judged.unknown_items < judged.total(&FrameJudgement::queries))
-        text += ", " + count_text(judged.exact_pairs) + (judged.summary.measures > 0 ? " are near enough; " : " intersect; ") +
+        text += ", " + count_text(judged.exact_pairs) +
+                (judged.summary.measures > 0 ? " are near enough; " : " intersect; ") +
                 count_text(judged.total(&FrameJudgement::missed)) + " missed, " +
                 count_text(judged.total(&FrameJudgement::false_pairs)) + " false" +
                 (judged.grazing > 0 ? ", " + count_text(judged.grazing) + " within the tolerance"
@@ -235,7 +240,7 @@ std::string waste_text(const RecordingJudgement& judged) {
            (measures ? " below volumes that are near enough though no triangles below them are, "
                      : " below volumes that meet though nothing below them does, ") +
            count_text(judged.wasted_weak) +
-           (measures ? " below volumes that are too far apart, since their bound is too small"
+           (measures ? " below volumes that are farther apart"
                      : " below volumes that do not even meet") +
            (judged.wasted_early > 0
                 ? ", " + count_text(judged.wasted_early) +

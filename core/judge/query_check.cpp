@@ -216,8 +216,8 @@ class Judge {
         if (query_.kind == QueryKind::distance && reach_ == 0 && !passed)
             test.verdict = TestVerdict::right;
         if (found) test.margin = found->margin;
-        test.early = test.verdict == TestVerdict::false_positive && event.has_length &&
-                     event.length > reach_;
+        test.early = query_.kind == QueryKind::distance && event.has_length &&
+                     test.verdict == TestVerdict::false_positive && event.length > reach_;
         if (event.has_length && query_.kind != QueryKind::collide) take_bound(test, event.length);
         const TestLinks::Link link =
             links_.take_volumes(test.nodes, event.stage == 0, event.parent);

@@ -185,8 +185,8 @@ class RecordingJudge {
         if (!again.pairs.empty() || again.interrupted) return;
         twice_noted_ = true;
         result_.notes.push_back(query_words(name) +
-                                ": the reported pairs are the pairs within twice the tolerance; "
-                                "was the tolerance added twice?");
+                                ": the reported pairs are the pairs within twice the tolerance, "
+                                "as if the tolerance had been added twice");
     }
 
     void take_pairs(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name,
