@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
 #include "app/pictures/query_index.h"
+#include "app/query/distance_options.h"
 #include "app/query/query_options.h"
 #include "core/analysis/traversal_part.h"
 #include "core/base/enum_names.h"
@@ -16,14 +17,23 @@
 namespace scb::app {
 namespace {
 
-/// Which of the two diagrams the picture has.
-enum class Diagrams { matrix, icicle, both };
-constexpr EnumNames<Diagrams, 3> diagram_names = {"matrix", "icicle", "both"};
+/// The diagrams of the picture.
+enum class Diagrams { matrix, icicle, both, bounds };
+constexpr EnumNames<Diagrams, 4> diagram_names = {"matrix", "icicle", "both", "bounds"};
 
 struct TraversalOptions : QueryViewOptions {
     render::MatrixMeasure by = render::MatrixMeasure::tests;
-    Diagrams show = Diagrams::both;
+    std::optional<Diagrams> show;
     std::string root;
+    DistanceQuery distance;  ///< what --kind distance asks for
+
+    /// Throws InputError.
+    Diagrams shown() const {
+        if (show == Diagrams::bounds && !query.distance)
+            throw InputError(
+                "--show bounds: queries of overlap have no bounds; add --kind distance.");
+        return show.value_or(query.distance ? Diagrams::bounds : Diagrams::both);
+    }
 };
 
 /// Number of a query's largest parts in index.json.
@@ -100,8 +110,9 @@ int run(TraversalOptions& options, const Console& console) {
     const std::optional<IndexPair> root = root_of(options);
     options.named.add_if(options.by != TraversalOptions{}.by, "by",
                          std::string(render::matrix_measure_names[options.by]));
-    options.named.add_if(options.show != TraversalOptions{}.show, "show",
-                         std::string(diagram_names[options.show]));
+    const Diagrams shown = options.shown();
+    options.named.add_if(options.query.distance.has_value(), "query", "distance");
+    options.named.add_if(options.show.has_value(), "show", std::string(diagram_names[shown]));
     if (root) options.named.add("root", std::to_string(root->a) + "-" + std::to_string(root->b));
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
@@ -110,10 +121,10 @@ int run(TraversalOptions& options, const Console& console) {
     const QueryView view(options, sources, pictures.renderer());
 
     render::TraversalFigure figure;
-    figure.title = view.title("traversal");
+    figure.title = view.title(options.query.distance ? "traversal of a distance" : "traversal");
     figure.measure = options.by;
-    figure.matrix = options.show != Diagrams::icicle;
-    figure.icicle = options.show != Diagrams::matrix;
+    figure.matrix = shown == Diagrams::matrix || shown == Diagrams::both;
+    figure.icicle = shown == Diagrams::icicle || shown == Diagrams::both;
     figure.theme = options.picture.theme();
     figure.part = root.has_value();
     const TraceHeader& header = sources.front().header();
@@ -133,6 +144,10 @@ int run(TraversalOptions& options, const Console& console) {
                     render::share_text(static_cast<double>(frame.found.n_v),
                                        static_cast<double>(whole.found.n_v)) +
                     " of the tests";
+            std::optional<DistanceSteps> bounds;
+            if (shown == Diagrams::bounds)
+                bounds = sources.front().query().distance_steps(header, frame);
+            figure.bounds = bounds ? &*bounds : nullptr;
             const render::Picture picture =
                 render::compose(figure, header, frame, options.picture.width(),
                                 options.picture.height(), pictures.overlay());
@@ -145,7 +160,7 @@ int run(TraversalOptions& options, const Console& console) {
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render traversal");
             head["options"]["by"] = render::matrix_measure_names[options.by];
-            head["options"]["show"] = diagram_names[options.show];
+            head["options"]["show"] = diagram_names[shown];
             if (root) head["options"]["root"] = {root->a, root->b};
             return head;
         });
@@ -158,11 +173,13 @@ void add_render_traversal(const Command& render_command, const Console& console,
         "traversal", "Draw where a traversal spends its tests, by pairs of nodes");
     const auto options = std::make_shared<TraversalOptions>();
     add_query_view_options(command, *options, Shown::nothing);
+    add_kind_options(command, options->kind);
     add_choice(command, "--by", options->by, choices_of(render::matrix_measure_names),
                "Colors of the matrix. tests: how many; share: how many of them rejected")
         .shareable();
-    add_choice(command, "--show", options->show, choices_of(diagram_names),
-               "matrix, icicle or both")
+    add_choice(command, "--show", options->show, optional_choices(choices_of(diagram_names)),
+               "matrix, icicle, both, or, with --kind distance, bounds. Default: both; of "
+               "distances: bounds")
         .shareable();
     command
         .add_option("--root", options->root,
@@ -177,12 +194,18 @@ void add_render_traversal(const Command& render_command, const Console& console,
         "all that follow from it.\n"
         "Where tests are too narrow, the shares of their outcomes are stacked; --root I,J enlarges "
         "a part.\n"
+        "Of distances, the bound of each test by depth: the line is the distance. Pairs with a "
+        "bound below it had to be divided;\n"
+        "pairs above it were divided before the distance was known.\n"
         "Beside the pictures, index.json has their counts, which are those of `scb collide`.\n\n"
         "Examples:\n"
         "  scb render traversal spheres-l1 --frames 250 -o out/\n"
-        "  scb render traversal spheres.scbrec --frames all --by share --show matrix -o out/");
+        "  scb render traversal spheres.scbrec --frames all --by share --show matrix -o out/\n"
+        "  scb render traversal spheres-l1 --frames 0 --kind distance -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
+        take_kind(command, {"--test", "--threshold", "--max-pairs", "--levels"},
+                        options->scene, options->hierarchy, options->query, options->kind);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -87,6 +87,26 @@ void KindOptions::apply(QueryOptions& query) const {
     query.distance = distance;
 }
 
+void take_kind(const Command& command, std::initializer_list<const char*> of_overlap,
+               const SceneOptions& scene, HierarchyOptions& hierarchy, QueryOptions& query,
+               const KindOptions& options) {
+    options.apply(query);
+    if (!query.distance) return;
+    if (scene.is_recording() || scene.is_trace())
+        throw InputError("--kind: the queries of a recording have their kind; leave it out.");
+    for (const char* option : of_overlap)
+        if (command.count(option) > 0)
+            throw InputError(std::string(option) +
+                             ": it is for queries of overlap; leave it out, or --kind distance.");
+    const HierarchyOptions chosen = hierarchy, usual;
+    set_distance_defaults(hierarchy, query);
+    // A configuration file may have chosen them, too.
+    if (command.count("--volume") > 0 || chosen.volumes != usual.volumes)
+        hierarchy.volumes = chosen.volumes;
+    if (command.count("--split") > 0 || chosen.split != usual.split) hierarchy.split = chosen.split;
+    query.distance = options.distance;
+}
+
 void check_distance(const DistanceQuery& query) {
     const auto& [limits, within] = query;
     if (within) check_length("--within", *within);

@@ -198,6 +198,10 @@ QueryTrace QuerySource::frame_again(int number) const {
 
 Attribution QuerySource::attribution(const QueryTrace& frame) const {
     if (is_recording()) return recorded()->attribution();
+    if (is_of_distance(header().kind))
+        return attribute(header(), frame,
+                         tested_pairs(query_.distance_steps(header(), frame), frame,
+                                      outcomes_of(header(), frame)));
     const AnyHierarchy &a = query_.hierarchy(query_.a), &b = query_.hierarchy(query_.b);
     return attribute(
         a, b, header(), frame,

@@ -147,6 +147,10 @@ QueryKind SceneQuery::query_kind() const {
     return is_self() ? QueryKind::self : QueryKind::collide;
 }
 
+DistanceSteps SceneQuery::distance_steps(const TraceHeader& header, const QueryTrace& frame) const {
+    return scb::distance_steps(hierarchy(a), mesh(a), hierarchy(b), mesh(b), header, frame);
+}
+
 void SceneQuery::trace(int frame, QueryTrace& into) const {
     StepRecorder recorder;
     recorder.steps = std::move(into.steps);

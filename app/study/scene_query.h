@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/study/query_setup.h"
-#include "core/analysis/trace.h"
+#include "core/analysis/distance_steps.h"
 #include "core/model/packed_tree.h"
 #include "scb/any_collide.h"
 #include "scb/any_distance.h"
@@ -55,6 +55,8 @@ struct SceneQuery {
     Distance nearest(int frame, const DistanceOptions& limits) const;
     /// The triangles of A and B that are at most this far apart; they must be two bodies.
     Collision within(int frame, double tolerance) const;
+    /// How the tests of a traced query of distances compare with its answer.
+    DistanceSteps distance_steps(const TraceHeader& header, const QueryTrace& frame) const;
     /// The query of a frame, of query_kind(), with its steps. The memory of `into` is reused.
     void trace(int frame, QueryTrace& into) const;
 

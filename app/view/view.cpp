@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/open_file.h"
 #include "app/cli/validators.h"
+#include "app/query/distance_options.h"
 #include "app/query/layout_options.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
@@ -95,6 +96,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
         .show_default();
     add_overlap_options(command, options->query, false);
     add_bodies_option(command, options->query);
+    add_kind_options(command, options->kind);
     add_layout_options(command, *layout, "Show the query of one frame on packed hierarchies");
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
@@ -106,12 +108,17 @@ void add_view(const Command& program, const Console& console, Action& action) {
         "  scb view spheres-l1 -o spheres.html\n"
         "  scb view part.stl --volume scb2,obb --level 6 --color-by thickness -o part.html\n"
         "  scb view spheres-l1 --compare corrected,printed --frames 50 -o tests.html\n"
+        "  scb view spheres-l1 --kind distance --frames 0 -o distance.html\n"
         "  scb view before.scbrec after.scbrec -o traces.html");
     command.callback([&action, &console, command, options, layout] {
-        std::vector<std::string>& recording = options->level.recording;
+        LevelOptions& asked = options->level;
+        std::vector<std::string>& recording = asked.recording;
         recording = given_hierarchy_options(command);
         for (const char* option : {"--test", "--threshold", "--bodies"})
             if (command.count(option) > 0) recording.emplace_back(option);
+        take_kind(command,
+                        {"--test", "--threshold", "--compare", "--layout", "--steps", "--within"},
+                        asked.scene, asked.hierarchy, options->query, options->kind);
         options->note_given(command);
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options, layout] { return run(*options, *layout, console); };

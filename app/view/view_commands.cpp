@@ -111,6 +111,14 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
     for (const ViewColumn& column : subject.columns) all.push_back(&column);
     commands["levels"] = level_commands(options, all);
     for (const ColumnList& columns : compared(options, all)) {
+        if (options.query.distance) {
+            for (const ViewColumn* column : columns) {
+                const std::string own = query_words(options, *column) + options.distances;
+                commands["pairs"].push_back("scb render distance" + own);
+                commands["traversal"].push_back("scb render traversal" + own + " --kind distance");
+            }
+            continue;
+        }
         const std::string words = queries_words(options, columns);
         for (const auto& [mode, picture] : {std::pair{"rejections", "rejections"},
                                             {"pairs", "pairs"},
@@ -131,7 +139,9 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
 
 std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
     if (column.query && options.level.scene.recorded) return "scb explain" + options.of_packed;
-    if (!column.query || column.is_recorded() || options.level.scene.given) return "";
+    if (!column.query || column.is_recorded() || options.level.scene.given ||
+        options.query.distance)
+        return "";
     return "scb explain" + query_words(options, column);
 }
 

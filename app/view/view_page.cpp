@@ -83,9 +83,12 @@ std::vector<std::string> verdict_of(const SceneOptions& scene, int frame) {
 
 void ViewOptions::note_given(const Command& command) {
     scene = given_text(command, {"--pose", "--poses", "--models"});
-    bodies = given_text(command, {"--bodies", "--query", "--tag"});
+    bodies = given_text(command, query.distance
+                                     ? std::vector<std::string>{"--bodies"}
+                                     : std::vector<std::string>{"--bodies", "--query", "--tag"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});
+    distances = given_text(command, {"--order", "--relative-error", "--limit"});
     of_packed = given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies",
                                      "--volume", "--growth", "--margin", "--split"});
     layout = given_text(command, {"--layout", "--leaf"});

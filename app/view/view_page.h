@@ -17,13 +17,15 @@ struct ViewOptions {
     QueryOptions query;
     std::string queries = "auto";  ///< see ViewSources::queries
     std::string compare{};         ///< see CompareOptions::names
+    DistanceQuery distance{};      ///< what --kind distance asks for
     int steps = 1000;              ///< see view_query_json
     bool has_theme = false;        ///< whether the user set light or dark
     /// Names of the files in commands, if the files will be elsewhere.
     std::vector<std::string> names_in_commands{};
     // Options that were given, see given_text: of the scene, of bodies, other options of
     // hierarchies, of levels only, of overlap tests, and of the descent.
-    std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{};
+    // For distances: their options.
+    std::string scene{}, bodies{}, hierarchies{}, levels{}, tests{}, descent{}, distances{};
     /// Of packed queries: the scene and its hierarchies, and the layout.
     std::string of_packed{}, layout{};
 

@@ -14,6 +14,7 @@
 #include "core/analysis/worst_pairs.h"
 #include "core/base/parallel_for.h"
 #include "core/platform/utf8.h"
+#include "render/figures/distance_figure.h"
 #include "render/figures/explain_figure.h"
 #include "render/figures/inspect_figure.h"
 #include "render/web/query_blocks.h"
@@ -27,6 +28,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_worst = 8;
 /// Limit of the counted pairs of a level: a page of many frames must be made in seconds.
 constexpr std::size_t most_overlaps = 20'000;
+
+/// A pair that a query of distances left over has nothing below that was done in vain.
+bool ends_a_path(const TraceHeader& header, Stage ending) {
+    return is_rejection(ending) || (is_of_distance(header.kind) && ending == Stage::left_over);
+}
 
 Json groups_json(const TraceHeader& header) {
     const std::vector<render::EndingGroup> light =
@@ -44,27 +50,30 @@ Json groups_json(const TraceHeader& header) {
         std::string stages;  // names as in --stages of scb render rejections
         for (const Stage ending : light[i].endings)
             stages += (stages.empty() ? "" : ",") + stage_words(header, ending);
-        groups.push_back({{"label", printable(light[i].label)},
+        groups.push_back({{"label", printable(render::ending_words(light[i], header.kind))},
                           {"stages", file_word(stages)},
                           {"light", color_json(light[i].color)},
                           {"dark", color_json(dark[i].color)},
                           {"triangles", triangles},
                           {"meet", meet},
-                          {"rejects", is_rejection(light[i].endings.front())}});
+                          {"rejects", ends_a_path(header, light[i].endings.front())}});
     }
     return groups;
 }
 
 /// The verdicts on tests that are not right, in the order of render/web/query.js.
-Json worths_json() {
+Json worths_json(QueryKind kind) {
     Json worths = Json::array();
     const auto add = [&worths](const char* label, auto color) {
         worths.push_back({{"label", label},
                           {"light", color_json(color(render::light_theme))},
                           {"dark", color_json(color(render::dark_theme))}});
     };
-    for (const auto& [label, reason] : {std::pair{"fit too loose", PassReason::loose_fit},
-                                        {"test too weak", PassReason::weak_test}})
+    const bool is_distance = is_of_distance(kind);
+    for (const auto& [label, reason] :
+         {std::pair{is_distance ? "bound below the distance" : "fit too loose",
+                    PassReason::loose_fit},
+          {is_distance ? "before it was known" : "test too weak", PassReason::weak_test}})
         add(label, [reason = reason](const render::Theme& theme) {
             return render::pass_reason_color(reason, theme);
         });
@@ -94,12 +103,14 @@ struct Worst {
         Json worst = Json::array();
         for (const WorstPairs* pairs : {&fits, &tests}) {
             Json list = Json::array();
-            for (const FalsePair& pair : pairs->pairs())
+            for (const FalsePair& pair : pairs->pairs()) {
+                if (pair.pair.below == Work{}) continue;
                 list.push_back({{"frame", pair.frame},
                                 {"test", pair.pair.test},
                                 {"nodes", Json{pair.test.nodes.a, pair.test.nodes.b}},
                                 {"n_v", pair.pair.below.volume_tests},
                                 {"n_p", pair.pair.below.triangle_tests}});
+            }
             worst.push_back(std::move(list));
         }
         Json list = Json::array();
@@ -131,7 +142,7 @@ struct FramePart {
 };
 
 /// The keys of an entry whose values are numbers of blocks.
-constexpr std::array block_keys = {"outcomes", "pair_block", "nodes", "steps"};
+constexpr std::array block_keys = {"outcomes", "pair_block", "nodes", "bounds", "lines", "steps"};
 
 /// Makes the parts of the frames of a column.
 class PartMaker {
@@ -141,6 +152,7 @@ class PartMaker {
           groups_(render::ending_groups(source_.header(), render::light_theme)),
           most_steps_(steps == 0 ? 0 : std::max<std::size_t>(1, steps / source_.frames().size())) {
         for (std::size_t side = 0; side < 2; ++side) {
+            bodies_[side].mesh = column.bodies[side].mesh.get();
             bodies_[side].tree = column.bodies[side].tree.get();
             // Builds the tree before threads ask for it.
             if (source_.makes_queries()) source_.body(side, source_.frames().front());
@@ -165,6 +177,10 @@ class PartMaker {
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) part.entry["nodes"] = *blocks.nodes;
+        if (is_of_distance(header.kind)) {
+            add_distance(part, frame);
+            return part;
+        }
         if (!source_.is_recording() && most_steps_ > 0)
             part.entry["steps"] = part.blocks.add(std::string_view(
                 view_steps_json(
@@ -175,6 +191,19 @@ class PartMaker {
     }
 
   private:
+    /// The bounds of the tests, and the lines between the closest points.
+    void add_distance(FramePart& part, const QueryTrace& frame) const {
+        if (frame.nearest) part.entry["distance"] = frame.nearest->distance;
+        const std::vector<double> bounds =
+            source_.query().distance_steps(source_.header(), frame).bounds;
+        part.entry["bounds"] = part.blocks.add(std::vector<float>(bounds.begin(), bounds.end()));
+        std::vector<double> lines;
+        for (const auto& [of_a, of_b] : render::distance_lines(bodies_, frame))
+            for (const Vec3& point : {of_a, of_b})
+                lines.insert(lines.end(), {point[0], point[1], point[2]});
+        part.entry["lines"] = part.blocks.add(lines);
+    }
+
     const QuerySource& source_;
     std::vector<render::EndingGroup> groups_;
     std::size_t most_steps_;
@@ -219,11 +248,9 @@ Json view_query_json(const ViewColumn& column, const std::vector<int>& in_page, 
         for (const std::string_view line :
              render::symbol_lines(header.volume, header.options.overlap))
             symbols.push_back(line);
-    return {{"objects", pairs_are_nodes(header)},
-            {"symbols", std::move(symbols)},
-            {"groups", groups_json(header)},
-            {"worths", worths_json()},
-            {"worst", worst.json()},
+    return {{"objects", pairs_are_nodes(header)}, {"distance", is_of_distance(header.kind)},
+            {"symbols", std::move(symbols)},      {"groups", groups_json(header)},
+            {"worths", worths_json(header.kind)}, {"worst", worst.json()},
             {"frames", std::move(frames)}};
 }
 

@@ -1,5 +1,6 @@
 #include "core/analysis/attribution.h"
 #include "core/analysis/assumed_time.h"
+#include "core/analysis/contacts_below.h"
 
 #include <cassert>
 
@@ -15,68 +16,9 @@ namespace {
 
 constexpr std::uint32_t none = no_step;
 
-std::vector<std::uint32_t> positions(const Topology& topology) {
-    std::vector<std::uint32_t> position(topology.order.size());
-    for (std::uint32_t i = 0; i < position.size(); ++i) position[topology.order[i]] = i;
-    return position;
-}
-
-bool holds(const Topology& topology, std::uint32_t node, std::uint32_t position) {
-    const TopologyNode& n = topology.nodes[node];
-    return position >= n.first && position - n.first < n.count;
-}
-
-/// The steps that follow from each step.
-struct Followers {
-    std::vector<std::uint32_t> first, next;  ///< per step, or none
-
-    explicit Followers(const std::vector<Step>& steps)
-        : first(steps.size(), none), next(steps.size(), none) {
-        for (std::size_t i = steps.size(); i-- > 0;) {
-            if (steps[i].parent == none) continue;
-            next[i] = first[steps[i].parent];
-            first[steps[i].parent] = static_cast<std::uint32_t>(i);
-        }
-    }
-};
-
-/// For each test, the number of intersecting pairs of triangles below its nodes.
-std::vector<std::uint64_t> contacts_below(const Topology& a, const Topology& b, QueryKind kind,
-                                          const QueryTrace& frame,
-                                          std::span<const IndexPair> contacts) {
-    const std::vector<std::uint32_t> position_a = positions(a), position_b = positions(b);
-    const std::vector<Step>& tests = frame.steps.volumes;
-    const Followers followers(tests);
-    // In a self query: per node, the root step of the node and its sibling.
-    std::vector<std::uint32_t> roots(kind == QueryKind::self ? a.nodes.size() : 0, none);
-    for (std::uint32_t i = 0; i < tests.size() && !roots.empty(); ++i)
-        if (tests[i].parent == none) roots[tests[i].nodes.a] = i;
-    const auto root_of = [&](IndexPair at) {
-        if (roots.empty()) return tests.empty() ? none : 0;
-        std::uint32_t left = a.nodes[0].left;
-        while (holds(a, left, at.a) == holds(a, left, at.b))
-            left = a.nodes[holds(a, left, at.a) ? left : left + 1].left;
-        return roots[left];
-    };
-    std::vector<std::uint64_t> below(tests.size());
-    for (const IndexPair& contact : contacts) {
-        IndexPair at{position_a[contact.a], position_b[contact.b]};
-        // The left triangle is below the first node of each step.
-        if (!roots.empty() && at.a > at.b) std::swap(at.a, at.b);
-        std::uint32_t test = root_of(at);
-        while (test != none) {
-            ++below[test];
-            const std::uint32_t parent = test;
-            test = none;
-            for (std::uint32_t child = followers.first[parent]; child != none;
-                 child = followers.next[child])
-                if (holds(a, tests[child].nodes.a, at.a) && holds(b, tests[child].nodes.b, at.b)) {
-                    test = child;
-                    break;
-                }
-        }
-    }
-    return below;
+/// Whether the operations of the tests are not known: of another engine's, and of bounds.
+bool has_no_operations(const TraceHeader& header) {
+    return header.engine || is_of_distance(header.kind);
 }
 
 /// For each test, the work below it.
@@ -89,10 +31,10 @@ std::vector<Work> work_below(const TraceHeader& header, const QueryTrace& frame)
         if (tests[i].parent == none) continue;
         Work& parent = below[tests[i].parent];
         parent += below[i];
-        parent +=
-            {1, 0,
-             header.engine ? 0
-                           : operation_cost(header.volume, header.options.overlap, tests[i].stage)};
+        parent += {1, 0,
+                   has_no_operations(header)
+                       ? 0
+                       : operation_cost(header.volume, header.options.overlap, tests[i].stage)};
     }
     return below;
 }
@@ -166,9 +108,9 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
     const std::vector<Work> below = work_below(header, frame);
     Attribution result;
     PassCounts& counts = result.counts;
-    counts.all = header.engine ? Work{frame.found.n_v, frame.found.n_p}
-                               : work_of(header.volume, header.options.overlap,
-                                         header.options.descent, frame.found);
+    counts.all = has_no_operations(header) ? Work{frame.found.n_v, frame.found.n_p}
+                                           : work_of(header.volume, header.options.overlap,
+                                                     header.options.descent, frame.found);
     // Parents come before their children.
     std::vector<char> weak_so_far(tests.size());
     const std::vector<char> neighbors = neighbors_below(frame);
@@ -204,7 +146,7 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
 Attribution attribute(const AnyHierarchy& a, const AnyHierarchy& b, const TraceHeader& header,
                       const QueryTrace& frame, std::span<const IndexPair> contacts) {
     const std::vector<std::uint64_t> below =
-        contacts_below(topology_of(a), topology_of(b), header.kind, frame, contacts);
+        contacts_below(topology_of(a), topology_of(b), header.kind, frame.steps, contacts);
     return std::visit(
         [&]<class V>(const Hierarchy<V>& hierarchy) {
             return attribute(header, frame,

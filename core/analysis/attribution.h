@@ -51,7 +51,7 @@ struct TestedPair {
 };
 
 /// Attributes every volume test of a query. `pairs`: one for each test of the frame. Operations of
-/// other engines are unknown, and count as 0.
+/// other engines and of queries of distances are unknown, and count as 0.
 Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
                       std::span<const TestedPair> pairs);
 

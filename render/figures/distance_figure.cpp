@@ -14,10 +14,9 @@
 #include "scb/triangle_distance.h"
 
 namespace scb::render {
-namespace {
 
-/// The meaning of an ending in a query of distances, for legends.
-std::string words_of(const EndingGroup& group, QueryKind kind) {
+std::string ending_words(const EndingGroup& group, QueryKind kind) {
+    if (!is_of_distance(kind)) return group.label;
     switch (group.endings.front()) {
         case Stage::triangles_apart:
             return kind == QueryKind::within ? "triangles too far apart" : "triangles not nearer";
@@ -34,19 +33,23 @@ std::string words_of(const EndingGroup& group, QueryKind kind) {
     }
 }
 
-std::string number(double value) { return format("%.6g", value); }
+std::string distance_text(double value) { return format("%.6g", value); }
 
-}  // namespace
+std::vector<std::array<Vec3, 2>> distance_lines(const QueryBodies& bodies,
+                                                const QueryTrace& frame) {
+    using Line = std::array<Vec3, 2>;
+    return of_pairs<Line>(bodies, frame,
+                          [](const TriangleCorners& a, const TriangleCorners& b) -> Line {
+                              const TriangleDistance found = triangle_distance(a, b);
+                              if (found.distance == 0)
+                                  if (const auto meet = triangles_intersection(a, b))
+                                      return {meet->a, meet->b};
+                              return {found.point_a, found.point_b};
+                          });
+}
 
 std::vector<Segment> distance_segments(const QueryBodies& bodies, const QueryTrace& frame) {
-    using Line = std::array<Vec3, 2>;
-    const auto lines = of_pairs<Line>(
-        bodies, frame, [](const TriangleCorners& a, const TriangleCorners& b) -> Line {
-            const TriangleDistance found = triangle_distance(a, b);
-            if (found.distance == 0)
-                if (const auto meet = triangles_intersection(a, b)) return {meet->a, meet->b};
-            return {found.point_a, found.point_b};
-        });
+    const std::vector<std::array<Vec3, 2>> lines = distance_lines(bodies, frame);
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < lines.size(); ++i)
         segments.push_back({transform_point(bodies[0].pose, lines[i][0]),
@@ -59,8 +62,8 @@ std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTr
                                         const Theme& theme) {
     if (!frame.nearest || frame.nearest->distance == 0) return {};
     const Vec3 middle = 0.5 * (frame.nearest->point_a + frame.nearest->point_b);
-    return {{transform_point(bodies[0].pose, middle), number(frame.nearest->distance), theme.text,
-             transform_point(bodies[0].pose, frame.nearest->point_b)}};
+    return {{transform_point(bodies[0].pose, middle), distance_text(frame.nearest->distance),
+             theme.text, transform_point(bodies[0].pose, frame.nearest->point_b)}};
 }
 
 std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
@@ -83,11 +86,11 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
     if (!is_within && !closest.empty()) items.emplace_back(PanelRow{"closest", closest, strong});
     items.emplace_back(PanelHeading{""});
     if (is_within) {
-        items.emplace_back(PanelRow{"at most", {number(header.tolerance)}});
+        items.emplace_back(PanelRow{"at most", {distance_text(header.tolerance)}});
         items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     } else {
         items.emplace_back(PanelRow{
-            "distance", {frame.nearest ? number(frame.nearest->distance) : "–"}, {}, true});
+            "distance", {frame.nearest ? distance_text(frame.nearest->distance) : "–"}, {}, true});
     }
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
@@ -104,7 +107,7 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
         const std::string above =
             is_rejection(group.endings.front()) ? "left out by the bound along" : "ended otherwise";
         if (std::exchange(heading, above) != above) items.emplace_back(PanelHeading{above});
-        items.emplace_back(PanelLegendRow{group.color, words_of(group, header.kind),
+        items.emplace_back(PanelLegendRow{group.color, ending_words(group, header.kind),
                                           count_text(count), format("%.1f %%", share)});
     }
     const bool meets = frame.nearest && frame.nearest->distance == 0;

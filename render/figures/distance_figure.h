@@ -1,12 +1,26 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "core/analysis/trace.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
+#include "render/plots/ending_colors.h"
 
 namespace scb::render {
+
+/// The meaning of a group of endings in legends. Some endings mean other things in a query of
+/// distances than in other queries.
+std::string ending_words(const EndingGroup& group, QueryKind kind);
+
+/// A distance with six digits.
+std::string distance_text(double value);
+
+/// By pair that a query of distances found, the closest points in A's frame. Of triangles that
+/// intersect, the ends of the line in which they meet.
+std::vector<std::array<Vec3, 2>> distance_lines(const QueryBodies& bodies, const QueryTrace& frame);
 
 /// The lines between the closest points of the pairs that a query of distances found, in the world.
 /// Of triangles that intersect, the line in which they meet. The id of each is the index of its

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "core/analysis/depth_matrix.h"
+#include "render/figures/distance_figure.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/font_face.h"
+#include "render/plots/bounds_plot.h"
 #include "render/plots/ending_colors.h"
 #include "render/plots/icicle.h"
 
@@ -17,6 +19,10 @@ constexpr int least_body = 14;
 
 /// A remark on things that a reader would otherwise miss; may be empty.
 std::string remark_of(const TraceHeader& header, const Collision& found, bool part) {
+    if (is_of_distance(header.kind))
+        return !found.pairs.empty()               ? ""
+               : header.kind == QueryKind::within ? "no triangles are so near"
+                                                  : "nothing within the limit";
     if (part) return found.pairs.empty() ? "no pairs below it" : "";
     if (found.n_v == 0) return "no tests of volumes were recorded";
     if (!found.complete)
@@ -43,20 +49,29 @@ struct Number {
     std::string label, value;
 };
 
+std::uint64_t deepest_pair(const Steps& steps) {
+    std::uint64_t deepest = 0;
+    for (const Step& step : steps.volumes)
+        deepest = std::max(deepest, std::uint64_t{step.depth_a} + step.depth_b);
+    return deepest;
+}
+
 std::vector<Number> numbers_of(const TraceHeader& header, const QueryTrace& frame,
                                const DepthMatrix& matrix) {
     const Collision& found = frame.found;
     const std::size_t of_a = matrix.depths_a, of_b = matrix.depths_b;
-    std::string depth = count_text(static_cast<std::uint64_t>(found.depth));
+    std::string depth = count_text(deepest_pair(frame.steps));
     if (of_a > 0 && of_b > 0)
         depth +=
             "; A down to " + std::to_string(of_a - 1) + ", B down to " + std::to_string(of_b - 1);
     const std::uint64_t rejected =
         found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
     std::vector<Number> numbers = {
-        {"pairs", count_text(found.pairs.size())},
+        frame.nearest ? Number{"distance", distance_text(frame.nearest->distance)}
+                      : Number{"pairs", count_text(found.pairs.size())},
         {"N_v", count_text(found.n_v)},
-        {"rejected", count_text(rejected) + " (" + share_text(rejected, found.n_v) + " of N_v)"},
+        {is_of_distance(header.kind) ? "left out" : "rejected",
+         count_text(rejected) + " (" + share_text(rejected, found.n_v) + " of N_v)"},
         {"N_p", count_text(found.n_p)}};
     if (!header.engine) numbers.push_back({"N_u", count_text(found.n_u)});
     numbers.push_back({"deepest pair", depth});
@@ -99,8 +114,8 @@ struct Key {
     std::uint64_t count = 0;
 };
 
-std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes& outcomes,
-                         const Theme& theme) {
+std::vector<Key> keys_of(const TraceHeader& header, const std::vector<EndingGroup>& groups,
+                         const Outcomes& outcomes, const Theme& theme) {
     EndingCounts counts{};
     std::uint64_t divided = 0;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -114,9 +129,54 @@ std::vector<Key> keys_of(const std::vector<EndingGroup>& groups, const Outcomes&
         const std::uint64_t count = count_of(group, counts);
         // A query without an early end leaves nothing over to explain.
         if (group.endings.front() == Stage::left_over && count == 0) continue;
-        keys.push_back({std::string(group.label), group.color, count});
+        keys.push_back({ending_words(group, header.kind), group.color, count});
     }
     return keys;
+}
+
+/// The tests of a query of distances by bound and depth, and the meaning of their colors.
+struct BoundTests {
+    BoundsPlot plot;
+    std::vector<Key> keys;  ///< by group of the plot
+};
+
+BoundTests bound_tests(const TraceHeader& header, const QueryTrace& frame,
+                       const DistanceSteps& steps, const Outcomes& outcomes,
+                       const std::vector<EndingGroup>& groups, const Theme& theme) {
+    BoundTests result;
+    const std::string answer = header.kind == QueryKind::within ? "limit" : "distance";
+    result.keys = {{"divided, and led to the answer", theme.text},
+                   {"divided in vain, bound below the " + answer, body_b_color},
+                   {"divided in vain, before it was known", mix(body_b_color, theme.text, 0.6)}};
+    for (const EndingGroup& group : groups) {
+        const bool is_left_out = is_rejection(group.endings.front());
+        result.keys.push_back(
+            {(is_left_out ? "left out: " : "") + ending_words(group, header.kind), group.color});
+    }
+    std::vector<std::size_t> key_of(outcomes.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+        for (std::size_t group = 0; group < groups.size(); ++group)
+            if (std::find(groups[group].endings.begin(), groups[group].endings.end(),
+                          outcomes[i]) != groups[group].endings.end())
+                key_of[i] = 3 + group;
+    const Attribution worth = attribute(header, frame, tested_pairs(steps, frame, outcomes));
+    for (const PassedPair& pair : worth.passed)
+        if (is_divided(outcomes[pair.test]))
+            key_of[pair.test] = pair.reason == PassReason::triangles_meet ? 0
+                                : pair.reason == PassReason::loose_fit    ? 1
+                                                                          : 2;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        ++result.keys[key_of[i]].count;
+        const Step& step = frame.steps.volumes[i];
+        result.plot.tests.push_back({std::uint32_t{step.depth_a} + step.depth_b, steps.bounds[i],
+                                     static_cast<std::uint8_t>(key_of[i])});
+    }
+    for (const Key& key : result.keys) result.plot.colors.push_back(key.color);
+    result.plot.answer = steps.answer;
+    result.plot.answer_label =
+        std::string(header.kind == QueryKind::within ? "at most " : "distance ") +
+        distance_text(steps.answer);
+    return result;
 }
 
 /// The legend of outcomes, in as many columns as fit.
@@ -215,6 +275,26 @@ std::string icicle_note(bool numbers, bool stacks) {
            (stacks ? "; narrow tests: their shares, stacked" : "");
 }
 
+/// The plot of bounds, and below it its legend if there is room.
+void draw_bounds(Overlay& overlay, const PixelRect& rect, const BoundTests& tests,
+                 std::uint64_t n_v, const FigureStyle& style) {
+    PixelRect plot = rect;
+    const Legend legend(overlay, tests.keys, n_v, rect.width, style);
+    const Caption caption = {
+        "Bound of each test by depth",
+        "bars: tests of a depth with nearly this bound; length: the square root of their number, "
+        "at most a column. In vain: no triangles below are as near as the answer"};
+    const int above = caption_height(overlay, caption, rect.width, style),
+              below_plot = legend.height() + style.unit / 2;
+    if (rect.height - above - below_plot >= least_body * style.unit) {
+        draw_caption(overlay, rect, caption, style);
+        plot = below(rect, above);
+        plot.height -= below_plot;
+        legend.draw(rect.x, plot.y + plot.height + style.unit / 2);
+    }
+    draw_bounds_plot(overlay, plot, tests.plot, style);
+}
+
 }  // namespace
 
 Picture compose(const TraversalFigure& figure, const TraceHeader& header, const QueryTrace& frame,
@@ -234,9 +314,15 @@ Picture compose(const TraversalFigure& figure, const TraceHeader& header, const 
                        remark_of(header, frame.found, figure.part), style) +
           unit / 2;
     int bottom = height - margin;
+    if (figure.bounds != nullptr) {
+        const BoundTests tests =
+            bound_tests(header, frame, *figure.bounds, outcomes, groups, theme);
+        draw_bounds(overlay, {margin, top, inside, bottom - top}, tests, frame.found.n_v, style);
+        return Picture{width, height, 1, theme.background, {}};
+    }
     if (figure.icicle) {
-        const Legend legend(overlay, keys_of(groups, outcomes, theme), frame.found.n_v, inside,
-                            style);
+        const Legend legend(overlay, keys_of(header, groups, outcomes, theme), frame.found.n_v,
+                            inside, style);
         // In a tiny picture the plots come first.
         if (bottom - legend.height() - top >= least_body * unit) {
             bottom -= legend.height();

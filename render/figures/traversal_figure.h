@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/analysis/trace.h"
+#include "core/analysis/distance_steps.h"
 #include "render/overlay/overlay.h"
 #include "render/plots/depth_matrix_plot.h"
 #include "render/view/picture.h"
@@ -17,6 +17,8 @@ struct TraversalFigure {
     bool matrix = true;  ///< volume tests by depth of A and depth of B
     bool icicle = true;  ///< the recursion: width is tests, color is outcome
     bool part = false;   ///< the frame is a part of a query, see traversal_part
+    /// Of a query of distances: bounds by depth, in place of both diagrams. Null: none.
+    const DistanceSteps* bounds = nullptr;
     const Theme* theme = &light_theme;
 };
 

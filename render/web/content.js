@@ -147,7 +147,7 @@ export class Content {
         else for (const { slot, group } of nodes.filter((node) => node.side === side && this.isTriangle(k, node))) for (const item of query.trees[side].itemsOf(slot)) put(item, app.labelsOf(query)[group][state.theme]);
         return parts.filter(({ triangles }) => triangles.length > 0).map((part) => ({ ...part, mesh: keep(painter.uploadMesh(mesh.positions, Uint32Array.from(part.corners), part.colors)) }));
       });
-      const contacts = !pairs || state.mode === 'verdicts' ? [] : this.contactsOf(k, query, pairs), { pair: chosen } = state;
+      const contacts = !pairs || state.mode === 'verdicts' ? [] : this.contactsOf(k, scene.frame, pairs), { pair: chosen } = state;
       const segments = (/** @type {Contact[]} */ contacts) => (contacts.length ? keep(painter.uploadSegments(Float32Array.from(contacts.flatMap(({ line }) => line)))) : null);
       scene.contacts = contacts;
       scene.lines = segments(contacts);
@@ -203,12 +203,20 @@ export class Content {
     return 3 * this.differing(k).size <= (this.app.scenes[k].nodes ?? []).length ? this.differing(k) : new Set();
   }
 
-  // The lines in which the pairs of triangles meet, from the middle of A's tree.
-  /** @type {(k: number, query: Query, pairs: Uint32Array) => Contact[]} */
-  contactsOf(k, query, pairs) {
+  // The lines in which the pairs of triangles meet, or between their closest points, from the middle of A's tree.
+  /** @type {(k: number, frame: QueryFrame, pairs: Uint32Array) => Contact[]} */
+  contactsOf(k, { query, lines, pairs: found }, pairs) {
     const { app } = this, { bodies } = app.columns[k], middle = query.trees[0].stored.center, meshes = bodies.flatMap(({ mesh }) => mesh ?? []);
     /** @type {Contact[]} */
     const contacts = [];
+    if (lines) {
+      const shown = new Set(pairs);
+      for (let i = 0; i < found.length; i += 2) {
+        const [p, q] = [0, 3].map((at) => subtract([...lines.subarray(3 * i + at, 3 * i + at + 3)], middle));
+        if (shown.has(found[i]) && shown.has(found[i + 1])) contacts.push({ pair: [found[i], found[i + 1]], line: [...p, ...q] });
+      }
+      return contacts;
+    }
     if (query.stored.objects || meshes.length < bodies.length) return [];
     const [of_a, of_b] = bodies.map((_, b) => app.poseOf(k, b));
     const corners = (/** @type {number} */ side, /** @type {number} */ triangle) => {

@@ -116,6 +116,10 @@ export class App {
   get hasQueries() {
     return this.columns.some(({ query }) => query);
   }
+  // Whether the queries are of distances.
+  get measures() {
+    return this.columns.some(({ query }) => query?.stored.distance);
+  }
   // The column with the most bodies.
   get longest() {
     return this.columns.reduce((most, column) => (column.bodies.length > most.bodies.length ? column : most));
@@ -341,6 +345,11 @@ export class App {
       label.style.top = `${this.rectangles[k][1] / ratio + 4}px`;
       label.style.maxWidth = `${this.rectangles[k][2] / ratio - 12}px`;
       return label;
+    }), ...this.dimensions.map(({ at, text }) => {
+      const label = element('span', { textContent: text, className: 'dimension' });
+      label.style.left = `${at[0] / ratio + 10}px`;
+      label.style.top = `${at[1] / ratio - 10}px`;
+      return label;
     }));
     // A round length of at most a fifth of the view, at the target.
     const height = this.rectangles[0][3] / ratio, world = this.view.pixel(height), most = (this.rectangles[0][2] / ratio) * 0.2 * world;
@@ -409,15 +418,33 @@ export class App {
     return { column, body: b, slot: bodies[b].tree.slotOf(id - bodies[b].first_id) };
   }
 
-  // The pair of triangles whose line is nearest to a point, at most `most` pixels away.
-  /** @type {(column: number, px: number, py: number, most: number) => number[] | null} */
-  lineAt(column, px, py, most) {
+  // Pixels of the canvas by points of a contact, which count from the middle of A's tree.
+  /** @type {(column: number) => (p: Vector) => Vector} */
+  projection(column) {
     const { eye } = this.panes[column], { half_view, orthographic } = eye.uniforms, [left, top, width, height] = this.rectangles[column];
     const placement = this.view.placement(this.poseOf(column, 0), this.treeOf(column, 0).stored.center, eye.far);
-    const onScreen = (/** @type {Vector} */ p) => {
+    return (p) => {
       const [x, y, z] = add(placement.origin, scaled(placement.scale, times(placement.columns, p))), depth = orthographic ? 1 : -z;
       return [left + (width * (1 + x / depth / half_view[0])) / 2, top + (height * (1 - y / depth / half_view[1])) / 2];
     };
+  }
+
+  // The number of the shortest line of each column, and where it is in the canvas.
+  get dimensions() {
+    if (this.state.mode !== 'pairs') return [];
+    return this.scenes.flatMap(({ frame, contacts }, k) => {
+      const distance = frame?.stored.distance, line = contacts?.[0]?.line;
+      if (!distance || !line) return [];
+      const at = this.projection(k)(scaled(0.5, add(line.slice(0, 3), line.slice(3)))), [left, top, width, height] = this.rectangles[k];
+      const isSeen = at[0] >= left && at[0] < left + width && at[1] >= top && at[1] < top + height;
+      return isSeen ? [{ at, text: short(distance) }] : [];
+    });
+  }
+
+  // The pair of triangles whose line is nearest to a point, at most `most` pixels away.
+  /** @type {(column: number, px: number, py: number, most: number) => number[] | null} */
+  lineAt(column, px, py, most) {
+    const onScreen = this.projection(column);
     /** @type {number[] | null} */
     let found = null;
     let least = most;

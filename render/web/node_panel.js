@@ -97,7 +97,7 @@ export class NodePanel {
       const meets = [];
       const other = bodies[1 - body].name, kind = app.columns.length > 1 ? `${title}: ` : '';
       for (let i = 0; i < frame.pairs.length; i += 2) if (frame.pairs[i + body] === triangle) meets.push([frame.pairs[i], frame.pairs[i + 1]]);
-      if (k === own) parts.push(faint(meets.length ? `It meets ${counted(meets.length)} of ${other}` : `It meets none of ${other}`), row(...meets.slice(0, 60).map((pair) => button(String(pair[1 - body]), 'Show this pair', () => app.selectPair(k, pair)))));
+      if (k === own) parts.push(faint(meets.length ? query.stored.distance ? `The closest of ${other}` : `It meets ${counted(meets.length)} of ${other}` : query.stored.distance ? 'It is not the closest' : `It meets none of ${other}`), row(...meets.slice(0, 60).map((pair) => button(String(pair[1 - body]), 'Show this pair', () => app.selectPair(k, pair)))));
       if (heat) parts.push(table([[kind + (app.state.mode === 'wasted' ? 'wasted tests' : 'tests'), counted(heat.counts[body][triangle] ?? 0)]]));
     });
     return parts;

@@ -121,7 +121,7 @@ export class Panel {
 
   showCommands() {
     const { app } = this, { state } = app, commands = app.commands(), drawsAll = state.isolated || (state.without.length > 0 && !commands.some((command) => command.includes('--body ')));
-    const notes = commands.length === 0 ? [app.manifest.commands[state.mode] ? 'scb draws two kinds of volumes at a time.' : Object.keys(app.manifest.commands).length ? 'None: scb inspect draws packed queries, see Verdicts.' : 'None: the scene was made in a program.'] : [...(drawsAll ? ['They draw all bodies, and all that is hidden here.'] : []), 'Files are named as in the folder where the page was made.'];
+    const notes = commands.length === 0 ? [app.manifest.commands[state.mode] ? 'scb draws two kinds of volumes at a time.' : Object.keys(app.manifest.commands).length ? app.measures ? 'None draws this of distances.' : 'None: scb inspect draws packed queries, see Verdicts.' : 'None: the scene was made in a program.'] : [...(drawsAll ? ['They draw all bodies, and all that is hidden here.'] : []), 'Files are named as in the folder where the page was made.'];
     this.commands.replaceChildren(...commands.map((command) => element('code', { textContent: command })), ...notes.map(faint));
   }
 
@@ -149,8 +149,8 @@ export class Panel {
     const at = (/** @type {number} */ level) => of.map((counts, k) => (counts.length === 0 ? '' : level < counts.length ? counted(counts[level]) : counts.at(-1) === 0 ? '0' : isWhole(counts, k) ? counted(counts[counts.length - 1]) : 'over 20,000'));
     const gaps = of.map((counts, k) => (counts.length === 0 ? '' : counts.at(-1) === 0 ? `level ${counts.length - 1}` : isWhole(counts, k) ? 'none has one' : 'not counted so far'));
     const rows = Array.from({ length: Math.max(...of.map((counts) => counts.length)) }, (_, level) => [button(String(level), 'Show this level', () => app.set({ level }), level === state.level), ...at(level)]);
-    const pairs = columns.map(({ query }) => query?.frames.get(number)).map((stored) => (stored ? counted(stored.pairs) : ''));
-    return [table([...titles, ['pairs', ...pairs], ['overlapping pairs', ...at(state.level)], ['first level with a gap', ...gaps]]),
+    const pairs = columns.map(({ query }) => query?.frames.get(number)).map((stored) => (stored ? (stored.distance !== undefined ? short(stored.distance) : counted(stored.pairs)) : ''));
+    return [table([...titles, [app.measures ? 'distance' : 'pairs', ...pairs], ['overlapping pairs', ...at(state.level)], ['first level with a gap', ...gaps]]),
       (this.eachLevel = element('details', { open: this.eachLevel?.open ?? false }, element('summary', { textContent: 'Overlapping pairs of each level' }), table(rows)))];
   }
 

@@ -30,8 +30,10 @@ export class QueryFrame {
    * @param {Uint8Array} bits see render/web/query_blocks.h, as `nodes`
    * @param {Uint32Array} pairs
    * @param {Uint32Array | null} nodes
+   * @param {Float32Array | null} bounds
+   * @param {Float64Array | null} lines
    */
-  constructor(query, stored, bits, pairs, nodes) {
+  constructor(query, stored, bits, pairs, nodes, bounds, lines) {
     const { trees } = query, count = bits.length, outcomes = bits.map((byte) => byte & 63);
     const a = new Int32Array(count), b = new Int32Array(count), parents = new Int32Array(count).fill(-1);
     if (nodes) {
@@ -73,6 +75,8 @@ export class QueryFrame {
     this.b = b;
     this.parents = parents;
     this.pairs = pairs;
+    this.bounds = bounds;
+    this.lines = lines;
     this.meets = meets;
     this.worths = worths;
     this.passed = outcomes.reduce((sum, outcome) => sum + (outcome < 2 ? 1 : 0), 0);  // tests that others followed from
@@ -176,8 +180,9 @@ export class Query {
   async unpack(stored) {
     const bits = await this.blocks.get(stored.outcomes), pairs = await this.blocks.get(stored.pair_block);
     const nodes = stored.nodes !== undefined ? await this.blocks.get(stored.nodes) : null;
-    for (const number of [stored.outcomes, stored.pair_block, stored.nodes]) this.blocks.forget(number);
-    return new QueryFrame(this, stored, bits, pairs, nodes);
+    const bounds = stored.bounds !== undefined ? await this.blocks.get(stored.bounds) : null, lines = stored.lines !== undefined ? await this.blocks.get(stored.lines) : null;
+    for (const number of [stored.outcomes, stored.pair_block, stored.nodes, stored.bounds, stored.lines]) this.blocks.forget(number);
+    return new QueryFrame(this, stored, bits, pairs, nodes, bounds, lines);
   }
 
   /** @param {number} outcome */
@@ -204,6 +209,13 @@ export class Query {
   /** @type {(frame: QueryFrame, test: number) => string} */
   pairText(frame, test) {
     return `${this.trees[0].numberOf(frame.a[test])},${this.trees[1].numberOf(frame.b[test])}`;
+  }
+
+  // The tests of a class of verdicts, or those that were left out, by their bounds: the nearest to the answer first.
+  /** @type {(frame: QueryFrame, wanted: (test: number) => boolean) => number[]} */
+  byBound({ bounds, stored: { distance = 0 } }, wanted) {
+    const away = (/** @type {number} */ i) => Math.abs((bounds?.[i] ?? 0) - distance);
+    return bounds ? [...bounds.keys()].filter(wanted).sort((x, y) => away(x) - away(y) || x - y) : [];
   }
 
   // The test that rejected two slots, or nodes above them; -1: none did.

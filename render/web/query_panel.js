@@ -42,7 +42,7 @@ export class QueryPanel {
     const { frame } = this.app.scenes[k];
     if (!frame) return [];
     const { stored, passed, query } = frame;
-    return [[query.stored.objects ? 'pairs of nodes' : 'pairs', counted(stored.pairs)], ['N_v', counted(stored.n_v)], ['N_p', counted(stored.n_p)], ['passed on', counted(passed)],
+    return [stored.distance !== undefined ? ['distance', short(stored.distance)] : [query.stored.objects ? 'pairs of nodes' : 'pairs', counted(stored.pairs)], ['N_v', counted(stored.n_v)], ['N_p', counted(stored.n_p)], ['passed on', counted(passed)],
       ...(stored.judged ? [['wasted N_v', counted(stored.wasted)], ['wasted share', percent(stored.wasted, stored.n_v)]] : [])];
   }
 
@@ -91,6 +91,7 @@ export class QueryPanel {
   /** @type {(k: number, frame: QueryFrame, meeting: Set<number>[]) => HTMLElement[]} */
   pairParts(k, frame, meeting) {
     const { app } = this, { bodies } = app.columns[k], { query } = frame, { objects } = query.stored, only = app.content.pairsOnlyHere(k), most = 12, what = objects ? 'nodes' : 'triangles';
+    if (query.stored.distance) return this.distanceParts(k, frame);
     const parts = bodies.map((body, side) => element('div', {}, swatch(body.color), `${body.name}: ${counted(meeting[side].size)} ${what} meet others`));
     if (!objects) parts.push(faint('Dashed, or pale: behind a body'));
     if (only.length === 0) return parts;
@@ -100,6 +101,30 @@ export class QueryPanel {
       return button(slots.map((slot, side) => query.trees[side].numberOf(slot)).join(), 'Show their test', () => app.showTest(k, query.testOf(frame, slots[0], slots[1])));
     };
     return [...parts, faint(`Pairs of ${what} that only this one found${only.length > most ? `, the first ${most} of ${counted(only.length)}` : ''}`), row(...only.slice(0, most).map(link))];
+  }
+
+  // The closest triangles, and the tests whose bounds are the nearest to the distance.
+  /** @type {(k: number, frame: QueryFrame) => HTMLElement[]} */
+  distanceParts(k, frame) {
+    const { app } = this, { bodies } = app.columns[k], { query, pairs, stored: { distance } } = frame;
+    if (distance === undefined) return [faint('No triangles are within the limit.')];
+    const closest = bodies.slice(0, 2).map((body, side) => [element('span', {}, swatch(body.color), `closest of ${body.name}`), button(String(pairs[side]), 'Choose this triangle', () => app.selectTriangle(k, side, pairs[side]))]);
+    return [table([['distance', short(distance)], ...closest]), row(button('This pair', 'Choose the closest triangles', () => app.selectPair(k, [pairs[0], pairs[1]])), button('Go to it', 'A', () => app.approach())),
+      faint(distance > 0 ? 'The line joins the closest points. Dashed, or pale: behind a body' : 'These triangles intersect.'), ...this.boundParts(k, frame), ...this.worstParts(k, query)];
+  }
+
+  // Tests by their bounds: those that were left out, and those that were divided in vain.
+  /** @type {(k: number, frame: QueryFrame) => HTMLElement[]} */
+  boundParts(k, frame) {
+    const { app } = this, { query, outcomes, worths, bounds } = frame, most = 6;
+    if (!bounds) return [];
+    /** @type {[string, (test: number) => boolean][]} */
+    const lists = [['left out', (i) => query.rejects(outcomes[i])], ['divided in vain', (i) => outcomes[i] < 2 && worths[i] !== worth.right]];
+    return lists.flatMap(([name, wanted]) => {
+      const tests = query.byBound(frame, wanted);
+      const rows = tests.slice(0, most).map((i) => [button(query.pairText(frame, i), 'Show this test', () => app.showTest(k, i)), short(bounds[i]), outcomes[i] < 2 ? counted(frame.followers.sizes[i] - 1) : query.endingOf(frame, i)]);
+      return tests.length === 0 ? [] : [faint(`${name}: ${counted(tests.length)}; the bounds nearest to the distance`), element('div', { className: 'wide bounds' }, table([['nodes', word('bound'), name === 'left out' ? 'by' : 'tests that follow'], ...rows]))];
+    });
   }
 
   // Checkboxes for the endings of paths, or for the verdicts of tests.
@@ -171,6 +196,7 @@ export class QueryPanel {
       ...bodies.map((body, side) => [`node of ${body.name}`, slots[side] < 0 ? 'none that a root leads to' : button(`${query.trees[side].wordsOf(slots[side])}, depth ${query.trees[side].levelOf(slots[side])}`, 'Choose this node', () => app.select(k, side, slots[side]))]),
       ['how it ended', group ? group.label : `passed: ${query.dividesBoth(frame, i) ? 'both were' : `${bodies[frame.outcomes[i]].name} was`} divided`],
       ...(verdict ? [['worth', word(verdict.label)]] : []),
+      ...(frame.bounds ? [['bound', `${short(frame.bounds[i])}${frame.stored.distance ? `, ${percent(frame.bounds[i], frame.stored.distance)} of the distance` : ''}`]] : []),
       ['tests that follow', counted(frame.followers.sizes[i] - 1)],
     ];
     const about = element('div', { className: 'faint test', textContent: cell ? `Depth ${x} of ${bodies[0].name}, ${y} of ${bodies[1].name}: ${counted(cell.tests)} tests, ${counted(cell.rejected)} rejected` : 'A test, above those that follow from it' });
@@ -178,7 +204,7 @@ export class QueryPanel {
     parts.push(row(button('By ending', 'Colors say how tests ended (V)', () => app.set({ by: 'ending' }), state.by === 'ending'), button('By worth', 'Colors say which passed in vain (V)', () => app.set({ by: 'worth' }), state.by === 'worth')));
     const legend = (/** @type {Color} */ color, /** @type {(Node | string)[]} */ ...words) => element('div', {}, swatch(color), ...words);
     if (state.by === 'ending') parts.push(legend(passedOn(app.theme), word('passed on')), ...query.stored.groups.flatMap((g, n) => (frame.ended.counts[n] ? [legend(g[state.theme], `${g.label}: ${counted(frame.ended.counts[n])}`)] : [])));
-    else parts.push(legend(passedOn(app.theme, 0.5), 'triangles below meet'), legend(passedOn(app.theme, 0.12), 'rejected'), ...query.stored.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
+    else parts.push(legend(passedOn(app.theme, 0.5), query.stored.distance ? 'led to the answer' : 'triangles below meet'), legend(passedOn(app.theme, 0.12), query.stored.distance ? 'left out' : 'rejected'), ...query.stored.worths.map((w, n) => legend(w[state.theme], word(w.label), `: ${counted(frame.judged.counts[n])}`)));
     return parts;
   }
 

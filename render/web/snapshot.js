@@ -1,5 +1,5 @@
-import { modes } from './words.js';
-import { element, contextOf, counted, css } from './elements.js';
+import { modesOf } from './words.js';
+import { element, contextOf, counted, css, short } from './elements.js';
 import { passedOn } from './icicle.js';
 
 // A picture of the current view that explains itself: title, numbers, the scene with its scale, the traversal, and a legend.
@@ -74,8 +74,8 @@ export function snapshotOf(app) {
 /** @type {(app: App, k: number) => string} */
 function numbersLine(app, k) {
   const { state, manifest, columns } = app, { title, query } = columns[k], stored = query?.frames.get(manifest.frames[state.at]);
-  const words = [modes.find(({ name }) => name === state.mode)?.text ?? '', ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
-  if (stored && state.mode !== 'levels') words.push(`${counted(stored.pairs)} pairs`, `${counted(stored.n_v)} volume tests`, `${counted(stored.n_p)} triangle tests`, ...(stored.judged ? [`${counted(stored.wasted)} wasted`] : []));
+  const words = [modesOf(app).find(({ name }) => name === state.mode)?.text ?? '', ...(manifest.frames.length > 1 ? [`frame ${manifest.frames[state.at]}`] : []), ...(state.mode === 'levels' ? [`level ${state.level}`] : [])];
+  if (stored && state.mode !== 'levels') words.push(stored.distance !== undefined ? `distance ${short(stored.distance)}` : `${counted(stored.pairs)} pairs`, `${counted(stored.n_v)} volume tests`, `${counted(stored.n_p)} triangle tests`, ...(stored.judged ? [`${counted(stored.wasted)} wasted`] : []));
   return (columns.length > 1 ? `${title}: ` : '') + words.join(', ');
 }
 

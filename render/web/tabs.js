@@ -1,10 +1,10 @@
-import { modes } from './words.js';
+import { modesOf } from './words.js';
 import { element } from './elements.js';
 
 // The modes as tabs in one row. Arrows, Home and End lead from tab to tab.
 /** @type {(app: App) => { root: HTMLElement, update: () => void }} */
 export function tabsOf(app) {
-  const shown = modes.filter(({ name }) => name === 'levels' || app.hasQueries);
+  const shown = modesOf(app).filter(({ name }) => name === 'levels' || app.hasQueries);
   const tabs = shown.map(({ name, text, about }, i) => {
     const tab = element('button', { type: 'button', role: 'tab', id: `tab-${name}`, textContent: text, title: `${about} (key ${i + 1})`, 'aria-controls': 'panel' });
     tab.addEventListener('click', () => app.set({ mode: name }));

@@ -118,6 +118,7 @@ interface ManifestPart {
 }
 /** See app/view/view_query.cpp. */
 interface ManifestQuery {
+  distance: boolean; // distances are bounded, and volumes are not tested for overlap
   objects: boolean; // pairs are of nodes, not of triangles
   symbols: string[];
   groups: EndingGroup[];
@@ -154,6 +155,10 @@ interface ManifestFrame {
   outcomes: Block<Uint8Array>;
   pair_block: Block<Uint32Array>;
   nodes?: Block<Uint32Array>;
+  // Of distances.
+  distance?: number;
+  bounds?: Block<Float32Array>; // per test: the lower bound
+  lines?: Block<Float64Array>; // per pair: its closest points, in A's frame
   steps?: Block<Uint8Array>; // JSON: Explanation by test
 }
 interface Explanation {
@@ -387,7 +392,7 @@ interface State {
   cell: number[] | null; // depths of the matrix
   by: 'ending' | 'worth';
 }
-/** The line in which two triangles meet. */
+/** The line in which two triangles meet, or between their closest points. */
 interface Contact {
   pair: number[];
   line: number[]; // two points, from the middle of A's tree

@@ -10,14 +10,25 @@ export const modes = [
   { name: 'verdicts', text: 'Verdicts', about: 'The nodes of pairs that passed though no triangles below them meet, or that were rejected wrongly' },
 ];
 
+// The same where distances were measured.
+/** @type {Partial<Record<ModeName, { text: string, about: string }>>} */
+const ofDistances = {
+  rejections: { text: 'Left out', about: 'The nodes at which paths of the traversal ended, colored by the direction of the largest bound' },
+  pairs: { text: 'Distance', about: 'The closest triangles, and the line between their closest points' },
+  wasted: { text: 'Wasted', about: 'Of these, the tests that followed from a pair below which no triangles are as near as the answer' },
+  verdicts: { text: 'Verdicts', about: 'The nodes of pairs that were divided though no triangles below them are as near as the answer' },
+};
+/** @type {(app: App) => typeof modes} */
+export const modesOf = (app) => (app.measures ? modes.map((mode) => ({ ...mode, ...ofDistances[mode.name] })) : modes);
+
 // What words of the field mean.
 /** @type {Record<string, string>} */
 export const terms = {
   'N_v': 'tests of two volumes',
   'N_p': 'tests of two triangles',
-  'passed on': 'pairs that overlap, whose children were tested next; pairs of leaves, whose triangles were tested, are not among them',
+  'passed on': 'pairs that overlap, or have a small bound, whose children were tested next; pairs of leaves, whose triangles were tested, are not among them',
   'pairs': 'pairs of triangles that meet',
-  'wasted N_v': 'volume tests that followed from a pair below which no triangles meet',
+  'wasted N_v': 'volume tests that followed from a pair below which no triangles meet, or are as near as the answer',
   'overlapping pairs': 'pairs of a volume of A\u2019s level and one of B\u2019s that overlap, below pairs that overlap on the level above. A level of none shows a gap; where even the leaves overlap, their triangles may still not meet',
   'mean d': 'mean diameter of the volumes, 2r',
   'mean \u03c4': 'mean thickness of the volumes, e \u2212 f',
@@ -26,6 +37,9 @@ export const terms = {
   'slack': 'by how much the step separates the two: positive if it does. Other directions may separate them by more: the gap',
   'gap': 'how far apart the two volumes are, in whatever direction; of whatever test',
   'depth of overlap': 'how far one of them has to move until they no longer overlap',
+  'bound': 'the two volumes are at least so far apart',
+  'bound below the distance': 'divided in vain: no triangles below are as near as the answer, and the bound does not say so',
+  'before it was known': 'divided in vain: the bound is above the distance, which the query did not know yet',
   'fit too loose': 'the volumes meet, but no triangles below them do',
   'test too weak': 'the volumes do not meet, but the test let them pass',
   'rejected wrongly': 'the test rejected volumes that overlap, or that hold triangles that meet',

@@ -1012,3 +1012,47 @@ test('names from files are text', async () => {
     assert.ok((await page.locator('#panel').innerText()).includes(name));
   });
 });
+
+test('a distance: its line with its number, its tests by bound, and each test with its volumes', async () => {
+  // An order in which parents are not those that a depth-first search has.
+  const query = ['spheres-l1', '--frames', '0', '--order', 'nearest'], told = JSON.parse(scb('distance', ...query, '--json')).frames[0];
+  await onPage(page_of(...query, '--query', 'distance'), { hash: '#show=pairs' }, async (page) => {
+    await settled(page);
+    const found = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { frame, contacts } = app.scenes[0], { query } = frame;
+      return {
+        ...frame.stored, triangles: [...frame.pairs], line: contacts[0].line, parents: [...frame.parents], bounds: [...frame.bounds], worths: [...frame.worths],
+        divided: [...frame.outcomes].map((outcome) => outcome < 2), left_out: [...frame.outcomes].map((outcome) => query.rejects(outcome) && query.stored.groups[outcome - 2].label !== 'not needed any more'),
+        depths: [...frame.a].map((slot, i) => query.trees[0].levelOf(slot) + query.trees[1].levelOf(frame.b[i])), commands: app.commands(),
+      };
+    });
+    assert.deepEqual([found.distance, found.triangles, found.n_v, found.n_p], [told.distance, told.triangles, told.n_v, told.n_p]);
+    const [p, q] = [found.line.slice(0, 3), found.line.slice(3)];
+    assert.ok(Math.abs(Math.hypot(...p.map((x, i) => x - q[i])) - told.distance) < 1e-9, 'the line is as long as the distance');
+    assert.match(found.commands[0], /^scb render distance spheres-l1 /);
+    // Each test is a level below its parent, and what was left out is not nearer than the answer.
+    assert.equal(found.parents.filter((parent) => parent < 0).length, 1);
+    found.parents.forEach((parent, i) => assert.ok(parent < i && (parent < 0 || found.depths[i] === found.depths[parent] + 1), `test ${i}`));
+    found.left_out.forEach((is, i) => assert.ok(!is || found.bounds[i] > 0.999999 * told.distance, `bound ${i}`));
+    // What led to the answer has a small bound, and so have its parents.
+    const led = found.divided.map((is, i) => is && found.worths[i] === 0);
+    assert.ok(led.some((is) => is) && found.divided.some((is, i) => is && !led[i]), 'some were divided in vain');
+    led.forEach((is, i) => assert.ok(!is || (found.bounds[i] < told.distance && (found.parents[i] < 0 || led[found.parents[i]])), `test ${i}`));
+    assert.equal(found.wasted, found.parents.filter((parent) => parent >= 0 && found.divided[parent] && !led[parent]).length);
+    assert.equal(Number(await page.locator('#labels .dimension').textContent()), Number(told.distance.toPrecision(5)));
+    assert.equal(await page.getByRole('tab', { selected: true }).textContent(), 'Distance');
+    await page.getByRole('button', { name: 'Go to it' }).first().click();
+    await settled(page);
+    await shot(page, 'distance');
+    // The list leads to the test, whose volumes the scene shows.
+    await unfold(page);
+    await page.locator('.bounds button').first().click();
+    await settled(page);
+    const shown = await state(page), nearest = found.bounds.map((bound, i) => [Math.abs(bound - told.distance), i]).filter(([, i]) => found.left_out[i]).sort(([x], [y]) => x - y)[0][1];
+    assert.equal(shown.mode, 'traversal');
+    assert.ok(Math.abs(found.bounds[shown.test] - told.distance) <= Math.abs(found.bounds[nearest] - told.distance));
+    assert.deepEqual(await page.evaluate(() => document.getElementById('canvas').app.scenes[0].nodes.map(({ side }) => side)), [0, 1]);
+    await page.getByRole('cell', { name: /% of the distance/ }).waitFor();
+    await shot(page, 'distance-traversal');
+  });
+});

@@ -112,5 +112,39 @@ TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
+TEST_F(RenderTraversal, BoundsOfADistance) {
+    draw("spheres-l1 --frames 0,100 --kind distance --order nearest", "out");
+    const json index = json::parse(file("out", "index.json"));
+    EXPECT_EQ(index["options"]["show"], "bounds");
+    EXPECT_EQ(index["volume"], "scb2");
+    ASSERT_EQ(index["files"].size(), 2u);
+    const json live =
+        json::parse(run_scb("distance spheres-l1 --frames 0,100 --order nearest --json").out);
+    for (std::size_t i = 0; i < 2; ++i)
+        for (const char* key : {"distance", "n_v", "n_p"})
+            EXPECT_EQ(index["files"][i][key], live["frames"][i][key]) << key;
+    const std::string name = index["files"][0]["file"];
+    EXPECT_NE(name.find("query-distance"), std::string::npos) << name;
+    EXPECT_GT(file("out", name).size(), 1000u);
+    // Volumes that were chosen stay, and so does the diagram.
+    draw("spheres-l1 --frames 0 --kind distance --volume obb --show icicle", "obb");
+    EXPECT_EQ(json::parse(file("obb", "index.json"))["volume"], "obb");
+    EXPECT_EQ(json::parse(file("obb", "index.json"))["options"]["show"], "icicle");
+}
+
+TEST_F(RenderTraversal, RefusesOptionsOfTheOtherKindOfQuery) {
+    const auto error = [this](const std::string& arguments) {
+        const ProgramRun run = run_scb("render traversal spheres-l1 --frames 0 " + arguments +
+                                       " -o " + (folder / "o"));
+        EXPECT_EQ(run.status, 2) << arguments;
+        return run.err;
+    };
+    EXPECT_NE(error("--within 1").find("--kind distance"), std::string::npos);
+    EXPECT_NE(error("--show bounds").find("--kind distance"), std::string::npos);
+    EXPECT_NE(error("--kind distance --test exact").find("--test"), std::string::npos);
+    EXPECT_NE(error("--kind distance --within -1").find("0 or more"), std::string::npos);
+    EXPECT_NE(error("--query other").find("recording"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace scb::app
