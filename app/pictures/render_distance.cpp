@@ -28,7 +28,7 @@ render::SceneFigure distance_figure(const QueryView& view, const QuerySource& so
     render::PairsStyle style;
     style.theme = &theme;
     figure.pane = render::pairs_pane(bodies, header, frame, lines, style, view.ids().first_free);
-    figure.panel = render::distance_panel(bodies, header, frame, theme);
+    figure.panel = render::distance_panel(bodies, header, frame, source.attribution(frame), theme);
     figure.labels = render::distance_labels(bodies, frame, theme);
     if (frame.found.pairs.empty())
         figure.remark = header.kind == QueryKind::within ? "no triangles are so near"
@@ -98,7 +98,8 @@ void add_render_distance(const Command& render_command, const Console& console, 
         "axes of A or B, or the product of the long axes. Not needed any more: pairs that were "
         "near "
         "enough when they were tested, but\n"
-        "not when their turn came.\n"
+        "not when their turn came. Passed on: pairs that were divided; in vain, if no triangles "
+        "below them are as near as the answer.\n"
         "Without --camera or a camera in the scene, the view is from where most of the line is "
         "visible. A short line is shown closely.\n"
         "index.json has the counts of `scb distance`.\n\n"

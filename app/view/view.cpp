@@ -120,6 +120,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
                         {"--test", "--threshold", "--compare", "--layout", "--steps", "--within"},
                         asked.scene, asked.hierarchy, options->query, options->kind);
         options->note_given(command);
+        options->distances = given_text(command, {"--order", "--relative-error", "--limit"});
         options->levels = given_text(command, {"--color-by"});
         action = [&console, options, layout] { return run(*options, *layout, console); };
     });

@@ -88,7 +88,6 @@ void ViewOptions::note_given(const Command& command) {
                                      : std::vector<std::string>{"--bodies", "--query", "--tag"});
     hierarchies = given_text(command, {"--growth", "--margin", "--split"});
     tests = given_text(command, {"--test", "--threshold"});
-    distances = given_text(command, {"--order", "--relative-error", "--limit"});
     of_packed = given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies",
                                      "--volume", "--growth", "--margin", "--split"});
     layout = given_text(command, {"--layout", "--leaf"});

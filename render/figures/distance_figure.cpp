@@ -67,7 +67,8 @@ std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTr
 }
 
 std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                      const QueryTrace& frame, const Theme& theme) {
+                                      const QueryTrace& frame, const Attribution& verdicts,
+                                      const Theme& theme) {
     const bool is_within = header.kind == QueryKind::within;
     std::vector<PanelItem> items;
     std::vector<std::string> names, counts, closest;
@@ -99,6 +100,11 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
     const EndingCounts ended = ending_counts(outcomes);
     const std::uint64_t paths = std::accumulate(ended.begin(), ended.end(), std::uint64_t{0});
     items.emplace_back(PanelRow{"passed on", {count_text(frame.found.n_v - paths)}});
+    const auto in_vain = static_cast<std::uint64_t>(std::count_if(
+        verdicts.passed.begin(), verdicts.passed.end(), [&outcomes](const PassedPair& pair) {
+            return is_divided(outcomes[pair.test]) && pair.reason != PassReason::triangles_meet;
+        }));
+    items.emplace_back(PanelRow{"of these in vain", {count_text(in_vain)}});
     std::string heading;
     for (const EndingGroup& group : ending_groups(header, theme)) {
         const std::uint64_t count = count_of(group, ended);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/trace.h"
+#include "core/analysis/distance_steps.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
 #include "render/plots/ending_colors.h"
@@ -32,9 +32,11 @@ std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTr
                                         const Theme& theme);
 
 /// The distance with its triangles, or the number of pairs within the tolerance; the counts; and
-/// how many pairs of volumes were left out, by the direction of the largest bound.
+/// how many pairs of volumes were left out, by the direction of the largest bound. `verdicts`: on
+/// the query's tests, see tested_pairs; it says how many pairs were divided in vain.
 std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                      const QueryTrace& frame, const Theme& theme);
+                                      const QueryTrace& frame, const Attribution& verdicts,
+                                      const Theme& theme);
 
 /// The pairs of volumes by depth, in the colors of the panel.
 PanelChart distance_chart(const TraceHeader& header, const QueryTrace& frame, const Theme& theme);

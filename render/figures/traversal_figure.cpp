@@ -159,8 +159,8 @@ BoundTests bound_tests(const TraceHeader& header, const QueryTrace& frame,
             if (std::find(groups[group].endings.begin(), groups[group].endings.end(),
                           outcomes[i]) != groups[group].endings.end())
                 key_of[i] = 3 + group;
-    const Attribution worth = attribute(header, frame, tested_pairs(steps, frame, outcomes));
-    for (const PassedPair& pair : worth.passed)
+    const Attribution verdicts = attribute(header, frame, tested_pairs(steps, frame, outcomes));
+    for (const PassedPair& pair : verdicts.passed)
         if (is_divided(outcomes[pair.test]))
             key_of[pair.test] = pair.reason == PassReason::triangles_meet ? 0
                                 : pair.reason == PassReason::loose_fit    ? 1

@@ -67,15 +67,16 @@ void draw_answer(Overlay& overlay, const PixelRect& area, const BoundsPlot& plot
 }  // namespace
 
 PlotAxis bounds_axis(const BoundsPlot& plot, int most_ticks) {
-    double most = 0, least = HUGE_VAL;
+    double most = 0, lowest = HUGE_VAL, least = HUGE_VAL;
     for (const BoundsPlot::Test& test : plot.tests) {
         most = std::max(most, test.bound);
+        lowest = std::min(lowest, test.bound);
         if (test.bound > 0) least = std::min(least, test.bound);
     }
     const double answer = std::isfinite(plot.answer) ? plot.answer : 0;
     most = std::max(most, answer);
     if (answer > 0 ? most <= most_linear * answer : !std::isfinite(least))
-        return linear_axis(0, most, most_ticks, AxisEnds::ticks);
+        return linear_axis(std::min(lowest, most), most, most_ticks, AxisEnds::ticks);
     const double floor = (answer > 0 ? answer : most) / 1000;
     return log_axis(std::max(std::min(least, answer > 0 ? answer : least), floor), most, most_ticks,
                     true);

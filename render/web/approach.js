@@ -1,8 +1,9 @@
-import { add, scaled, cross, unit, times } from './linear.js';
+import { add, subtract, scaled, dot, cross, length, unit, times } from './linear.js';
 import { radiusOf } from './tree.js';
 
-/** @typedef {{ column: number, balls: Ball[], has: (id: number) => boolean, room: number }} Goal */
+/** @typedef {{ column: number, balls: Ball[], has: (id: number) => boolean, room: number, across?: Vector }} Goal */
 
+// `across`: a direction in the world that the view should not look along.
 // What one goes to: the node, the triangle or the pair that is chosen, else what the query marks; its place, and the ids of its pixels.
 /** @type {(app: App) => Goal} */
 function goalOf(app) {
@@ -32,6 +33,9 @@ function goalOf(app) {
   }
   const lines = (contacts ?? []).filter(({ pair: [a, b] }) => !pair || (a === pair[0] && b === pair[1])).flatMap(({ line }) => [line.slice(0, 3), line.slice(3)]);
   const balls = lines.map((point) => ({ center: place(0, add(app.treeOf(column, 0).stored.center, point)), radius: 0 }));
+  // The line between closest points, which is to be seen in its length, with what is about it.
+  const line = app.measures && balls.length === 2 ? subtract(balls[1].center, balls[0].center) : [0, 0, 0];
+  if (length(line) > 0) return { column, balls, has: (id) => id >= marked[0], room: 3, across: unit(line) };
   return { column, balls, has: pair ? among([0, 1].flatMap((side) => idsOf(side, pair[side]))) : (id) => id >= marked[0], room: pair ? 20 : 1.2 };
 }
 
@@ -46,7 +50,7 @@ export function directions(up) {
 // Goes there, and turns to where most of it is seen: the present direction if none shows more.
 /** @param {App} app */
 export function approach(app) {
-  const { view, canvas } = app, { column, balls, has, room } = goalOf(app), finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
+  const { view, canvas } = app, { column, balls, has, room, across } = goalOf(app), finite = balls.filter(({ center, radius }) => [...center, radius].every(Number.isFinite));
   if (finite.length === 0) return;
   app.fit(finite, room);
   if (!app.unpacked) return;
@@ -55,6 +59,7 @@ export function approach(app) {
   for (const direction of [null, ...directions(view.up)]) {
     if (direction) view.along(direction);
     const axes = view.axes;
+    if (across && Math.abs(dot(axes[2], across)) > 0.5) continue;
     app.drawAt(size[0], size[1], 1);
     const count = app.painter.idsIn(app.panes[column].rectangle).reduce((sum, id) => sum + (has(id) ? 1 : 0), 0);
     if (count > most) [best, most] = [axes, count];

@@ -1043,6 +1043,12 @@ test('a distance: its line with its number, its tests by bound, and each test wi
     assert.equal(await page.getByRole('tab', { selected: true }).textContent(), 'Distance');
     await page.getByRole('button', { name: 'Go to it' }).first().click();
     await settled(page);
+    // The line is seen in its length.
+    const [length, height] = await page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { line } = app.scenes[0].contacts[0], [p, q] = [line.slice(0, 3), line.slice(3)].map(app.projection(0));
+      return [Math.hypot(p[0] - q[0], p[1] - q[1]), app.rectangles[0][3]];
+    });
+    assert.ok(length > 0.15 * height && length < 0.6 * height, `${length} of ${height} pixels`);
     await shot(page, 'distance');
     // The list leads to the test, whose volumes the scene shows.
     await unfold(page);

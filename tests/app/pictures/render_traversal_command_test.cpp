@@ -97,7 +97,7 @@ TEST_F(RenderTraversal, APartIsBelowTheTestOfTwoNodes) {
 
 TEST_F(RenderTraversal, RefusesWhatItDoesNotUnderstand) {
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"--by time", "give tests or share"}, {"--show all", "give matrix, icicle or both"},
+        {"--by time", "give tests or share"}, {"--show all", "give matrix, icicle, both or bounds"},
         {"--frames 500", "0 to 499"},         {"--root 5", "this is not a pair of nodes"},
         {"--root 5,-1", "counted from 0"},    {"--root 5,4294967295", "no node has such a number"},
         {"--camera fit", "--camera"},         {"--ids", "--ids"},

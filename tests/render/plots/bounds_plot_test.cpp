@@ -33,6 +33,12 @@ TEST(BoundsPlot, CountsTestsByColumnAndRow) {
     EXPECT_EQ(bounds_cells(plot, axis, 4, 2).back().column, 2u);
 }
 
+TEST(BoundsPlot, BeginsAtTheLeastBound) {
+    BoundsPlot plot = small_plot();
+    plot.tests = {{0, 0.9, 0}, {1, 1.2, 0}};
+    EXPECT_GE(bounds_axis(plot, 5).low, 0.8);
+}
+
 TEST(BoundsPlot, IsLogarithmicForBoundsFarAboveTheAnswer) {
     BoundsPlot plot = small_plot();
     plot.tests.push_back({2, 50, 0});
