@@ -25,7 +25,7 @@ struct TraversalOptions : QueryViewOptions {
     render::MatrixMeasure by = render::MatrixMeasure::tests;
     std::optional<Diagrams> show;
     std::string root;
-    DistanceQuery distance;  ///< what --kind distance asks for
+    KindOptions kind{};
 
     /// Throws InputError.
     Diagrams shown() const {

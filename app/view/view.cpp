@@ -97,6 +97,7 @@ void add_view(const Command& program, const Console& console, Action& action) {
     add_overlap_options(command, options->query, false);
     add_bodies_option(command, options->query);
     add_kind_options(command, options->kind);
+    command.get_option("--within").hide();
     add_layout_options(command, *layout, "Show the query of one frame on packed hierarchies");
     add_page_options(command, level.picture, level.camera, "The page");
     add_level_look(command, level);
@@ -116,9 +117,12 @@ void add_view(const Command& program, const Console& console, Action& action) {
         recording = given_hierarchy_options(command);
         for (const char* option : {"--test", "--threshold", "--bodies"})
             if (command.count(option) > 0) recording.emplace_back(option);
-        take_kind(command,
-                        {"--test", "--threshold", "--compare", "--layout", "--steps", "--within"},
-                        asked.scene, asked.hierarchy, options->query, options->kind);
+        if (options->kind.distance.within)
+            throw InputError(
+                "--within: the page shows the smallest distance; see all triangles within a "
+                "distance with `scb render distance --within T`.");
+        take_kind(command, {"--test", "--threshold", "--compare", "--layout", "--steps"},
+                  asked.scene, asked.hierarchy, options->query, options->kind);
         options->note_given(command);
         options->distances = given_text(command, {"--order", "--relative-error", "--limit"});
         options->levels = given_text(command, {"--color-by"});

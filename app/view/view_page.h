@@ -17,7 +17,7 @@ struct ViewOptions {
     QueryOptions query;
     std::string queries = "auto";  ///< see ViewSources::queries
     std::string compare{};         ///< see CompareOptions::names
-    DistanceQuery distance{};      ///< what --kind distance asks for
+    KindOptions kind{};
     int steps = 1000;              ///< see view_query_json
     bool has_theme = false;        ///< whether the user set light or dark
     /// Names of the files in commands, if the files will be elsewhere.
