@@ -111,7 +111,7 @@ int run(TraversalOptions& options, const Console& console) {
     options.named.add_if(options.by != TraversalOptions{}.by, "by",
                          std::string(render::matrix_measure_names[options.by]));
     const Diagrams shown = options.shown();
-    options.named.add_if(options.query.distance.has_value(), "query", "distance");
+    options.named.add_if(options.query.distance.has_value(), "kind", "distance");
     options.named.add_if(options.show.has_value(), "show", std::string(diagram_names[shown]));
     if (root) options.named.add("root", std::to_string(root->a) + "-" + std::to_string(root->b));
     QuerySources sources = options.open(console);
@@ -204,8 +204,8 @@ void add_render_traversal(const Command& render_command, const Console& console,
         "  scb render traversal spheres-l1 --frames 0 --kind distance -o out/");
     command.callback([&action, &console, command, options] {
         options->recording = given_recording_options(command);
-        take_kind(command, {"--test", "--threshold", "--max-pairs", "--levels"},
-                        options->scene, options->hierarchy, options->query, options->kind);
+        take_kind(command, {"--test", "--threshold", "--max-pairs", "--levels"}, options->scene,
+                  options->hierarchy, options->query, options->kind);
         action = [&console, options] { return run(*options, console); };
     });
 }

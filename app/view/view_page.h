@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/pictures/level_options.h"
+#include "app/query/distance_options.h"
 #include "app/study/query_setup.h"
 
 namespace scb::app {
@@ -18,8 +19,8 @@ struct ViewOptions {
     std::string queries = "auto";  ///< see ViewSources::queries
     std::string compare{};         ///< see CompareOptions::names
     KindOptions kind{};
-    int steps = 1000;              ///< see view_query_json
-    bool has_theme = false;        ///< whether the user set light or dark
+    int steps = 1000;        ///< see view_query_json
+    bool has_theme = false;  ///< whether the user set light or dark
     /// Names of the files in commands, if the files will be elsewhere.
     std::vector<std::string> names_in_commands{};
     // Options that were given, see given_text: of the scene, of bodies, other options of
