@@ -207,9 +207,9 @@ std::string results_text(const RecordingJudgement& judged) {
                count_text(wrong) + " wrong.\n";
         if (judged.summary.pairs == 0) return text + "\n";
     }
-    const bool told = judged.summary.has_pairs || judged.summary.pairs > 0;
+    const bool has_pairs = judged.summary.has_pairs || judged.summary.pairs > 0;
     text += "Results: " + counted(judged.total(&FrameJudgement::pairs), "pair", "pairs") +
-            (told ? " reported" : " met by the tests of triangles");
+            (has_pairs ? " reported" : " met by the tests of triangles");
     if (judged.unknown_items < judged.total(&FrameJudgement::queries))
         text += ", " + count_text(judged.exact_pairs) +
                 (judged.summary.measures > 0 ? " are near enough; " : " intersect; ") +

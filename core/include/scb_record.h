@@ -489,7 +489,8 @@ static inline void scb_record_named_query(scb_recorder* r, uint32_t body_a, uint
 
 /** After scb_record_query: this query looks for the smallest distance of the two bodies. `limit`:
  * nothing beyond this distance is looked for; INFINITY if there is no such limit. `relative_error`:
- * the distance may be so much too large, such as 0.01; 0 if it may not. */
+ * the distance may be too large by this share: 0.01 is 1 %. A query that ends at a pair that is
+ * near enough is not complete, see scb_record_query_end. */
 static inline void scb_record_nearest(scb_recorder* r, double limit, double relative_error) {
     const double values[2] = {limit, relative_error};
     scb_rec_begin(r, 206, 17);
@@ -561,7 +562,8 @@ static inline void scb_record_items(scb_recorder* r, uint32_t item_a, uint32_t i
 }
 
 /** A lower bound of the distance of two nodes. A test that leads to no other test counts as left
- * out by its bound. `stage`: 0, or 1 to 127 if the engine leaves the nodes out at once. */
+ * out by its bound. `stage`: 1 to 127 if this test alone left the nodes out, else 0. Do not
+ * record a bound that is the square of a length; INFINITY says that the test gave up. */
 static inline void scb_record_bound(scb_recorder* r, uint32_t node_a, uint32_t node_b, double bound,
                                     uint8_t stage) {
     scb_record_length(r, bound);

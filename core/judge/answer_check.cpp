@@ -21,12 +21,17 @@ class AnswerCheck {
 
     std::vector<AnswerProblem> problems() && {
         if (!query_.answer) {
-            if (truth_.distance < query_.limit - tolerance_) add(AnswerFault::none);
+            // A query that ended early need not have found anything.
+            if (query_.complete &&
+                (1 + query_.relative_error) * truth_.distance < query_.limit - tolerance_)
+                add(AnswerFault::none);
             return std::move(problems_);
         }
         // Beyond the limit an engine may return any number that is not below it.
         if (truth_.distance > query_.limit && query_.answer->distance >= query_.limit - tolerance_)
             return {};
+        // Some engines return a depth, as a negative number, for bodies that meet.
+        if (truth_.distance <= tolerance_ && query_.answer->distance < 0) return {};
         if (check_distance()) return std::move(problems_);
         const bool has_items =
             query_.answer->items.a != no_index && query_.answer->items.b != no_index;
@@ -46,8 +51,10 @@ class AnswerCheck {
         problems_.push_back(problem);
     }
 
-    bool is_near(double a, double b) const {
-        return std::abs(a - b) <= std::max(tolerance_, 1e-9 * std::abs(b));
+    /// Whether a length explains a recorded number. Lengths within the tolerance explain nothing.
+    bool is_near(double recorded, double length) const {
+        return length > 4 * tolerance_ &&
+               std::abs(recorded - length) <= std::max(tolerance_, 1e-9 * length);
     }
 
     /// Whether the distance is wrong.
@@ -55,7 +62,7 @@ class AnswerCheck {
         const double recorded = query_.answer->distance, exact = truth_.distance;
         if (!std::isfinite(recorded) || recorded < -tolerance_)
             add(AnswerFault::no_number);
-        else if (recorded > (1 + query_.relative_error) * exact + tolerance_)
+        else if (query_.complete && recorded > (1 + query_.relative_error) * exact + tolerance_)
             add(AnswerFault::too_large);
         else if (recorded < exact - tolerance_)
             add(AnswerFault::too_small);

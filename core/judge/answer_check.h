@@ -21,7 +21,8 @@ struct QueryTruth {
     double distance = HUGE_VAL;
     std::optional<IndexPair> closest{};
     bool certified = false;  ///< a certificate proves the distance
-    /// The smallest distance of the bodies at their query before, if it was a distance query.
+    /// The certified distance of the bodies at an earlier frame, that of their last distance query
+    /// there.
     std::optional<double> distance_before{};
 };
 
@@ -49,7 +50,7 @@ enum class AnswerCause : std::uint8_t {
     square,        ///< the square of the distance
     root,          ///< its square root
     unit,          ///< a multiple, as of another unit of length
-    frame_before,  ///< the distance at the frame before
+    frame_before,  ///< the distance at the frame of the last distance query before
 };
 inline constexpr std::size_t answer_cause_count = 5;
 

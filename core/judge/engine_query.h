@@ -85,6 +85,9 @@ struct EngineQuery {
     std::vector<EngineEvent> events;
     /// Whether the recording has tests of items, and reported pairs, in this query or in another.
     bool has_item_tests = false, has_pairs = false;
+    /// Whether the recording has distances that queries found, so that a missing one is none.
+    bool has_answers = true;
+    bool is_known = true;           ///< false: what the query measures is not known
     bool complete = true;           ///< false: the query ended early on purpose
     std::uint64_t nanoseconds = 0;  ///< 0: not measured
     /// The assumed rounding errors of the engine, as lengths: for the volumes that reach farthest

@@ -82,6 +82,7 @@ std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
                                const EngineEvent& event) {
     const IndexPair items{event.a, event.b};
     if (!has_items(query, items)) return std::nullopt;
+    if (query.kind != QueryKind::collide && !have_meshes(query)) return std::nullopt;
     if (has_object_volumes(query)) {
         if (event.kind != EngineEvent::Kind::items_meet ||
             !query.sides[0].tree->object_volume(items.a) ||
@@ -93,10 +94,21 @@ std::optional<double> error_of(const EngineQuery& query, const Pose& b_to_a,
     if (!have_meshes(query) || !are_finite(query, items)) return std::nullopt;
     const auto [a, b] = triangles_of(query, b_to_a, items);
     if (query.kind != QueryKind::collide) {
-        if (!event.has_length) return std::nullopt;
-        const double error = std::abs(event.length - triangle_distance(a, b).distance);
-        if (error <= query.triangle_tolerance) return std::nullopt;
-        return std::isnan(error) ? HUGE_VAL : error;
+        const double exact = triangle_distance(a, b).distance;
+        if (!event.has_length) {
+            if (query.kind == QueryKind::distance) return std::nullopt;
+            const ItemContact contact = contact_of(query, b_to_a, items);
+            return contact.grazing || contact.meet == (event.kind == EngineEvent::Kind::items_meet)
+                       ? std::nullopt
+                       : std::optional(contact.margin);
+        }
+        if (std::isnan(event.length)) return HUGE_VAL;
+        // An engine that gave up, since the two are too far apart to matter, has no distance.
+        const double error = std::abs(event.length - exact);
+        if (std::isinf(event.length) || error <= query.triangle_tolerance) return std::nullopt;
+        // Some engines return a depth, as a negative number, for triangles that meet.
+        if (exact <= query.triangle_tolerance && event.length < 0) return std::nullopt;
+        return error;
     }
     if (triangles_overlap(a, b) == (event.kind == EngineEvent::Kind::items_meet))
         return std::nullopt;

@@ -87,6 +87,10 @@ class Judge {
         count_waste();
         count_objects();
         if (query_.complete) result_.divisions = check_divisions(query_, result_.tests, reach_);
+        if (query_.kind != QueryKind::collide && (!have_meshes(query_) || query_.self)) {
+            result_.answer = AnswerState::not_of_triangles;
+            return std::move(result_);
+        }
         if (query_.kind == QueryKind::distance) {
             judge_answer();
             return std::move(result_);
@@ -114,17 +118,28 @@ class Judge {
     void find_certificates(std::size_t first) {
         const std::size_t count = std::min(query_.events.size() - first, events_at_once);
         certificates_.assign(count, std::nullopt);
+        of_bounds_.assign(query_.kind == QueryKind::collide ? 0 : count, std::nullopt);
         parallel_blocks(
             processor_count(), count,
             [&](std::size_t from, std::size_t end) {
                 for (std::size_t i = from; i < end; ++i) {
                     const EngineEvent& event = query_.events[first + i];
-                    if (event.kind == Kind::volumes)
-                        certificates_[i] =
-                            certificate_of(query_, query_.b_to_a, nodes_of(query_, event), reach_);
+                    if (event.kind == Kind::volumes) find_certificate(i, event);
                 }
             },
             events_in_block);
+    }
+
+    /// The certificate of a test, and of its recorded bound if that may be wrong.
+    void find_certificate(std::size_t i, const EngineEvent& event) {
+        const IndexPair nodes = nodes_of(query_, event);
+        certificates_[i] = certificate_of(query_, query_.b_to_a, nodes, reach_);
+        if (!event.has_length || query_.kind == QueryKind::collide) return;
+        const bool is_apart = certificates_[i] && certificates_[i]->contact == Contact::disjoint;
+        // A bound up to the reach is right for volumes that are farther apart than the reach.
+        if (!(event.length > 0) || std::isinf(event.length) || (event.length <= reach_ && is_apart))
+            return;
+        of_bounds_[i] = certificate_of(query_, query_.b_to_a, nodes, event.length);
     }
 
     /// Counts the objects that have neither an extent nor a leaf with a volume.
@@ -218,7 +233,7 @@ class Judge {
         if (found) test.margin = found->margin;
         test.early = query_.kind == QueryKind::distance && event.has_length &&
                      test.verdict == TestVerdict::false_positive && event.length > reach_;
-        if (event.has_length && query_.kind != QueryKind::collide) take_bound(test, event.length);
+        if (event.has_length && query_.kind != QueryKind::collide) take_bound(i, event.length);
         const TestLinks::Link link =
             links_.take_volumes(test.nodes, event.stage == 0, event.parent);
         test.parent = link.led_by;
@@ -226,32 +241,26 @@ class Judge {
         result_.tests.push_back(test);
     }
 
-    /// Notes a bound that the distance of the volumes contradicts.
-    void take_bound(const JudgedTest& test, double bound) {
-        // A bound up to the reach is right for volumes that are farther apart than the reach.
-        if (bound <= 0 || (bound <= reach_ && is_apart(test))) return;
+    /// Notes a bound that the distance of the volumes contradicts. An infinite bound says that the
+    /// engine gave up, since the pair is too far away to matter.
+    void take_bound(std::uint32_t event, double bound) {
         const auto number = static_cast<std::uint32_t>(result_.tests.size());
-        if (!std::isfinite(bound)) {
-            if (test.verdict != TestVerdict::unjudged)
-                result_.wrong_bounds.push_back({number, bound, HUGE_VAL});
+        if (std::isnan(bound)) {
+            result_.wrong_bounds.push_back({number, bound, HUGE_VAL});
             return;
         }
-        const auto found = certificate_of(query_, query_.b_to_a, test.nodes, bound);
+        const std::optional<ContactCertificate>& found = of_bounds_[event % events_at_once];
         if (found && found->contact == Contact::overlapping)
             result_.wrong_bounds.push_back({number, bound, found->margin});
     }
 
-    /// Whether it is proven that the volumes of a judged test are farther apart than the reach.
-    bool is_apart(const JudgedTest& test) const {
-        const auto& found = certificates_[test.event % events_at_once];
-        return found && found->contact == Contact::disjoint;
-    }
-
     /// Judges the distance that the query found, and finds out why a nearer pair was missed.
     void judge_answer() {
-        if (!has_known_items(query_) || !have_meshes(query_) || query_.self) return;
-        result_.not_certified = !truth_.certified;
-        if (!truth_.certified) return;
+        if (!query_.answer && !query_.has_answers)
+            result_.answer = AnswerState::not_recorded;
+        else if (!truth_.certified)
+            result_.answer = AnswerState::not_certified;
+        if (result_.answer != AnswerState::judged) return;
         result_.exact = 1;
         result_.reported = query_.answer.has_value();
         result_.answer_problems = check_answer(query_, truth_);
@@ -406,7 +415,8 @@ class Judge {
     TestLinks links_;
     const double reach_;                ///< see reach_of
     const std::vector<bool> left_out_;  ///< per test of volumes, see left_out_tests; or empty
-    std::vector<std::optional<ContactCertificate>> certificates_;  ///< see find_certificates
+    /// See find_certificates: of tests of volumes, and of their recorded bounds.
+    std::vector<std::optional<ContactCertificate>> certificates_, of_bounds_;
     std::optional<SelfPairs> self_;  ///< set in a self query of triangles
     // By pair_key: lookups only.
     std::unordered_map<std::uint64_t, ItemTest> item_tests_;  ///< the first test of each pair
@@ -425,31 +435,69 @@ std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
                       [&](const JudgedTest& test) { return test.verdict == verdict; }));
 }
 
+namespace {
+
+/// The pairs of items that a query tested or reported, by pair_key: lookups only.
+std::unordered_set<std::uint64_t> measured_items(const EngineQuery& query) {
+    std::unordered_set<std::uint64_t> measured;
+    for (const EngineEvent& event : query.events)
+        if (event.kind != Kind::volumes) measured.insert(pair_key(query, event.a, event.b));
+    return measured;
+}
+
+/// Whether a pair of leaves without a test of their items was left out: some of their triangles
+/// were not measured elsewhere. In doubt it was not.
+bool misses_items(const EngineQuery& query, IndexPair leaves,
+                  const std::unordered_set<std::uint64_t>& measured) {
+    constexpr std::size_t most_pairs = 4096;
+    const auto of_a = query.sides[0].tree->items(leaves.a),
+               of_b = query.sides[1].tree->items(leaves.b);
+    if (measured.empty() || query.self || of_a.size() * of_b.size() > most_pairs) return false;
+    for (const std::uint32_t a : of_a)
+        for (const std::uint32_t b : of_b)
+            if (!measured.contains(pair_key(query, a, b)) && has_items(query, {a, b}) &&
+                are_finite(query, {a, b}))
+                return true;
+    return false;
+}
+
+}  // namespace
+
 std::vector<bool> left_out_tests(const EngineQuery& query) {
     if (query.kind == QueryKind::collide) return {};
     // A query that ended early leaves nodes that it had no reason to leave out.
     double most = query.complete ? 0 : query.limit;
     if (!query.complete && query.kind == QueryKind::distance && query.answer)
         most = std::min(most, query.answer->distance) / (1 + query.relative_error);
+    const std::unordered_set<std::uint64_t> measured = measured_items(query);
     TestLinks links(query);
     std::vector<bool> left_out;
+    std::vector<std::uint32_t> first;  // per test, the first test of the same nodes
+    std::unordered_map<std::uint64_t, std::uint32_t> tests;  // lookups only
+    const auto keep = [&](std::uint32_t led_by) {
+        if (led_by != no_index) left_out[first[led_by]] = false;
+    };
+    bool reports_below = false;  // pairs below nodes whose leaves were not tested
     for (const EngineEvent& event : query.events) {
-        if (event.kind == Kind::pair) continue;
         if (event.kind != Kind::volumes) {
-            const std::uint32_t led_by = links.led_to_items({event.a, event.b});
-            if (led_by != no_index) left_out[led_by] = false;
+            reports_below |= event.kind == Kind::pair && !links.tested_nodes_of({event.a, event.b});
+            keep(links.led_to_items({event.a, event.b}));
             continue;
         }
         const IndexPair nodes = nodes_of(query, event);
-        const std::uint32_t led_by =
-            links.take_volumes(nodes, event.stage == 0, event.parent).led_by;
-        if (led_by != no_index) left_out[led_by] = false;
-        const bool needs_items = nodes.a != no_index && nodes.b != no_index &&
-                                 query.sides[0].shape->is_leaf(nodes.a) &&
-                                 query.sides[1].shape->is_leaf(nodes.b);
-        left_out.push_back(event.has_length && !(event.length < most) &&
-                           (query.has_item_tests || !needs_items));
+        keep(links.take_volumes(nodes, event.stage == 0, event.parent).led_by);
+        const auto number = static_cast<std::uint32_t>(left_out.size());
+        const bool exists = nodes.a != no_index && nodes.b != no_index;
+        first.push_back(
+            exists ? tests.try_emplace(pair_key(query, nodes.a, nodes.b), number).first->second
+                   : number);
+        const bool leaves = exists && query.sides[0].shape->is_leaf(nodes.a) &&
+                            query.sides[1].shape->is_leaf(nodes.b);
+        left_out.push_back(exists && event.has_length && !(event.length < most) &&
+                           (!leaves || misses_items(query, nodes, measured)));
     }
+    for (std::size_t i = 0; i < left_out.size(); ++i)
+        left_out[i] = !reports_below && left_out[i] && left_out[first[i]];
     return left_out;
 }
 

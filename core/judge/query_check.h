@@ -33,6 +33,14 @@ struct JudgedTest {
     double margin = 0;
 };
 
+/// Whether the results of a query of distances were judged, and why not.
+enum class AnswerState : std::uint8_t {
+    judged,
+    not_of_triangles,  ///< of objects, or of a body to itself
+    not_recorded,      ///< the recording has no distances
+    not_certified,     ///< no certificate proves the distance
+};
+
 /// A recorded bound that is larger than the distance of the volumes.
 struct WrongBound {
     std::uint32_t test = 0;  ///< the judged test
@@ -121,9 +129,9 @@ struct QueryJudgement {
     std::vector<WrongItemTest> stray_item_tests;
     std::vector<WrongBound> wrong_bounds;
     std::vector<AnswerProblem> answer_problems;
-    bool not_certified = false;  ///< the answer of a distance query, so it is not judged
-    std::uint64_t reported = 0;  ///< pairs, repeated ones once
-    std::uint64_t exact = 0;     ///< pairs that intersect
+    AnswerState answer = AnswerState::judged;  ///< in a query of distances
+    std::uint64_t reported = 0;                ///< pairs, repeated ones once
+    std::uint64_t exact = 0;                   ///< pairs that intersect
     /// Pairs that intersect, if the results of the query were not recorded.
     std::uint64_t without_results = 0;
     std::uint64_t grazing = 0;         ///< pairs within the tolerance, reported or not: not judged

@@ -59,8 +59,8 @@ ConvexShape convex_shape(const NodeVolume& volume);
 /// The box along the axes about the shape.
 Box box_about(const ConvexShape& shape);
 
-/// The exact verdict on two volumes, in A's frame, of which A is grown by `reach` on all sides: so
-/// they overlap if they are nearer than `reach`. They touch if the gap or depth is within
+/// The exact verdict on two volumes in A's frame. A is grown by `reach`, so volumes nearer than
+/// `reach` overlap. They touch if the gap or depth is within
 /// `tolerance`, a length. There is no verdict if one has no volume. There is none for a ball cut by
 /// two slabs with a volume of another type, with its center outside of a slab, or with a reach.
 /// There is none for two open boxes that are turned against each other and do not meet near their

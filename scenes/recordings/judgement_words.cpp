@@ -132,7 +132,7 @@ std::string words_of(const AnswerProblem& problem) {
             return words + format("; it is %.6g times the distance, as in another unit of length",
                                   problem.factor);
         case AnswerCause::frame_before:
-            return words + "; it is the distance of the frame before";
+            return words + "; it is the distance of an earlier frame";
     }
     return words;
 }

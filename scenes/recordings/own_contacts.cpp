@@ -16,6 +16,7 @@ QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
     if (!meshes[0] || !meshes[1]) return {};
     if (query.kind == QueryKind::distance) return nearest(query, meshes);
     std::vector<IndexPair> pairs;
+    if (query.self && query.kind == QueryKind::within) return {};
     if (query.self)
         pairs = SelfPairs(*meshes[0], query.sides[0].rest ? *query.sides[0].rest : *meshes[0])
                     .all(*hierarchy_of(meshes[0]));
@@ -44,7 +45,10 @@ QueryTruth OwnContacts::nearest(const EngineQuery& query, const Meshes& meshes) 
     const Distance found = distance(a, b, query.b_to_a);
     truth.distance = found.found.distance;
     truth.closest = found.triangles;
-    if (!found.triangles) return truth;
+    // A triangle that is not finite is a point here, and has no distance.
+    if (!found.triangles || !has_finite_corners(*query.sides[0].mesh, found.triangles->a) ||
+        !has_finite_corners(*query.sides[1].mesh, found.triangles->b))
+        return truth;
     const DistanceCertificate certificate =
         make_certificate(mesh_tree(a), mesh_tree(b), query.b_to_a, *found.triangles);
     truth.certified =

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -197,7 +198,7 @@ inline constexpr std::size_t recorded_aim_count = 3;
 /// The current query measures distances.
 struct RecordedMeasure {
     std::uint8_t aim = 0;       ///< a RecordedAim
-    double limit = 0;           ///< nothing beyond this distance is looked for
+    double limit = HUGE_VAL;    ///< nothing beyond this distance is looked for
     double relative_error = 0;  ///< the answer may be so much too large
 
     bool operator==(const RecordedMeasure&) const = default;

@@ -39,6 +39,7 @@ std::optional<std::uint32_t> tree_recorded_by(const Record& record) {
 RecordedQueries::RecordedQueries(const RecordingFile& file)
     : name_(file.path), selection_(file.selection), reader_(file.bytes, file.path) {
     query_.has_item_tests = file.summary.item_tests > 0;
+    query_.has_answers = file.summary.has_pairs || file.summary.answers > 0;
     query_.has_pairs = file.summary.has_pairs || file.summary.pairs > 0;
 }
 
@@ -115,9 +116,15 @@ void RecordedQueries::take(const RecordedEvent& event) {
 void RecordedQueries::take(const RecordedMeasure& measure) {
     if (!in_query_) return note(unusable_, "a measure of distances stands outside of queries");
     if (!is_selected_) return;
+    const bool is_within = measure.aim == static_cast<std::uint8_t>(RecordedAim::within);
     if (measure.aim >= recorded_aim_count || !(measure.limit >= 0) ||
-        !(measure.relative_error >= 0 && std::isfinite(measure.relative_error)))
-        return note(unusable_, "a query has a kind, a limit or a relative error that is none");
+        (is_within && std::isinf(measure.limit)) ||
+        !(measure.relative_error >= 0 && std::isfinite(measure.relative_error))) {
+        query_.is_known = false;
+        return note(unusable_,
+                    "a distance query has an unknown kind, or a limit or relative error that is "
+                    "negative or no number");
+    }
     constexpr std::array<QueryKind, recorded_aim_count> kinds = {
         QueryKind::collide, QueryKind::distance, QueryKind::within};
     query_.kind = kinds[measure.aim];
@@ -254,6 +261,7 @@ void RecordedQueries::take(const RecordedQuery& query) {
     }
     query_.events.clear();
     query_.kind = QueryKind::collide;
+    query_.is_known = true;
     query_.limit = HUGE_VAL;
     query_.relative_error = 0;
     query_.answer.reset();

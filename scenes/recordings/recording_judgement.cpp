@@ -94,16 +94,21 @@ class RecordingJudge {
             take_faulty_pose(name);
             return;
         }
+        if (!query.is_known) {
+            ++unknown_kinds_;
+            return;
+        }
         note_stretch(bodies);
         const bool known = has_known_items(query);
         result_.unknown_items += !known;
         note_moves(query, name);
         QueryTruth truth = own_.truth(query, recording_.finite_meshes());
-        if (const auto before = distances_.find(bodies); before != distances_.end())
-            truth.distance_before = before->second;
+        if (const auto before = distances_.find(bodies);
+            before != distances_.end() && before->second.first < query.frame)
+            truth.distance_before = before->second.second;
         const QueryJudgement judged = judge_query(query, truth, go_on_);
         if (judged.interrupted) return;
-        if (query.kind == QueryKind::distance) distances_[bodies] = truth.distance;
+        if (truth.certified) distances_[bodies] = {query.frame, truth.distance};
         if (visit_) visit_(recording_, judged);
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         tests_.take(recording_, query, judged, name, row);
@@ -112,6 +117,10 @@ class RecordingJudge {
         result_.wasted_weak += judged.wasted_weak;
         result_.wasted_loose += judged.wasted_loose;
         result_.grazing += judged.grazing;
+        if (query.kind != QueryKind::collide) {
+            ++measuring_queries_;
+            ++answer_states_[static_cast<std::size_t>(judged.answer)];
+        }
         if (query.kind == QueryKind::distance) take_answer(query, judged, name);
         if (query.kind == QueryKind::within) note_twice(query, judged, name);
         take_pairs(query, judged, name, row);
@@ -163,27 +172,28 @@ class RecordingJudge {
 
     void take_answer(const EngineQuery& query, const QueryJudgement& judged,
                      const QueryName& name) {
-        ++distance_queries_;
         result_.distances += query.answer.has_value();
-        not_certified_ += judged.not_certified;
-        unmeasured_ += query.self || !has_known_items(query);
         for (const AnswerProblem& problem : judged.answer_problems)
             add_case(answers_, fault_words(problem.fault),
                      {name, words_of(problem), {no_index, no_index}, problem.items});
     }
 
-    /// Whether the query reported just the pairs within twice its tolerance.
+    /// Notes whether the first query with false pairs reported just the pairs within twice its
+    /// tolerance.
     void note_twice(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name) {
         const bool any =
             std::any_of(judged.pairs.begin(), judged.pairs.end(),
                         [](const PairProblem& pair) { return !is_missed(pair.cause); });
-        if (!any || twice_noted_) return;
+        if (!any || std::exchange(twice_tried_, true)) return;
         EngineQuery twice = query;
         twice.limit *= 2;
-        const QueryJudgement again =
-            judge_query(twice, own_.truth(twice, recording_.finite_meshes()), go_on_);
-        if (!again.pairs.empty() || again.interrupted) return;
-        twice_noted_ = true;
+        std::set<IndexPair> reported;
+        for (const EngineEvent& event : query.events)
+            if (event.kind ==
+                (query.has_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet))
+                reported.insert({event.a, event.b});
+        const std::vector<IndexPair> within = own_.truth(twice, recording_.finite_meshes()).pairs;
+        if (!std::equal(within.begin(), within.end(), reported.begin(), reported.end())) return;
         result_.notes.push_back(query_words(name) +
                                 ": the reported pairs are the pairs within twice the tolerance, "
                                 "as if the tolerance had been added twice");
@@ -273,10 +283,18 @@ class RecordingJudge {
                            tree_words(recording_, number) + " was recorded without nodes");
         }
         tests_.list_not_judged(result_.not_judged);
-        not_judged(not_certified_ - unmeasured_, distance_queries_, "distances",
-                   "no certificate proves the distance of the bodies");
-        not_judged(unmeasured_, distance_queries_, "distances",
-                   "they are of objects, or of a body to itself");
+        const auto unanswered = [this](AnswerState state, const std::string& why) {
+            not_judged(answer_states_[static_cast<std::size_t>(state)], measuring_queries_,
+                       "queries of distances", why);
+        };
+        unanswered(AnswerState::not_of_triangles, "they are of objects, or of a body to itself");
+        unanswered(AnswerState::not_recorded,
+                   "no distances were recorded; where none was found, the setting `results` with "
+                   "the value `pairs` says so");
+        unanswered(AnswerState::not_certified, "no certificate proves the distance of the bodies");
+        not_judged(unknown_kinds_, queries_, "queries",
+                   recording_.unusable().count > 0 ? recording_.unusable().first[0]
+                                                   : "their kind is not known");
         std::uint64_t reported = 0;
         for (const FrameJudgement& row : result_.frames) reported += row.pairs;
         const std::uint64_t pairs = std::max(reported, result_.exact_pairs);
@@ -340,10 +358,12 @@ class RecordingJudge {
     QueryCosts costs_;
     TestFindings tests_;
     ProblemGroups missed_, false_, answers_;
-    std::uint64_t distance_queries_ = 0, not_certified_ = 0, unmeasured_ = 0;
-    bool twice_noted_ = false;  ///< see note_twice
-    /// Per pair of bodies, the smallest distance at their last query, if it was certified.
-    std::map<std::array<std::uint32_t, 2>, double> distances_;
+    std::uint64_t unknown_kinds_ = 0;               ///< queries whose kind is not known
+    std::uint64_t measuring_queries_ = 0;           ///< queries of distances
+    std::array<std::uint64_t, 4> answer_states_{};  ///< of these, by AnswerState
+    bool twice_tried_ = false;                      ///< see note_twice
+    /// Per pair of bodies, the frame and the certified distance of their last distance query.
+    std::map<std::array<std::uint32_t, 2>, std::pair<int, double>> distances_;
     PoseSearch poses_;
     bool moves_noted_ = false;
     // What was not judged, and why.

@@ -97,18 +97,26 @@ std::vector<double> distances_before(const EngineQuery& query) {
 std::string comparison_words(const EngineQuery& query, const QueryJudgement& judged,
                              const std::vector<std::uint32_t>& tests) {
     const std::vector<double> before = distances_before(query);
-    const auto all = [&](const auto& is_explained) {
-        return std::all_of(tests.begin(), tests.end(), [&](std::uint32_t i) {
-            const double bound = query.events[judged.tests[i].event].length;
-            return bound < before[i] && is_explained(bound, before[i]);
-        });
+    // The comparison must leave out the nodes that were left out, and no others.
+    const auto all = [&](const auto& leaves_out) {
+        const auto is_left_out = [&](std::uint32_t i) {
+            return leaves_out(query.events[judged.tests[i].event].length, before[i]);
+        };
+        for (std::uint32_t i = 0; i < judged.tests.size(); ++i) {
+            const EngineEvent& event = query.events[judged.tests[i].event];
+            const bool is_divided = event.stage == 0 && !judged.tests[i].left_out;
+            if (is_divided && event.has_length && is_left_out(i)) return false;
+        }
+        return std::all_of(tests.begin(), tests.end(), is_left_out);
     };
+    const std::string known =
+        query.kind == QueryKind::within ? "the tolerance" : "the distance that was known then";
     if (all([](double bound, double best) { return bound * bound >= best; }))
-        return "; the square of each such bound is above the distance that was known then: is a "
-               "square compared with a plain length?";
+        return "; the square of each such bound is above " + known +
+               ": is a square compared with a plain length?";
     if (all([](double bound, double best) { return bound >= best * best; }))
-        return "; each such bound is above the square of the distance that was known then: is a "
-               "plain length compared with a square?";
+        return "; each such bound is above the square of " + known +
+               ": is a plain length compared with a square?";
     return "; no test of nodes below them followed";
 }
 
@@ -133,7 +141,7 @@ void TestFindings::take_distances(const EngineQuery& query, const QueryJudgement
         has_wrong_bound[wrong.test] = true;
         const std::string bound = format(", bound %.6g", wrong.bound);
         if (std::isinf(wrong.excess))
-            note(wrong.test, "a bound that is no finite number", bound);
+            note(wrong.test, "a bound that is no number", bound);
         else
             note(wrong.test, "a bound that is larger than the distance of the volumes",
                  bound + ", too large by " + amount_words(wrong.excess) + " or more");
@@ -185,7 +193,7 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
             stage.farthest = query_words(name) + ": " + words() + ", " + apart_words(test.margin);
         }
         // Tests of other engines may pass disjoint volumes.
-        if (recording.has_exact_tests()) {
+        if (recording.has_exact_tests() && !is_of_distance(query)) {
             ++row.wrong;
             note("a test of an engine whose tests are exact passed volumes that are apart",
                  ", " + apart_words(test.margin));
@@ -220,6 +228,13 @@ void TestFindings::take_items(const EngineQuery& query, const WrongItemTest& tes
         return add(query.sides[0].mesh ? "a test of a triangle that its mesh does not have"
                                        : "a test of an object that its tree does not have",
                    {name, words, {no_index, no_index}, {no_index, no_index}, test.test});
+    if (is_of_distance(query) && !event.has_length)
+        return add("a test of two triangles is wrong about whether they are within the tolerance",
+                   {name,
+                    words + ", by " + amount_words(test.margin),
+                    {no_index, no_index},
+                    {event.a, event.b},
+                    test.test});
     if (is_of_distance(query))
         return add("a measured distance of two triangles is wrong",
                    {name,

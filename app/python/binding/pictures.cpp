@@ -57,7 +57,7 @@ SharedImage draw_pairs(app::QueryViewOptions& options, bool leaves, bool recorde
     const QueryTrace& frame = source.frame(source.frames()[0]);
     Drawing drawing(options.picture);
     const app::QueryView view(options, sources, drawing.renderer);
-    const render::PairsStyle style{leaves, options.picture.theme()};
+    const render::PairsStyle style{.leaves = leaves, .theme = options.picture.theme()};
     return drawing.draw(app::pairs_figure(view, source, frame, view.bodies(frame.frame), style),
                         options.picture);
 }

@@ -124,7 +124,7 @@ TEST_F(RenderTraversal, BoundsOfADistance) {
         for (const char* key : {"distance", "n_v", "n_p"})
             EXPECT_EQ(index["files"][i][key], live["frames"][i][key]) << key;
     const std::string name = index["files"][0]["file"];
-    EXPECT_NE(name.find("query-distance"), std::string::npos) << name;
+    EXPECT_NE(name.find("kind-distance"), std::string::npos) << name;
     EXPECT_GT(file("out", name).size(), 1000u);
     // Volumes that were chosen stay, and so does the diagram.
     draw("spheres-l1 --frames 0 --kind distance --volume obb --show icicle", "obb");
