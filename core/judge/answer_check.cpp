@@ -27,8 +27,9 @@ class AnswerCheck {
                 add(AnswerFault::none);
             return std::move(problems_);
         }
-        // Beyond the limit an engine may return any number that is not below it.
-        if (truth_.distance > query_.limit && query_.answer->distance >= query_.limit - tolerance_)
+        // Beyond the limit an engine may return any number that is no distance below the limit.
+        if (truth_.distance > query_.limit &&
+            (query_.answer->distance >= query_.limit - tolerance_ || query_.answer->distance < 0))
             return {};
         // Some engines return a depth, as a negative number, for bodies that meet.
         if (truth_.distance <= tolerance_ && query_.answer->distance < 0) return {};

@@ -21,8 +21,7 @@ struct QueryTruth {
     double distance = HUGE_VAL;
     std::optional<IndexPair> closest{};
     bool certified = false;  ///< a certificate proves the distance
-    /// The certified distance of the bodies at an earlier frame, that of their last distance query
-    /// there.
+    /// The certified distance of the bodies at their last distance query in an earlier frame.
     std::optional<double> distance_before{};
 };
 

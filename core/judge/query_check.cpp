@@ -452,7 +452,7 @@ bool misses_items(const EngineQuery& query, IndexPair leaves,
     constexpr std::size_t most_pairs = 4096;
     const auto of_a = query.sides[0].tree->items(leaves.a),
                of_b = query.sides[1].tree->items(leaves.b);
-    if (measured.empty() || query.self || of_a.size() * of_b.size() > most_pairs) return false;
+    if (measured.empty() || query.self || !have_meshes(query) || of_a.size() * of_b.size() > most_pairs) return false;
     for (const std::uint32_t a : of_a)
         for (const std::uint32_t b : of_b)
             if (!measured.contains(pair_key(query, a, b)) && has_items(query, {a, b}) &&

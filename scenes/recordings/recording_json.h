@@ -13,7 +13,7 @@ namespace scb::scenes {
 inline constexpr EnumNames<RecordedKind, recorded_kind_count> recorded_kind_names{
     "none", "aabb", "obb", "ball", "capsule", "rss", "kdop", "scb", "scb2", "hull"};
 
-/// The names of what a query measures.
+/// The names of the aims of queries.
 inline constexpr EnumNames<RecordedAim, recorded_aim_count> recorded_aim_names{
     "overlap", "distance", "within"};
 
