@@ -9,42 +9,10 @@
 
 #include "core/distance/precise_features.h"
 #include "tests/core/geometry/distance_oracle.h"
-#include "tests/core/geometry/triangle_pairs.h"
+#include "tests/core/geometry/distance_pairs.h"
 
 namespace scb {
 namespace {
-
-double largest_coordinate(const TriangleCorners& t) {
-    double most = 0;
-    for (const Vec3& p : t) most = std::max(most, p.cwiseAbs().maxCoeff());
-    return most;
-}
-
-/// The error that the header states.
-double allowed_error(const TrianglePair& pair) {
-    return 4 * 0x1p-52 * std::max(largest_coordinate(pair.a), largest_coordinate(pair.b));
-}
-
-/// Triangles of any shape, near each other and far away, on and off the origin.
-TrianglePair random_shapes(Random& random) {
-    TrianglePair pair;
-    const double gap = std::pow(10, random.uniform(-6, 1)),
-                 size = std::pow(10, random.uniform(-3, 1)),
-                 far = random.below(3) == 0 ? std::pow(10, random.uniform(0, 3)) : 0;
-    for (TriangleCorners* t : {&pair.a, &pair.b})
-        for (Vec3& corner : *t)
-            for (int axis = 0; axis < 3; ++axis)
-                corner[axis] = random.uniform(-1, 1) * (t == &pair.a ? 1 : size);
-    for (TriangleCorners* t : {&pair.a, &pair.b})
-        if (random.below(3) == 0)  // a needle
-            (*t)[2] = (*t)[0] + random.uniform(0, 1) * ((*t)[1] - (*t)[0]) +
-                      std::pow(10, random.uniform(-8, -2)) * Vec3(0.3, -0.5, 0.7);
-    Vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    for (Vec3& corner : pair.b) corner += way * gap;
-    for (TriangleCorners* t : {&pair.a, &pair.b})
-        for (Vec3& corner : *t) corner += Vec3::Constant(far);
-    return pair;
-}
 
 TEST(TriangleDistanceResult, IsThatOfAnOracleInHigherPrecision) {
     Random random(17);
@@ -69,24 +37,6 @@ TEST(TriangleDistanceResult, IsThatOfAnOracleInHigherPrecision) {
     }
     EXPECT_GT(positive, 4'000 / effort);
     EXPECT_GT(worst, 0.05) << "the bound is far too large";
-}
-
-/// Triangles with nearly parallel edges that cross each other nearby.
-TrianglePair nearly_parallel(Random& random) {
-    const auto vector = [&random] {
-        return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    };
-    const Vec3 middle = vector(), along = vector();
-    const auto triangle = [&](const Vec3& point, const Vec3& edge) {
-        return TriangleCorners{Vec3(point - random.uniform(0.1, 1) * edge),
-                               Vec3(point + random.uniform(0.1, 1) * edge),
-                               Vec3(point + random.uniform(0, 1) * vector())};
-    };
-    const double tilt = std::pow(10, random.uniform(-9, 0)),
-                 gap = std::pow(10, random.uniform(-12, 0)),
-                 length = std::pow(10, random.uniform(-1, 1));
-    return {triangle(middle, along),
-            triangle(middle + gap * vector(), length * (along + tilt * vector()))};
 }
 
 /// The distance of the points that double-doubles find.
