@@ -28,7 +28,8 @@ struct GapTally {
 /// Of volume_gap, for as many pairs of one kind of volume, drawn from the seed.
 GapTally tally_gaps(VolumeKind kind, std::uint64_t seed, std::uint64_t pairs);
 /// Of the packed volumes with one slab or two: bounds of the float lanes, at the best level. The
-/// volumes are those of the stored floats. Without the margin for floats if `with_margin` is false.
+/// volumes are the sets that the stored floats define. Without the margin for floats if
+/// `with_margin` is false.
 GapTally tally_packed_gaps(int slabs, std::uint64_t seed, std::uint64_t pairs,
                            bool with_margin = true);
 
