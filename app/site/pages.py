@@ -22,6 +22,7 @@ MANUALS = [
     "scenes/recordings/README.md",
     "scenes/recordings/engines.md",
     "scenes/recordings/broken.md",
+    "scenes/recordings/broken-distances.md",
     "golden/README.md",
     "core/README.md",
     "app/packages/README.md",
