@@ -14,9 +14,9 @@ QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
     if (has_object_volumes(query) && query.kind == QueryKind::collide)
         return object_contacts(query);
     if (!meshes[0] || !meshes[1]) return {};
+    if (query.self && query.kind != QueryKind::collide) return {};
     if (query.kind == QueryKind::distance) return nearest(query, meshes);
     std::vector<IndexPair> pairs;
-    if (query.self && query.kind == QueryKind::within) return {};
     if (query.self)
         pairs = SelfPairs(*meshes[0], query.sides[0].rest ? *query.sides[0].rest : *meshes[0])
                     .all(*hierarchy_of(meshes[0]));
@@ -39,7 +39,6 @@ QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
 
 QueryTruth OwnContacts::nearest(const EngineQuery& query, const Meshes& meshes) {
     QueryTruth truth;
-    if (query.self) return truth;
     const Collider<Obb> a{*hierarchy_of(meshes[0]), *meshes[0]},
         b{*hierarchy_of(meshes[1]), *meshes[1]};
     const Distance found = distance(a, b, query.b_to_a);
