@@ -120,23 +120,19 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     add_row(bodies, frame, found, std::move(cells), std::move(json), is_apart);
 }
 
+MeshTree DistanceReport::mesh_tree(std::size_t body) const {
+    return {query_.mesh(body), topology_of(query_.hierarchy(body))};
+}
+
 double DistanceReport::rounding(int frame) const {
-    double largest = 0;
-    const auto take = [&largest](const Mesh& mesh, const Pose& pose) {
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            for (const Vec3& corner : transform_corners(pose, corners(mesh, t)))
-                largest = std::max(largest, corner.cwiseAbs().maxCoeff());
-    };
-    take(query_.mesh(query_.a), Pose{});
-    take(query_.mesh(query_.b), query_.b_to_a(frame));
-    return allowed_width(0, largest);
+    const Pose b_to_a = query_.b_to_a(frame);
+    return allowed_width(0,
+                         std::max(placed_corners(mesh_tree(query_.a), nullptr).largest_coordinate,
+                                  placed_corners(mesh_tree(query_.b), &b_to_a).largest_coordinate));
 }
 
 Json DistanceReport::prove(int frame, const Distance& found) {
-    const auto tree = [this](std::size_t body) {
-        return MeshTree{query_.mesh(body), topology_of(query_.hierarchy(body))};
-    };
-    const MeshTree a = tree(query_.a), b = tree(query_.b);
+    const MeshTree a = mesh_tree(query_.a), b = mesh_tree(query_.b);
     const Pose b_to_a = query_.b_to_a(frame);
     const DistanceCertificate certificate = make_certificate(a, b, b_to_a, *found.triangles);
     const ProvenDistance proven = check_distance(a, b, b_to_a, certificate);

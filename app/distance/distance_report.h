@@ -16,6 +16,7 @@
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
+#include "core/distance/placed_corners.h"
 #include "render/figures/distance_plot.h"
 
 namespace scb::app {
@@ -76,6 +77,7 @@ class DistanceReport {
     nlohmann::ordered_json prove(int frame, const Distance& found);
     /// An error that a distance of the chosen bodies may have by rounding: 4 x 2^-52 of the largest
     /// coordinate in A's frame.
+    MeshTree mesh_tree(std::size_t body) const;
     double rounding(int frame) const;
     /// Adds a row for the chosen bodies, and its JSON. `judges_inside`: whether bodies without
     /// contact are to be judged.

@@ -189,6 +189,7 @@ int explain_recording(const ExplainOptions& options, const Console& console) {
     const auto [i, j] = options.nodes();
     const IndexPair numbers{checked_number(i, option), checked_number(j, option)};
     const std::unique_ptr<RecordedTrace> trace = open_trace(options, numbers);
+    refuse_recorded_distances(trace->header());
     note_left_out(*trace, console.notes());
     const RecordedPair found = recorded_pair(*trace, trace->frames()[0], numbers, option);
     const std::string title = printable(found.header().scene) + ", " +

@@ -101,19 +101,29 @@ std::string trees_text(const RecordingJudgement& judged, std::size_t top, std::s
     return text + "\n";
 }
 
+/// Words about tests of overlap, about bounds of distances, or about both, by the recorded queries.
+std::string by_aim(const RecordingJudgement& judged, const std::string& overlap,
+                   const std::string& distance) {
+    if (judged.summary.measures == 0) return overlap;
+    return judged.summary.measures == judged.summary.queries ? distance
+                                                             : overlap + ", or " + distance;
+}
+
 std::string tests_text(const RecordingJudgement& judged) {
     if (judged.stages.empty() || judged.total(&FrameJudgement::volume_tests) == 0)
         return "Tests: no tests of volumes were recorded.\n\n";
-    const bool measures = judged.summary.measures > 0;
+    const auto name_of = [&judged](const scenes::StageJudgement& stage) {
+        return stage.name == "overlap" ? by_aim(judged, stage.name, "bounds") : stage.name;
+    };
     std::size_t width = 5;
-    for (const auto& stage : judged.stages) width = std::max(width, character_count(stage.name));
+    for (const auto& stage : judged.stages)
+        width = std::max(width, character_count(name_of(stage)));
     std::string text = "Tests" + std::string(width - 3, ' ') + "      tests    false    wrong   " +
-                       (measures ? "nearer than the answer" : "deep in each other") +
+                       by_aim(judged, "deep in each other", "nearer than the answer") +
                        ", at least\n";
     for (const auto& stage : judged.stages) {
         text +=
-            "  " +
-            left_aligned(measures && stage.name == "overlap" ? "bounds" : stage.name, width) +
+            "  " + left_aligned(name_of(stage), width) +
             right_aligned(count_text(stage.tests), 11) +
             right_aligned(stage.false_positives > 0 ? count_text(stage.false_positives) : "", 9) +
             right_aligned(stage.wrong > 0 ? count_text(stage.wrong) : "", 9);
@@ -212,7 +222,7 @@ std::string results_text(const RecordingJudgement& judged) {
             (has_pairs ? " reported" : " met by the tests of triangles");
     if (judged.unknown_items < judged.total(&FrameJudgement::queries))
         text += ", " + count_text(judged.exact_pairs) +
-                (judged.summary.measures > 0 ? " are near enough; " : " intersect; ") +
+                by_aim(judged, " intersect", " are near enough") + "; " +
                 count_text(judged.total(&FrameJudgement::missed)) + " missed, " +
                 count_text(judged.total(&FrameJudgement::false_pairs)) + " false" +
                 (judged.grazing > 0 ? ", " + count_text(judged.grazing) + " within the tolerance"
@@ -230,18 +240,16 @@ std::string waste_text(const RecordingJudgement& judged) {
         judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
     const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose + judged.wasted_early;
-    const bool measures = judged.summary.measures > 0;
     if (!judged.summary.has_results())
         return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
                " tests are below volumes that do not even meet; what else led to nothing, only "
                "results tell.\n";
     return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
-           " tests: " + count_text(judged.wasted_loose) +
-           (measures ? " below volumes that are near enough though no triangles below them are, "
-                     : " below volumes that meet though nothing below them does, ") +
-           count_text(judged.wasted_weak) +
-           (measures ? " below volumes that are farther apart"
-                     : " below volumes that do not even meet") +
+           " tests: " + count_text(judged.wasted_loose) + " below volumes that " +
+           by_aim(judged, "meet though nothing below them does",
+                  "are near enough though no triangles below them are") +
+           ", " + count_text(judged.wasted_weak) + " below volumes that " +
+           by_aim(judged, "do not even meet", "are farther apart") +
            (judged.wasted_early > 0
                 ? ", " + count_text(judged.wasted_early) +
                       " below volumes that were tested before a near answer was known"

@@ -26,15 +26,17 @@ render::SceneFigure pairs_figure(const QueryView& view, const QuerySource& sourc
     const std::vector<render::Segment> contact = render::contact_segments(bodies, header, frame);
     const std::vector<AnyVolume> region = render::contact_region(bodies, header, frame, contact);
     figure.pane = render::pairs_pane(bodies, header, frame, contact, style, view.ids().first_free);
-    figure.panel = render::pairs_panel(bodies, header, frame, style);
+    std::vector<ContactPatch> patches;
+    if (style.patches) patches = render::patches_of(bodies, header, frame);
+    figure.panel = render::pairs_panel(bodies, header, frame, style, patches);
     if (frame.found.pairs.empty())
         figure.remark = "no contact";
     else if (!frame.found.complete)
         figure.remark = stopped_remark(frame);
     look_at_contact(figure, view, frame, region);
     if (style.patches)
-        figure.labels = render::patch_labels(render::patches_of(bodies, header, frame), bodies,
-                                             contact, figure.pane.camera, *style.theme);
+        figure.labels =
+            render::patch_labels(patches, bodies, contact, figure.pane.camera, *style.theme);
     view.show_place_of_contact(figure, region);
     return figure;
 }

@@ -104,11 +104,7 @@ int run(PairsOptions& options, const Console& console) {
             throw InputError(std::string(options.heat ? "--heat" : "--patches") +
                              ": the items of " + source.header().source.front() +
                              " are objects without triangles; leave it out.");
-    for (const QuerySource& source : sources)
-        if (options.patches && is_of_distance(source.header().kind))
-            throw InputError("--patches: the queries of " + source.header().source.front() +
-                             " are of distances, and patches are of triangles that intersect; "
-                             "leave it out.");
+    for (const QuerySource& source : sources) refuse_recorded_distances(source.header());
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
     std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);

@@ -28,10 +28,7 @@ void check_recorded(const scenes::RecordedTrace& recorded, const std::string& fi
         throw InputError(file +
                          ": its items are objects without triangles, so that there are no exact "
                          "pairs; see `scb trace` for what it recorded.");
-    if (is_of_distance(recorded.header().kind))
-        throw InputError(file +
-                         ": its queries are of distances, and this command finds the pairs that "
-                         "intersect; `scb inspect` judges distances.");
+    refuse_recorded_distances(recorded.header());
     if (recorded.sides()[0] == recorded.sides()[1])
         throw InputError(file +
                          ": its queries are of a body against itself, which this command does not "

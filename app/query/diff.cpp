@@ -6,6 +6,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/validators.h"
 #include "app/report/trace_report.h"
+#include "app/study/query_source.h"
 #include "core/base/exit_status.h"
 #include "core/platform/utf8.h"
 #include "scb/error.h"
@@ -87,6 +88,7 @@ int run(const DiffOptions& options, const Console& console) {
     };
     scenes::TestInput a(options.a, "all", options.bodies, selection(options.a, options.b)),
         b(options.b, "all", options.bodies, selection(options.b, options.a));
+    for (const scenes::TestInput* input : {&a, &b}) refuse_recorded_distances(input->header());
     for (const scenes::TestInput* input : {&a, &b})
         if (const auto& engine = input->header().engine; engine && engine->left_out > 0)
             throw InputError(

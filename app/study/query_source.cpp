@@ -217,6 +217,14 @@ std::vector<std::size_t> QuerySource::level_overlaps(const QueryTrace& frame,
                                header().options.overlap, most);
 }
 
+void refuse_recorded_distances(const TraceHeader& header) {
+    if (header.engine && is_of_distance(header.kind))
+        throw InputError(header.source.front() +
+                         ": these queries are of distances, and this command is for queries of "
+                         "overlap; `scb inspect` judges them, and `scb render traversal` and `scb "
+                         "trace --events` show their tests.");
+}
+
 void note_left_out(const scenes::RecordedTrace& recorded, const Note& note) {
     const TraceHeader& header = recorded.header();
     const std::uint64_t count = header.engine->left_out;

@@ -70,6 +70,10 @@ class QuerySource {
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
 };
 
+/// Throws InputError for recorded queries of distances, of commands that would take them for queries
+/// of overlap. Of other headers, does nothing.
+void refuse_recorded_distances(const TraceHeader& header);
+
 /// Notes the queries of a recording that are left out, since they are not the first of their frame.
 void note_left_out(const scenes::RecordedTrace& recorded, const Note& note);
 

@@ -140,6 +140,7 @@ class Columns {
         auto sources = std::make_unique<QuerySources>();
         sources->emplace_back(scene, asked_.hierarchy, query, QueryLimits{}, true);
         QuerySource& source = sources->front();
+        refuse_recorded_distances(source.header());
         note_left_out(*source.recorded(), note_);
         add(source, recording.engine + ", " + source.header().engine->volumes, scene.names);
         subject_.sources.push_back(std::move(sources));

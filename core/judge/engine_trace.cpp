@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/judge/query_check.h"
+#include "core/judge/left_out_tests.h"
 #include "core/judge/test_links.h"
 #include "scb/triangle_distance.h"
 

@@ -7,7 +7,7 @@
 
 namespace scb {
 
-/// The number, in `stages` of trace_frame, of tests that left_out_tests names; no recorded stage
+/// The number, in `stages` of trace_frame, of tests that left_out_tests finds; no recorded stage
 /// has it.
 inline constexpr std::uint8_t left_out_stage = 255;
 

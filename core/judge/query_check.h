@@ -155,10 +155,6 @@ struct QueryJudgement {
     std::uint64_t repeated() const;
 };
 
-/// In a query of distances, per test of volumes: whether no test followed it, so that its recorded
-/// bound left its nodes out. Empty in other queries.
-std::vector<bool> left_out_tests(const EngineQuery& query);
-
 /// Whether the items are known well enough to judge results: both sides have triangles, or objects
 /// that has_object_volumes accepts.
 bool has_known_items(const EngineQuery& query);

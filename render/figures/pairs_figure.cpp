@@ -192,7 +192,8 @@ Subject contact_subject(const QueryBodies& bodies, const TraceHeader& header,
 }
 
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                   const QueryTrace& frame, const PairsStyle& style) {
+                                   const QueryTrace& frame, const PairsStyle& style,
+                                   std::span<const ContactPatch> patches) {
     const Collision& found = frame.found;
     std::vector<PanelItem> items;
     const Theme& theme = *style.theme;
@@ -215,8 +216,7 @@ std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader&
     items.emplace_back(PanelHeading{""});
     items.emplace_back(PanelRow{"pairs", {count_text(found.pairs.size())}, {}, true});
     if (style.patches)
-        for (PanelItem& row : patch_rows(patches_of(bodies, header, frame)))
-            items.push_back(std::move(row));
+        for (PanelItem& row : patch_rows(patches)) items.push_back(std::move(row));
     items.emplace_back(PanelRow{"N_v", {count_text(found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(found.n_p)}});
     if (!header.engine) items.emplace_back(PanelRow{"N_u", {count_text(found.n_u)}});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/analysis/trace.h"
+#include "core/distance/contact_patches.h"
 #include "render/figures/query_body.h"
 #include "render/figures/scene_figure.h"
 #include "render/figures/seeing_direction.h"
@@ -49,9 +50,10 @@ Pane pairs_pane(const QueryBodies& bodies, const TraceHeader& header, const Quer
 Subject contact_subject(const QueryBodies& bodies, const TraceHeader& header,
                         const QueryTrace& frame, std::vector<Segment> contact);
 
-/// Its numbers and legend.
+/// Its numbers and legend. `patches`: of patches_of, if the style numbers them.
 std::vector<PanelItem> pairs_panel(const QueryBodies& bodies, const TraceHeader& header,
-                                   const QueryTrace& frame, const PairsStyle& style);
+                                   const QueryTrace& frame, const PairsStyle& style,
+                                   std::span<const ContactPatch> patches = {});
 
 /// The meaning of its colors.
 std::vector<PanelItem> pairs_legend(const QueryBodies& bodies, const TraceHeader& header,

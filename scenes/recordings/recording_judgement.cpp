@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/text_format.h"
-#include "core/judge/answer_check.h"
+#include "scenes/recordings/distance_findings.h"
 #include "scenes/recordings/judgement_words.h"
 #include "scenes/recordings/own_contacts.h"
 #include "scenes/recordings/query_costs.h"
@@ -103,12 +103,9 @@ class RecordingJudge {
         result_.unknown_items += !known;
         note_moves(query, name);
         QueryTruth truth = own_.truth(query, recording_.finite_meshes());
-        if (const auto before = distances_.find(bodies);
-            before != distances_.end() && before->second.first < query.frame)
-            truth.distance_before = before->second.second;
+        truth.distance_before = distances_.before(bodies, query.frame);
         const QueryJudgement judged = judge_query(query, truth, go_on_);
         if (judged.interrupted) return;
-        if (truth.certified) distances_[bodies] = {query.frame, truth.distance};
         if (visit_) visit_(recording_, judged);
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         tests_.take(recording_, query, judged, name, row);
@@ -118,11 +115,10 @@ class RecordingJudge {
         result_.wasted_loose += judged.wasted_loose;
         result_.grazing += judged.grazing;
         if (query.kind != QueryKind::collide) {
-            ++measuring_queries_;
-            ++answer_states_[static_cast<std::size_t>(judged.answer)];
+            row.wrong += judged.wrong_bounds.size();
+            distances_.take(query, bodies, truth, judged, name, tests_);
+            if (query.kind == QueryKind::within) note_twice(query, judged, name);
         }
-        if (query.kind == QueryKind::distance) take_answer(query, judged, name);
-        if (query.kind == QueryKind::within) note_twice(query, judged, name);
         take_pairs(query, judged, name, row);
         if (query.kind == QueryKind::collide) costs_.take(recording_, query, judged);
         without_result_ += !query.complete && known && judged.reported == 0;
@@ -170,14 +166,6 @@ class RecordingJudge {
         }
     }
 
-    void take_answer(const EngineQuery& query, const QueryJudgement& judged,
-                     const QueryName& name) {
-        result_.distances += query.answer.has_value();
-        for (const AnswerProblem& problem : judged.answer_problems)
-            add_case(answers_, fault_words(problem.fault),
-                     {name, words_of(problem), {no_index, no_index}, problem.items});
-    }
-
     /// Notes whether the first query with false pairs reported just the pairs within twice its
     /// tolerance.
     void note_twice(const EngineQuery& query, const QueryJudgement& judged, const QueryName& name) {
@@ -187,13 +175,7 @@ class RecordingJudge {
         if (!any || std::exchange(twice_tried_, true)) return;
         EngineQuery twice = query;
         twice.limit *= 2;
-        std::set<IndexPair> reported;
-        for (const EngineEvent& event : query.events)
-            if (event.kind ==
-                (query.has_pairs ? EngineEvent::Kind::pair : EngineEvent::Kind::items_meet))
-                reported.insert({event.a, event.b});
-        const std::vector<IndexPair> within = own_.truth(twice, recording_.finite_meshes()).pairs;
-        if (!std::equal(within.begin(), within.end(), reported.begin(), reported.end())) return;
+        if (own_.truth(twice, recording_.finite_meshes()).pairs != reported_pairs(query)) return;
         result_.notes.push_back(query_words(name) +
                                 ": the reported pairs are the pairs within twice the tolerance, "
                                 "as if the tolerance had been added twice");
@@ -215,7 +197,7 @@ class RecordingJudge {
                 missed ? missed_ : false_, words_of(query, problem.cause),
                 {name, words_of(query, problem, test_number(judged, problem), recording_.stages()),
                  problem.nodes, problem.items, test_number(judged, problem),
-                 have_volumes(query, problem.nodes)});
+                 !is_of_distance(query) && have_volumes(query, problem.nodes)});
         }
     }
 
@@ -283,15 +265,7 @@ class RecordingJudge {
                            tree_words(recording_, number) + " was recorded without nodes");
         }
         tests_.list_not_judged(result_.not_judged);
-        const auto unanswered = [this](AnswerState state, const std::string& why) {
-            not_judged(answer_states_[static_cast<std::size_t>(state)], measuring_queries_,
-                       "queries of distances", why);
-        };
-        unanswered(AnswerState::not_of_triangles, "they are of objects, or of a body to itself");
-        unanswered(AnswerState::not_recorded,
-                   "no distances were recorded; where none was found, the setting `results` with "
-                   "the value `pairs` says so");
-        unanswered(AnswerState::not_certified, "no certificate proves the distance of the bodies");
+        distances_.list_not_judged(result_.not_judged);
         not_judged(unknown_kinds_, queries_, "queries",
                    recording_.unusable().count > 0 ? recording_.unusable().first[0]
                                                    : "their kind is not known");
@@ -338,7 +312,8 @@ class RecordingJudge {
         result_.unjudged = tests_.unjudged();
         result_.missed = by_count(std::move(missed_));
         result_.false_pairs = by_count(std::move(false_));
-        result_.answers = by_count(std::move(answers_));
+        result_.answers = by_count(distances_.answers());
+        result_.distances = distances_.count();
         result_.test_problems = by_count(tests_.problems());
         result_.odd = recording_.contradictions();
         result_.unusable = recording_.unusable();
@@ -357,13 +332,10 @@ class RecordingJudge {
     ToleranceCheck tolerances_;
     QueryCosts costs_;
     TestFindings tests_;
-    ProblemGroups missed_, false_, answers_;
-    std::uint64_t unknown_kinds_ = 0;               ///< queries whose kind is not known
-    std::uint64_t measuring_queries_ = 0;           ///< queries of distances
-    std::array<std::uint64_t, 4> answer_states_{};  ///< of these, by AnswerState
-    bool twice_tried_ = false;                      ///< see note_twice
-    /// Per pair of bodies, the frame and the certified distance of their last distance query.
-    std::map<std::array<std::uint32_t, 2>, std::pair<int, double>> distances_;
+    ProblemGroups missed_, false_;
+    DistanceFindings distances_;
+    std::uint64_t unknown_kinds_ = 0;  ///< queries whose kind is not known
+    bool twice_tried_ = false;         ///< see note_twice
     PoseSearch poses_;
     bool moves_noted_ = false;
     // What was not judged, and why.

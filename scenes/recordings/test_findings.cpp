@@ -72,95 +72,7 @@ void TestFindings::take(const RecordedQueries& recording, const EngineQuery& que
              {event.a, event.b},
              stray.test});
     }
-    if (is_of_distance(query)) take_distances(query, judged, name);
-    row.wrong += judged.wrong_bounds.size();
     take_divisions(query, judged, name);
-}
-
-namespace {
-
-/// Per test of volumes, the smallest distance that the query had measured before.
-std::vector<double> distances_before(const EngineQuery& query) {
-    std::vector<double> before;
-    double least = query.limit;
-    for (const EngineEvent& event : query.events) {
-        if (event.kind == EngineEvent::Kind::volumes)
-            before.push_back(least);
-        else if (query.kind == QueryKind::distance && event.has_length)
-            least = std::min(least, event.length);
-    }
-    return before;
-}
-
-/// The comparison of squares with plain lengths that explains why nodes were left out: each has a
-/// bound below the distance then known. Empty: none does.
-std::string comparison_words(const EngineQuery& query, const QueryJudgement& judged,
-                             const std::vector<std::uint32_t>& tests) {
-    const std::vector<double> before = distances_before(query);
-    // The comparison must leave out the nodes that were left out, and no others.
-    const auto all = [&](const auto& leaves_out) {
-        const auto is_left_out = [&](std::uint32_t i) {
-            return leaves_out(query.events[judged.tests[i].event].length, before[i]);
-        };
-        for (std::uint32_t i = 0; i < judged.tests.size(); ++i) {
-            const EngineEvent& event = query.events[judged.tests[i].event];
-            const bool is_divided = event.stage == 0 && !judged.tests[i].left_out;
-            if (is_divided && event.has_length && is_left_out(i)) return false;
-        }
-        return std::all_of(tests.begin(), tests.end(), is_left_out);
-    };
-    const std::string known =
-        query.kind == QueryKind::within ? "the tolerance" : "the distance that was known then";
-    if (all([](double bound, double best) { return bound * bound >= best; }))
-        return "; the square of each such bound is above " + known +
-               ": is a square compared with a plain length?";
-    if (all([](double bound, double best) { return bound >= best * best; }))
-        return "; each such bound is above the square of " + known +
-               ": is a plain length compared with a square?";
-    return "; no test of nodes below them followed";
-}
-
-}  // namespace
-
-/// The bounds that are too large, and the nodes that were left out although they are nearer than
-/// the answer.
-void TestFindings::take_distances(const EngineQuery& query, const QueryJudgement& judged,
-                                  const QueryName& name) {
-    const auto note = [&](std::uint32_t number, const std::string& what, const std::string& more) {
-        const EngineEvent& event = query.events[judged.tests[number].event];
-        const IndexPair nodes{event.a, event.b};
-        add(what, {name,
-                   pair_words("nodes", event.a, event.b) + test_words(number) + more,
-                   nodes,
-                   {no_index, no_index},
-                   number,
-                   have_volumes(query, nodes)});
-    };
-    std::vector<bool> has_wrong_bound(judged.tests.size(), false);
-    for (const WrongBound& wrong : judged.wrong_bounds) {
-        has_wrong_bound[wrong.test] = true;
-        const std::string bound = format(", bound %.6g", wrong.bound);
-        if (std::isinf(wrong.excess))
-            note(wrong.test, "a bound that is no number", bound);
-        else
-            note(wrong.test, "a bound that is larger than the distance of the volumes",
-                 bound + ", too large by " + amount_words(wrong.excess) + " or more");
-    }
-    std::vector<std::uint32_t> below, unknown;
-    for (std::uint32_t i = 0; i < judged.tests.size(); ++i) {
-        if (judged.tests[i].verdict != TestVerdict::wrong || has_wrong_bound[i]) continue;
-        (query.events[judged.tests[i].event].has_length ? below : unknown).push_back(i);
-    }
-    const std::string than = query.kind == QueryKind::within ? "the tolerance" : "the answer";
-    const std::string why = below.empty() ? std::string() : comparison_words(query, judged, below);
-    const auto nearer = [&](std::uint32_t i) {
-        return ", nearer than " + than + " by " + amount_words(judged.tests[i].margin) + " or more";
-    };
-    for (const std::uint32_t i : below)
-        note(i, "nodes were left out although their bound is below " + than,
-             format(", bound %.6g", query.events[judged.tests[i].event].length) + nearer(i) + why);
-    for (const std::uint32_t i : unknown)
-        note(i, "nodes were left out although they are nearer than " + than, nearer(i));
 }
 
 void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQuery& query,
@@ -213,7 +125,7 @@ void TestFindings::take_volumes(const RecordedQueries& recording, const EngineQu
     stage.least_depth = stage.wrong == 0 ? depth : std::min(stage.least_depth, depth);
     stage.most_depth = std::max(stage.most_depth, depth);
     ++stage.wrong;
-    if (measures) return;  // see take_distances
+    if (measures) return;  // see DistanceFindings
     note("a test that rejected volumes which overlap, at stage \"" +
              stage_words(recording.stages(), event.stage) + "\"",
          ", " + depth_words(depth));

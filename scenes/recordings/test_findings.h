@@ -44,8 +44,6 @@ class TestFindings {
     void take_volumes(const RecordedQueries& recording, const EngineQuery& query,
                       const QueryJudgement& judged, std::uint32_t number, const QueryName& name,
                       FrameJudgement& row);
-    void take_distances(const EngineQuery& query, const QueryJudgement& judged,
-                        const QueryName& name);
     void take_items(const EngineQuery& query, const WrongItemTest& test, const QueryName& name);
     void take_divisions(const EngineQuery& query, const QueryJudgement& judged,
                         const QueryName& name);

@@ -32,28 +32,14 @@ struct Engine {
         const Volume& v = node.volume;
         const double values[4] = {v.center[0], v.center[1], v.center[2], v.radius};
         const scb_record_volume volume = {SCB_RECORD_BALL, 4, values};
-        if (refit) return scb_record_refit(&recorder, tree, number, &volume);
-        scb_record_node_data data = {};
-        data.parent = node.parent;
-        data.children = node.children.data();
-        data.child_count = static_cast<Index>(node.children.size());
-        data.items = &node.triangle;
-        data.item_count = node.triangle != SCB_RECORD_NONE;
-        data.volume = volume;
-        scb_record_node(&recorder, tree, number, &data);
-    }
-    void record_mesh(Index number) {
-        const Sheet& sheet = sheets[number];
-        scb_record_mesh(&recorder, number, "sheet", sheet.vertices.data(), 8, 0,
-                        static_cast<Index>(sheet.vertices.size()), sheet.triangles.data(), 4,
-                        static_cast<Index>(sheet.triangles.size()));
+        small::record_node(recorder, tree, number, node, volume, refit);
     }
     void build(Index number) {
         Sheet& sheet = sheets[number];
         sheet.wave(0.5);
         sheet.build();
         sheet.refit(0, SCB_RECORD_NONE);
-        record_mesh(number);
+        record_mesh(recorder, number, sheet);
         scb_record_tree(&recorder, number, "sheet", number, nullptr, 0);
         for (Index i = 0; i < sheet.nodes.size(); ++i) record_node(number, i, false);
         scb_record_body(&recorder, number, number == 0 ? "lower" : "upper", number);
@@ -64,7 +50,7 @@ struct Engine {
         sheet.wave(0.5 - 0.25 * frame);
         const bool forgets = bug == DistanceBug::stale_node && frame == 2;
         sheet.refit(0, forgets ? forgotten : SCB_RECORD_NONE);
-        record_mesh(1);
+        record_mesh(recorder, 1, sheet);
         for (Index i = 0; i < sheet.nodes.size(); ++i)
             if (!(forgets && i == forgotten)) record_node(1, i, true);
     }

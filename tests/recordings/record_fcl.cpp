@@ -2,8 +2,7 @@
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
 
-#include "tests/peers/fcl_model.h"
-#include "tests/recordings/recorded_engine.h"
+#include "tests/recordings/fcl_nodes.h"
 
 namespace scb {
 namespace {
@@ -25,31 +24,21 @@ struct RecordingNode : Node {
     void leafTesting(int a, int b) const override {
         const std::size_t before = result->numContacts();
         Node::leafTesting(a, b);
-        scb_record_items(recorder, static_cast<Index>(model1->getBV(a).primitiveId()),
-                         static_cast<Index>(model2->getBV(b).primitiveId()),
+        scb_record_items(recorder, triangle_of(*model1, a), triangle_of(*model2, b),
                          result->numContacts() > before);
     }
 };
 
-void record_tree(scb_recorder& recorder, Index tree, const FclModel& model) {
-    for (int i = 0; i < model.getNumBVs(); ++i) {
-        const fcl::BVNode<fcl::OBBd>& node = model.getBV(i);
-        std::vector<double> box(15);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<int>(k);
-            box[k] = node.bv.To[axis];
-            for (std::size_t row = 0; row < 3; ++row)
-                box[3 + 3 * k + row] = node.bv.axis(static_cast<int>(row), axis);
-            box[12 + k] = node.bv.extent[axis];
-        }
-        std::vector<Index> children, items;
-        if (node.isLeaf())
-            items = {static_cast<Index>(node.primitiveId())};
-        else
-            children = {static_cast<Index>(node.leftChild()),
-                        static_cast<Index>(node.rightChild())};
-        record_node(recorder, tree, static_cast<Index>(i), children, items, SCB_RECORD_OBB, box);
+std::vector<double> values_of(const fcl::OBBd& obb) {
+    std::vector<double> box(15);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<int>(k);
+        box[k] = obb.To[axis];
+        for (std::size_t row = 0; row < 3; ++row)
+            box[3 + 3 * k + row] = obb.axis(static_cast<int>(row), axis);
+        box[12 + k] = obb.extent[axis];
     }
+    return box;
 }
 
 }  // namespace
@@ -57,11 +46,8 @@ void record_tree(scb_recorder& recorder, Index tree, const FclModel& model) {
 RecordedQuery record_fcl(scb_recorder& recorder, const PeerMesh& a, const PeerMesh& b) {
     const auto models = std::make_shared<std::array<FclModel, 2>>();
     scb_record_stage(&recorder, 1, "boxes apart");
-    for (const Index i : {0u, 1u}) {
-        build(i == 0 ? a : b, (*models)[i]);
-        record_body(recorder, i, i == 0 ? a : b);
-        record_tree(recorder, i, (*models)[i]);
-    }
+    for (const Index i : {0u, 1u})
+        record_fcl_body(recorder, i, i == 0 ? a : b, (*models)[i], SCB_RECORD_OBB, values_of);
     return [&recorder, models](const PeerPose& at_a, const PeerPose& at_b) {
         const fcl::CollisionRequestd request(std::numeric_limits<std::size_t>::max());
         fcl::CollisionResultd result;

@@ -4,8 +4,7 @@
 
 #include <fcl/narrowphase/detail/traversal/distance/mesh_distance_traversal_node.h>
 
-#include "tests/peers/fcl_model.h"
-#include "tests/recordings/recorded_engine.h"
+#include "tests/recordings/fcl_nodes.h"
 
 namespace scb {
 namespace {
@@ -30,39 +29,25 @@ struct RecordingNode : Node {
         Node::leafTesting(a, b);
         // FCL keeps only distances that are smaller than the smallest before.
         if (result->min_distance < before) scb_record_length(recorder, result->min_distance);
-        scb_record_items(recorder, static_cast<Index>(model1->getBV(a).primitiveId()),
-                         static_cast<Index>(model2->getBV(b).primitiveId()), 0);
+        scb_record_items(recorder, triangle_of(*model1, a), triangle_of(*model2, b), 0);
     }
 };
 
-void record_tree(scb_recorder& recorder, Index tree, const Model& model) {
-    for (int i = 0; i < model.getNumBVs(); ++i) {
-        const auto& node = model.getBV(i);
-        const fcl::RSSd& rss = node.bv;
-        std::vector<double> values;
-        for (int k = 0; k < 3; ++k) values.push_back(rss.To[k]);
-        for (int side = 0; side < 2; ++side)
-            for (int k = 0; k < 3; ++k) values.push_back(rss.axis(k, side) * rss.l[side]);
-        values.push_back(rss.r);
-        std::vector<Index> children, items;
-        if (node.isLeaf())
-            items = {static_cast<Index>(node.primitiveId())};
-        else
-            children = {static_cast<Index>(node.leftChild()),
-                        static_cast<Index>(node.rightChild())};
-        record_node(recorder, tree, static_cast<Index>(i), children, items, SCB_RECORD_RSS, values);
-    }
+std::vector<double> values_of(const fcl::RSSd& rss) {
+    std::vector<double> values;
+    for (int k = 0; k < 3; ++k) values.push_back(rss.To[k]);
+    for (int side = 0; side < 2; ++side)
+        for (int k = 0; k < 3; ++k) values.push_back(rss.axis(k, side) * rss.l[side]);
+    values.push_back(rss.r);
+    return values;
 }
 
 }  // namespace
 
 RecordedQuery record_fcl_distance(scb_recorder& recorder, const PeerMesh& a, const PeerMesh& b) {
     const auto models = std::make_shared<std::array<Model, 2>>();
-    for (const Index i : {0u, 1u}) {
-        build(i == 0 ? a : b, (*models)[i]);
-        record_body(recorder, i, i == 0 ? a : b);
-        record_tree(recorder, i, (*models)[i]);
-    }
+    for (const Index i : {0u, 1u})
+        record_fcl_body(recorder, i, i == 0 ? a : b, (*models)[i], SCB_RECORD_RSS, values_of);
     return [&recorder, models](const PeerPose& at_a, const PeerPose& at_b) {
         scb_record_nearest(&recorder, HUGE_VAL, 0);
         const fcl::DistanceRequestd request(true);

@@ -30,21 +30,7 @@ struct Engine {
         }
         const scb_record_volume volume = {balls() ? SCB_RECORD_BALL : SCB_RECORD_AABB,
                                           balls() ? 4u : 6u, values};
-        if (refit) return scb_record_refit(&recorder, tree, number, &volume);
-        scb_record_node_data data = {};
-        data.parent = node.parent;
-        data.children = node.children.data();
-        data.child_count = static_cast<Index>(node.children.size());
-        data.items = &node.triangle;
-        data.item_count = node.triangle != SCB_RECORD_NONE;
-        data.volume = volume;
-        scb_record_node(&recorder, tree, number, &data);
-    }
-    void record_mesh(Index number) {
-        const Sheet& sheet = sheets[number];
-        scb_record_mesh(&recorder, number, "sheet", sheet.vertices.data(), 8, 0,
-                        static_cast<Index>(sheet.vertices.size()), sheet.triangles.data(), 4,
-                        static_cast<Index>(sheet.triangles.size()));
+        small::record_node(recorder, tree, number, node, volume, refit);
     }
     void build(Index number) {
         Sheet& sheet = sheets[number];
@@ -55,7 +41,7 @@ struct Engine {
             for (Node& node : sheet.nodes)
                 if (node.triangle == 49) node.triangle = 48;
         sheet.refit(0, SCB_RECORD_NONE);
-        record_mesh(number);
+        record_mesh(recorder, number, sheet);
         scb_record_tree(&recorder, number, "sheet", number, nullptr, 0);
         for (Index i = 0; i < sheet.nodes.size(); ++i) record_volume(number, i, false);
         scb_record_body(&recorder, number, number == 0 ? "lower" : "upper", number);
@@ -66,7 +52,7 @@ struct Engine {
         sheet.wave(0.5 - 0.25 * frame);
         const bool forgets = bug == Bug::box_not_refitted && frame == 2;
         sheet.refit(0, forgets ? forgotten : SCB_RECORD_NONE);
-        record_mesh(1);
+        record_mesh(recorder, 1, sheet);
         for (Index i = 0; i < sheet.nodes.size(); ++i)
             if (!(forgets && i == forgotten)) record_volume(1, i, true);
     }

@@ -117,4 +117,25 @@ struct Sheet {
     }
 };
 
+/// Records the mesh of a sheet, as it is now.
+inline void record_mesh(scb_recorder& recorder, Index number, const Sheet& sheet) {
+    scb_record_mesh(&recorder, number, "sheet", sheet.vertices.data(), 8, 0,
+                    static_cast<Index>(sheet.vertices.size()), sheet.triangles.data(), 4,
+                    static_cast<Index>(sheet.triangles.size()));
+}
+
+/// Records a node with this volume or, if it was recorded before, its volume alone.
+inline void record_node(scb_recorder& recorder, Index tree, Index number, const Node& node,
+                        const scb_record_volume& volume, bool refit) {
+    if (refit) return scb_record_refit(&recorder, tree, number, &volume);
+    scb_record_node_data data = {};
+    data.parent = node.parent;
+    data.children = node.children.data();
+    data.child_count = static_cast<Index>(node.children.size());
+    data.items = &node.triangle;
+    data.item_count = node.triangle != SCB_RECORD_NONE;
+    data.volume = volume;
+    scb_record_node(&recorder, tree, number, &data);
+}
+
 }  // namespace scb::small

@@ -9,6 +9,7 @@
 #include "core/hierarchy/mesh_parity.h"
 #include "scb/any_collide.h"
 #include "scb/triangle_distance.h"
+#include "tests/core/box_mesh.h"
 #include "tests/core/collide/small_scenes.h"
 
 namespace scb {
@@ -39,17 +40,6 @@ Mesh bumpy_ball(Random& random, int divisions, double bumps) {
         mesh.triangles = std::move(divided);
     }
     for (Vec3& v : mesh.vertices) v *= 1 + random.uniform(-bumps, bumps);
-    return mesh;
-}
-
-Mesh box(const Vec3& lower, const Vec3& upper) {
-    Mesh mesh;
-    for (int i = 0; i < 8; ++i)
-        mesh.vertices.emplace_back((i & 1) != 0 ? upper[0] : lower[0],
-                                   (i & 2) != 0 ? upper[1] : lower[1],
-                                   (i & 4) != 0 ? upper[2] : lower[2]);
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return mesh;
 }
 
@@ -187,7 +177,7 @@ TEST(DeepestVertices, AreTheSameForAllVolumes) {
 // Most vertices inside are far from the contact, and are not tested themselves.
 TEST(DeepestVertices, AreFoundByAWalk) {
     Random random(4);
-    const Bodies bodies(bumpy_ball(random, 4, 0), box({-5, -5, -5}, {5, 5, 0.5}), {});
+    const Bodies bodies(bumpy_ball(random, 4, 0), box_mesh({-5, -5, -5}, {5, 5, 0.5}), {});
     ASSERT_EQ(bodies.patches.size(), 1u);
     const Deepest found = bodies.deepest(0);
     ASSERT_TRUE(found[0]);
@@ -200,7 +190,7 @@ TEST(DeepestVertices, AreFoundByAWalk) {
 
 TEST(DeepestVertices, BelongToEachPatchThatAWalkConnects) {
     // A rod with a ring of vertices between its ends.
-    Mesh rod = box({-0.5, -0.5, -5}, {0.5, 0.5, 0.25});
+    Mesh rod = box_mesh({-0.5, -0.5, -5}, {0.5, 0.5, 0.25});
     for (int i = 0; i < 4; ++i)
         rod.vertices.emplace_back(rod.vertices[static_cast<std::size_t>(i)][0],
                                   rod.vertices[static_cast<std::size_t>(i)][1], 5);
@@ -210,7 +200,7 @@ TEST(DeepestVertices, BelongToEachPatchThatAWalkConnects) {
           Triangle{6, 10, 7}, Triangle{7, 10, 11}, Triangle{4, 8, 6}, Triangle{6, 8, 10},
           Triangle{5, 7, 9}, Triangle{7, 11, 9}})
         rod.triangles.push_back(t);
-    const Bodies bodies(rod, box({-3, -3, -1}, {3, 3, 1}), {});
+    const Bodies bodies(rod, box_mesh({-3, -3, -1}, {3, 3, 1}), {});
     ASSERT_TRUE(bodies.joined_a.is_closed);
     ASSERT_EQ(bodies.patches.size(), 2u);
     const Deepest found = bodies.deepest(0);
@@ -221,9 +211,9 @@ TEST(DeepestVertices, BelongToEachPatchThatAWalkConnects) {
 }
 
 TEST(DeepestVertices, LeaveOutPartsThatMeetNothing) {
-    Mesh two = box({-1, -1, -1}, {1, 1, 1});
-    add(two, box({4, 4, 4}, {5, 5, 5}));
-    const Bodies bodies(two, box({0, 0, 0}, {10, 10, 10}), {});
+    Mesh two = box_mesh({-1, -1, -1}, {1, 1, 1});
+    add(two, box_mesh({4, 4, 4}, {5, 5, 5}));
+    const Bodies bodies(two, box_mesh({0, 0, 0}, {10, 10, 10}), {});
     const Deepest found = bodies.deepest(0);
     ASSERT_EQ(found.size(), 1u);
     ASSERT_TRUE(found[0]);
@@ -233,7 +223,8 @@ TEST(DeepestVertices, LeaveOutPartsThatMeetNothing) {
 }
 
 TEST(DeepestVertices, OfBodiesFaceOnFaceAreNone) {
-    const Bodies bodies(box({0, 0, 0}, {1, 1, 1}), box({0.25, 0.25, 1}, {0.5, 0.5, 2}), {});
+    const Bodies bodies(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({0.25, 0.25, 1}, {0.5, 0.5, 2}),
+                        {});
     ASSERT_EQ(bodies.patches.size(), 1u);
     for (const std::size_t side : {0u, 1u}) EXPECT_FALSE(bodies.deepest(side)[0]);
 }
@@ -247,7 +238,7 @@ TEST(DeepestVertices, OfASoupHaveTheFirstVertexAtTheirPlace) {
         for (const std::uint32_t v : t) soup.vertices.push_back(ball.vertices[v]);
         soup.triangles.push_back({first, first + 1, first + 2});
     }
-    const Mesh wall = box({-5, -5, -5}, {5, 5, 0});
+    const Mesh wall = box_mesh({-5, -5, -5}, {5, 5, 0});
     const Bodies of_ball(ball, wall, {}), of_soup(soup, wall, {});
     ASSERT_TRUE(of_soup.joined_a.is_closed);
     const auto expected = of_ball.deepest(0), found = of_soup.deepest(0);

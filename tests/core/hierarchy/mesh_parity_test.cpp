@@ -7,22 +7,11 @@
 
 #include "core/base/random.h"
 #include "core/geometry/mesh_parts.h"
+#include "tests/core/box_mesh.h"
 #include "tests/core/fit/point_sets.h"
 
 namespace scb {
 namespace {
-
-/// A box from `lower` to `upper`, of twelve triangles.
-Mesh box_of(const Vec3& lower, const Vec3& upper) {
-    Mesh mesh;
-    for (int i = 0; i < 8; ++i)
-        mesh.vertices.emplace_back((i & 1) != 0 ? upper[0] : lower[0],
-                                   (i & 2) != 0 ? upper[1] : lower[1],
-                                   (i & 4) != 0 ? upper[2] : lower[2]);
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return mesh;
-}
 
 /// The side of the mesh that the point is on, checked in every order of the axes. Each order has
 /// other rays.
@@ -46,7 +35,7 @@ PointSide side_of(const Mesh& mesh, const Vec3& point) {
 
 // The rays go through vertices, edges and diagonals of the faces, and along faces.
 TEST(MeshParity, DecidesEachPointOfAGridThroughABox) {
-    const Mesh box = box_of({0, 0, 0}, {2, 2, 2});
+    const Mesh box = box_mesh({0, 0, 0}, {2, 2, 2});
     for (int x = -1; x <= 3; ++x)
         for (int y = -1; y <= 3; ++y)
             for (int z = -1; z <= 3; ++z) {
@@ -61,13 +50,13 @@ TEST(MeshParity, DecidesEachPointOfAGridThroughABox) {
 }
 
 TEST(MeshParity, TellsTheLastBitFromTheSurface) {
-    const Mesh box = box_of({0, 0, 0}, {1, 1, 1});
+    const Mesh box = box_mesh({0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(side_of(box, {std::nextafter(1, 0), 0.5, 0.5}), PointSide::in);
     EXPECT_EQ(side_of(box, {std::nextafter(1, 2), 0.5, 0.5}), PointSide::out);
     EXPECT_EQ(side_of(box, {5e-324, 5e-324, 5e-324}), PointSide::in);
     EXPECT_EQ(side_of(box, {-5e-324, 5e-324, 5e-324}), PointSide::out);
     // A slope. At x = 1 its height is 4/3, which is not a double.
-    Mesh wedge = box_of({0, 0, 0}, {3, 1, 1});
+    Mesh wedge = box_mesh({0, 0, 0}, {3, 1, 1});
     wedge.vertices[5][2] = wedge.vertices[7][2] = 2;
     EXPECT_EQ(side_of(wedge, {1, 0.25, 4.0 / 3}), PointSide::in);  // rounded down
     EXPECT_EQ(side_of(wedge, {1, 0.25, std::nextafter(4.0 / 3, 2)}), PointSide::out);
@@ -75,13 +64,13 @@ TEST(MeshParity, TellsTheLastBitFromTheSurface) {
 }
 
 TEST(MeshParity, TakesTheSpaceBetweenTwoShellsForTheInside) {
-    Mesh hollow = box_of({0, 0, 0}, {4, 4, 4});
-    append(hollow, box_of({1, 1, 1}, {3, 3, 3}));
+    Mesh hollow = box_mesh({0, 0, 0}, {4, 4, 4});
+    append(hollow, box_mesh({1, 1, 1}, {3, 3, 3}));
     EXPECT_EQ(side_of(hollow, {0.5, 0.5, 0.5}), PointSide::in);
     EXPECT_EQ(side_of(hollow, {2, 2, 2}), PointSide::out);
     EXPECT_EQ(side_of(hollow, {2, 2, 1}), PointSide::on);
     // What is there twice is there not at all.
-    append(hollow, box_of({1, 1, 1}, {3, 3, 3}));
+    append(hollow, box_mesh({1, 1, 1}, {3, 3, 3}));
     EXPECT_EQ(side_of(hollow, {2, 2, 2}), PointSide::in);
 }
 
