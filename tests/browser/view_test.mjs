@@ -1014,7 +1014,7 @@ test('names from files are text', async () => {
 });
 
 test('a page of a distance has no pairs within one', () => {
-  const { status, stderr } = spawnSync(process.env.SCB, ['view', 'cone', '--query', 'distance', '--within', '1', '-o', join(folder, 'none.html')], { encoding: 'utf8' });
+  const { status, stderr } = spawnSync(process.env.SCB, ['view', 'cone', '--kind', 'distance', '--within', '1', '-o', join(folder, 'none.html')], { encoding: 'utf8' });
   assert.equal(status, 2);
   assert.match(stderr, /--within: .* `scb render distance --within T`/);
 });
@@ -1022,7 +1022,7 @@ test('a page of a distance has no pairs within one', () => {
 test('a distance: its line with its number, its tests by bound, and each test with its volumes', async () => {
   // An order in which parents are not those that a depth-first search has.
   const query = ['spheres-l1', '--frames', '0', '--order', 'nearest'], told = JSON.parse(scb('distance', ...query, '--json')).frames[0];
-  await onPage(page_of(...query, '--query', 'distance'), { hash: '#show=pairs' }, async (page) => {
+  await onPage(page_of(...query, '--kind', 'distance'), { hash: '#show=pairs' }, async (page) => {
     await settled(page);
     const found = await page.evaluate(() => {
       const { app } = document.getElementById('canvas'), { frame, contacts } = app.scenes[0], { query } = frame;
