@@ -70,7 +70,9 @@ SharedPoints shared_points(const V& smaller, const V& larger, std::span<const Ve
                            std::uint64_t seed) {
     SharedPoints result;
     Random random(seed);
-    const Vec3 shift(random.uniform(), random.uniform(), random.uniform());
+    Vec3 shift;
+    // The order of draws in a list of arguments would depend on the compiler.
+    for (int i = 2; i >= 0; --i) shift[i] = random.uniform();
     const Obb box = box_about(smaller);
     for (const Vec3& point : points) {
         Vec3 p = box.center;
