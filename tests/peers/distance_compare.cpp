@@ -11,6 +11,7 @@
 #include "core/base/text_format.h"
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
+#include "scenes/scene/load_scene.h"
 #include "tests/peers/core_mesh.h"
 #include "tests/peers/distance_scene.h"
 
@@ -18,7 +19,7 @@ namespace scb {
 namespace {
 
 struct Options {
-    std::vector<std::string> meshes;
+    std::vector<std::string> bodies;
     std::string models_dir;
     std::vector<double> gaps = {0.001, 0.01, 0.1, 1};
     int rounds = 5;
@@ -89,37 +90,56 @@ std::vector<double> measure(std::vector<Named>& named, const std::vector<PeerPos
     return means;
 }
 
+/// The bodies of a name, and the group whose mean has their times.
+struct Subject {
+    DistanceScene scene;
+    std::string group;
+};
+
+Subject subject(const std::string& name, const Options& options) {
+    static const std::map<std::string, std::string> groups = {
+        {"horse", "scans"},       {"skeleton_hand", "scans"}, {"aatbase", "CAD models"},
+        {"anchor", "CAD models"}, {"boeing", "CAD models"},   {"tray_bottom", "CAD models"}};
+    // Some scenes have the name of a model.
+    const auto known = groups.find(name);
+    if (known == groups.end() && scenes::names_scene(name)) {
+        scenes::LoadOptions load;
+        load.models_dir = options.models_dir;
+        return {scene_of_frames(scenes::load_scene({name}, load), options.poses), "scenes"};
+    }
+    const std::filesystem::path file =
+        name.ends_with(".ply") ? std::filesystem::path(name)
+                               : std::filesystem::path(options.models_dir) / (name + ".ply");
+    return {scene_of_gaps(scenes::load_mesh(file), options.gaps, options.poses),
+            known == groups.end() ? "others" : known->second};
+}
+
+void print_header(const std::vector<Named>& peers, std::size_t poses) {
+    std::cout << "FCL " << fcl_version() << "; microseconds, cold, mean of " << poses
+              << " poses\n\n| bodies | gap |";
+    for (const Named& peer : peers) std::cout << " " << peer.title << " |";
+    std::cout << " N_v / N_p | FCL OBBRSS / packed |\n|---|--:|";
+    for (std::size_t i = 0; i < peers.size() + 2; ++i) std::cout << "--:|";
+    std::cout << "\n";
+}
+
 int compare(const Options& options) {
-    const std::map<std::string, bool> known = {{"horse", true},    {"skeleton_hand", true},
-                                               {"aatbase", false}, {"anchor", false},
-                                               {"boeing", false},  {"tray_bottom", false}};
-    std::vector<std::string> names = options.meshes;
+    std::vector<std::string> names = options.bodies;
     if (names.empty())
-        names = {"horse", "skeleton_hand", "aatbase", "anchor", "boeing", "tray_bottom"};
+        names = {"horse",    "skeleton_hand", "aatbase",
+                 "anchor",   "boeing",        "tray_bottom",
+                 "knots-l1", "knots-l3",      SCB_SOURCE_DIR "/tests/peers/nested-spheres.json"};
     bool differs = false, has_header = false;
     std::map<std::string, std::vector<double>> logs;  // of FCL's time over the time of the packed
     for (const std::string& name : names) {
-        const std::filesystem::path file =
-            name.ends_with(".ply") ? std::filesystem::path(name)
-                                   : std::filesystem::path(options.models_dir) / (name + ".ply");
-        const Mesh mesh = normalized(scenes::load_mesh(file));
-        const DistanceBodies bodies(mesh, mesh);
-        std::vector<Named> peers = peers_of(bodies);
-        if (!has_header) {
-            std::cout << "FCL " << fcl_version() << "; microseconds, cold, mean of "
-                      << options.poses << " poses\n\n| mesh | gap |";
-            for (const Named& peer : peers) std::cout << " " << peer.title << " |";
-            std::cout << " N_v / N_p | FCL OBBRSS / packed |\n|---|--:|";
-            for (std::size_t i = 0; i < peers.size() + 2; ++i) std::cout << "--:|";
-            std::cout << "\n";
-            has_header = true;
-        }
-        const auto at = known.find(name);
-        const std::string group = at == known.end() ? "others" : at->second ? "smooth" : "CAD";
-        for (const double gap : options.gaps) {
-            std::string row = "| " + name + " | " + exact_number(gap) + " |";
-            const std::vector<double> ms = measure(peers, poses_at_gap(bodies, gap, options.poses),
-                                                   options.rounds, row, differs);
+        const auto [scene, group] = subject(name, options);
+        std::vector<Named> peers = peers_of(*scene.bodies);
+        if (!has_header) print_header(peers, options.poses);
+        has_header = true;
+        for (const auto& [gap, poses] : scene.rows) {
+            std::string row =
+                "| " + std::filesystem::path(name).stem().string() + " | " + gap + " |";
+            const std::vector<double> ms = measure(peers, poses, options.rounds, row, differs);
             logs[group].push_back(std::log(ms[6] / ms[0]));
             std::cout << row << std::endl;
         }
@@ -135,14 +155,15 @@ int run(int argc, char** argv) {
     CLI::App program{"scb_distance_peers: distances of this project and of FCL."};
     Options options;
     program.add_option(
-        "MESH", options.meshes,
-        "PLY files, or names of models: each with a copy of itself; else six models");
+        "BODIES", options.bodies,
+        "PLY files or names of models, each with a copy of itself, and scenes; else six models, "
+        "knots, and nested spheres");
     program.add_option("--models", options.models_dir, "the folder of the models")
         ->envname("SCB_MODELS");
-    program.add_option("--gaps", options.gaps, "distances, in longest sides of the mesh")
+    program.add_option("--gaps", options.gaps, "distances of copies, in longest sides of the mesh")
         ->delimiter(',')
         ->check(CLI::PositiveNumber);
-    program.add_option("--poses", options.poses, "random poses of each gap")
+    program.add_option("--poses", options.poses, "random poses of each gap, or frames of a scene")
         ->check(CLI::Range(1, 1000));
     program.add_option("--rounds", options.rounds, "how many times each query is timed")
         ->check(CLI::Range(1, 1000));

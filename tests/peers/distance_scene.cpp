@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/base/text_format.h"
 #include "core/geometry/mesh_facts.h"
 #include "scenes/scene/motion.h"
 #include "tests/peers/core_mesh.h"
@@ -17,8 +18,7 @@ double distance_at(const DistanceBodies& bodies, const Pose& b_to_a) {
         .found.distance;
 }
 
-}  // namespace
-
+/// The mesh, scaled and moved so that its box is centered and its longest side is 1.
 Mesh normalized(const Mesh& mesh) {
     const Box box = bounding_box(mesh);
     const double scale = 1 / (box.upper - box.lower).maxCoeff();
@@ -28,10 +28,11 @@ Mesh normalized(const Mesh& mesh) {
     return result;
 }
 
+/// Random poses of B in which the bodies are this far apart.
 std::vector<PeerPoses> poses_at_gap(const DistanceBodies& bodies, double gap, std::size_t count) {
     Random random(7);
     const auto direction = [&random] {
-        return Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     };
     std::vector<PeerPoses> poses;
     while (poses.size() < count) {
@@ -51,6 +52,29 @@ std::vector<PeerPoses> poses_at_gap(const DistanceBodies& bodies, double gap, st
         poses.push_back({peer_pose(Pose{}), peer_pose(pose)});
     }
     return poses;
+}
+
+}  // namespace
+
+DistanceScene scene_of_gaps(const Mesh& mesh, const std::vector<double>& gaps, std::size_t poses) {
+    const Mesh scaled = normalized(mesh);
+    DistanceScene result{std::make_unique<DistanceBodies>(scaled, scaled), {}};
+    for (const double gap : gaps)
+        result.rows.push_back({exact_number(gap), poses_at_gap(*result.bodies, gap, poses)});
+    return result;
+}
+
+DistanceScene scene_of_frames(const scenes::Scene& scene, std::size_t frames) {
+    const scenes::Body &a = scene.bodies[0], &b = scene.bodies[1];
+    DistanceScene result{
+        std::make_unique<DistanceBodies>(scene.meshes[a.mesh].mesh, scene.meshes[b.mesh].mesh),
+        {{"-", {}}}};
+    for (std::size_t i = 0; i < frames; ++i) {
+        const auto frame = static_cast<int>(i * static_cast<std::size_t>(scene.frames) / frames);
+        result.rows[0].poses.push_back({peer_pose(scenes::pose_at(a.motion, frame)),
+                                        peer_pose(scenes::pose_at(b.motion, frame))});
+    }
+    return result;
 }
 
 }  // namespace scb

@@ -1,27 +1,31 @@
 #pragma once
 
-#include <span>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "scenes/scene/scene.h"
 #include "tests/peers/peer_timing.h"
 #include "tests/peers/scb_distance.h"
 
 namespace scb {
 
-/// The bodies of a comparison, and where they are.
+/// Two bodies, and where their distance is compared.
 struct DistanceScene {
-    std::string name;
-    bool is_smooth = false;  ///< a scan or a smooth shape; else a CAD model
-    double gap = 0;          ///< of the largest side of A
-    std::vector<PeerPoses> poses;
+    /// Poses whose times are averaged.
+    struct Row {
+        std::string gap;  ///< the distance in all poses; "-" if the poses are frames of a scene
+        std::vector<PeerPoses> poses;
+    };
+    std::unique_ptr<DistanceBodies> bodies;
+    std::vector<Row> rows;
 };
 
-/// The mesh, scaled and moved so that its box is centered and its longest side is 1.
-Mesh normalized(const Mesh& mesh);
+/// Two copies of a mesh whose longest side is scaled to 1: for each gap, in these units, random
+/// poses of B with this distance, to 1e-6 of the gap. The same on every machine.
+DistanceScene scene_of_gaps(const Mesh& mesh, const std::vector<double>& gaps, std::size_t poses);
 
-/// Random poses of B in which the bodies are this far apart, to 1e-6 of the gap. The same on every
-/// machine.
-std::vector<PeerPoses> poses_at_gap(const DistanceBodies& bodies, double gap, std::size_t count);
+/// The first two bodies of a scene at so many frames, evenly spread. One row.
+DistanceScene scene_of_frames(const scenes::Scene& scene, std::size_t frames);
 
 }  // namespace scb
