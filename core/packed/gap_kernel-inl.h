@@ -59,7 +59,7 @@ HWY_INLINE Lanes<n> above_zero(Lanes<n> gap) {
 /// The key of each of n pairs, see gap_key: along the line of the centers, the root of squares of
 /// the gaps along and beside A's normal, and the same about B's.
 template <int n>
-HWY_INLINE Lanes<n> gap(const LaneScbs<n>& a, const LaneScbs<n>& b, Lanes<n> margin) {
+HWY_INLINE Lanes<n> gap(const LaneScbs<n>& a, const LaneScbs<n>& b, Lanes<n> margin, Lanes<n>) {
     const Lanes3<n> c = b.c - a.c;
     const Lanes<n> squared = dot(c, c), distance = sqrt(squared), of_balls = distance - a.r - b.r;
     const Lanes<n> along_a = dot(a.normal, c), along_b = dot(b.normal, c),
@@ -121,9 +121,11 @@ HWY_INLINE Lanes<n> reach_along(const LaneScb2s<n>& volume, const Lanes3<n>& par
 }
 
 /// The key of each of n pairs, see gap_key: along the line of the centers, the root of squares of
-/// the gaps along A's axes, the same along B's axes, and along the product of the long axes.
+/// the gaps along A's axes, the same along B's axes, and along the product of the long axes. If the
+/// first bounds of all pairs are above `limit`, the others are not computed.
 template <int n>
-HWY_INLINE Lanes<n> gap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> margin) {
+HWY_INLINE Lanes<n> gap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> margin,
+                        Lanes<n> limit) {
     const Lanes3<n> c = b.c - a.c;
     const Lanes<n> squared = dot(c, c), distance = sqrt(squared), of_balls = distance - a.r - b.r;
     const auto along = [](const LaneScb2s<n>& volume, const Lanes3<n>& v) HWY_ATTR {
@@ -144,6 +146,8 @@ HWY_INLINE Lanes<n> gap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> m
     };
     const Lanes<n> by_a = root(gap_along(to_b0, a.h[0], b, row0), gap_along(to_b1, a.h[1], b, row1),
                                gap_along(of_a.z, a.r, b, row2));
+    const Lanes<n> first = max(of_balls - margin, by_a * Lanes<n>::all(root_of_squares));
+    if ((first <= limit).bits() == 0) return gap_key(first, of_balls);
     const Lanes<n> by_b = root(gap_along(to_a0, b.h[0], a, Lanes3<n>{row0.x, row1.x, row2.x}),
                                gap_along(to_a1, b.h[1], a, Lanes3<n>{row0.y, row1.y, row2.y}),
                                gap_along(of_b.z, b.r, a, Lanes3<n>{row0.z, row1.z, row2.z}));
@@ -163,8 +167,7 @@ HWY_INLINE Lanes<n> gap(const LaneScb2s<n>& a, const LaneScb2s<n>& b, Lanes<n> m
     const Lanes<n> length = sqrt(x * x + y * y) * Lanes<n>::all(1 + 0x1p-18f) + least;
     const Lanes<n> by_product = (abs(apart) - reach - margin) / length;
 
-    return gap_key(max(max(max(of_balls - margin, by_line), by_product),
-                       max(by_a, by_b) * Lanes<n>::all(root_of_squares)),
+    return gap_key(max(max(first, by_b * Lanes<n>::all(root_of_squares)), max(by_line, by_product)),
                    of_balls);
 }
 

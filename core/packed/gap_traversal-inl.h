@@ -6,6 +6,8 @@
 #define SCB_CORE_GAP_TRAVERSAL_INL_H_
 #endif
 
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "core/packed/gap_kernel-inl.h"
@@ -19,13 +21,31 @@ namespace HWY_NAMESPACE {
 
 /// A pair that waits for its division.
 struct NearPair {
-    float key;  ///< see gap_key
-    PackedRef a, b;
+    std::uint64_t key_and_a;  ///< the bits of the key, see gap_key, and of A's node
+    PackedRef b;
+
+    NearPair() = default;
+    NearPair(float key, PackedRef a, PackedRef other)
+        : key_and_a(std::uint64_t{ordered(key)} << 32 | a.bits), b(other) {}
+
+    float key() const {
+        const auto bits = static_cast<std::uint32_t>(key_and_a >> 32);
+        return std::bit_cast<float>(bits & sign ? bits ^ sign : ~bits);
+    }
+    PackedRef a() const { return {static_cast<std::uint32_t>(key_and_a)}; }
 
     /// By key, then by the nodes, so that the order is the same with every library.
     friend bool operator<(const NearPair& x, const NearPair& y) {
-        if (x.key != y.key) return x.key < y.key;
-        return x.a.bits != y.a.bits ? x.a.bits < y.a.bits : x.b.bits < y.b.bits;
+        return x.key_and_a != y.key_and_a ? x.key_and_a < y.key_and_a : x.b.bits < y.b.bits;
+    }
+
+  private:
+    static constexpr std::uint32_t sign = 0x80000000;
+
+    /// Whole numbers in the order of the floats, which take one comparison with the node.
+    static std::uint32_t ordered(float key) {
+        const auto bits = std::bit_cast<std::uint32_t>(key + 0.0f);  // -0 is 0
+        return bits & sign ? ~bits : bits ^ sign;
     }
 };
 
@@ -44,11 +64,11 @@ class GapTraversal {
           search_(search) {}
 
     void run() {
-        pending_.push({0, a_.root, b_.root});
+        pending_.push({0.0f, a_.root, b_.root});
         while (!pending_.empty() && !search_.is_done) {
             const NearPair next = pending_.pop();
-            if (next.key <= search_.limit)
-                divide(next.a, next.b);
+            if (next.key() <= search_.limit)
+                divide(next.a(), next.b);
             else
                 pending_.skip();
         }
@@ -87,9 +107,10 @@ class GapTraversal {
         const Node& a = a_.nodes[i.index()];
         const Offset o = offset(placed_, a.own.c, a.reach, b.c, b.r);
         const Part of_b = placed(Part::all(centered(b)), placed_, Lanes3<n>::all(o.t));
+        const Lanes<n> limit = Lanes<n>::all(search_.limit);
         float keys[W];
         for (int first = 0; first < W; first += n)
-            gap(load_children(a.volumes, first), of_b, margin(o)).store(keys + first);
+            gap(load_children(a.volumes, first), of_b, margin(o), limit).store(keys + first);
         push(a, keys, [&](PackedRef child) { return std::pair(child, j); });
     }
 
@@ -97,10 +118,11 @@ class GapTraversal {
         const Node& b = b_.nodes[j.index()];
         const Offset o = offset(placed_, a.c, a.r, b.own.c, b.reach);
         const Part of_a = Part::all(centered(a));
+        const Lanes<n> limit = Lanes<n>::all(search_.limit);
         float keys[W];
         for (int first = 0; first < W; first += n)
             gap(of_a, placed(load_children(b.volumes, first), placed_, Lanes3<n>::all(o.t)),
-                margin(o))
+                margin(o), limit)
                 .store(keys + first);
         push(b, keys, [&](PackedRef child) { return std::pair(i, child); });
     }

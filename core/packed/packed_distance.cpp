@@ -1,8 +1,11 @@
 #include "scb/packed_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
+#include <tuple>
 
 #include "core/packed/each_codec.h"
 #include "core/packed/grown_slab.h"
@@ -40,23 +43,23 @@ class LeastDistance {
         search.take = [this](IndexPair pair, float least, float most) { take(pair, least, most); };
     }
 
-    /// Computes the distances of the pairs that wait, several at a time.
+    /// Computes the distances of the pairs that wait.
     void finish() {
         if (search_.is_done) return;
         drop_far();
+        if (waiting_.empty()) return;
+        // The nearest pair first: others often share its closest corners, and so its distance.
+        const auto less = [](const Waiting& x, const Waiting& y) { return x.least < y.least; };
+        std::iter_swap(waiting_.begin(), std::ranges::min_element(waiting_, less));
+        measure(waiting_.front().pair);
         constexpr std::size_t some = 8;
-        for (auto next = waiting_.begin(); next != waiting_.end();) {
+        for (auto next = waiting_.begin() + 1; next != waiting_.end();) {
             IndexPair pairs[some];
             std::size_t count = 0;
             for (; count < some && next != waiting_.end(); ++next)
                 if (static_cast<double>(next->least) <= limit() && !has_least_corners(next->pair))
                     pairs[count++] = next->pair;
-            double distances[some];
-            distances_apart(query_.a, query_.b, query_.b_to_a, query_.level, {pairs, count},
-                            distances);
-            result_.n_p += count;
-            for (std::size_t k = 0; k < count; ++k)
-                if (improves(distances[k], pairs[k])) keep(query_.distance_of(pairs[k]), pairs[k]);
+            measure_apart({pairs, count});
         }
     }
 
@@ -107,6 +110,20 @@ class LeastDistance {
         if (!improves(found.distance, pair)) return;
         keep(found, pair);
         search_.is_done = found.distance == 0 || found.distance <= options_.enough;
+    }
+    /// Computes the distances of pairs that do not intersect in lanes, and the points of the
+    /// nearest.
+    void measure_apart(std::span<const IndexPair> pairs) {
+        std::array<double, 8> distances;
+        distances_apart(query_.a, query_.b, query_.b_to_a, query_.level, pairs, distances.data());
+        result_.n_p += pairs.size();
+        std::size_t best = pairs.size();
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            if (improves(distances[k], pairs[k]) &&
+                (best == pairs.size() ||
+                 std::tie(distances[k], pairs[k]) < std::tie(distances[best], pairs[best])))
+                best = k;
+        if (best < pairs.size()) keep(query_.distance_of(pairs[best]), pairs[best]);
     }
     /// Whether the distance of a pair is known: of the corners that are nearest so far, which fans
     /// of triangles share.

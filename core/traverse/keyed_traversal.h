@@ -59,34 +59,54 @@ class LeastFirst {
   public:
     explicit LeastFirst(std::size_t most) : most_(most) {}
 
-    bool empty() const { return heap_.empty() && stack_.empty(); }
+    bool empty() const { return !next_ && heap_.empty() && stack_.empty(); }
     void begin_division() { stack_.begin_division(); }
     void push(const Item& item) {
         if (heap_.size() >= most_) return stack_.push(item);
-        heap_.push_back(item);
-        std::push_heap(heap_.begin(), heap_.end(), follows);
+        if (!next_) {
+            next_ = item;
+        } else if (item < *next_) {
+            add(*next_);
+            next_ = item;
+        } else {
+            add(item);
+        }
     }
     Item pop() {
-        from_heap_ = stack_.empty();
-        if (!from_heap_) return stack_.pop();
+        is_least_ = stack_.empty();
+        if (!is_least_) return stack_.pop();
+        if (next_ && (heap_.empty() || *next_ < heap_.front())) {
+            const Item least = *next_;
+            next_.reset();
+            return least;
+        }
         std::pop_heap(heap_.begin(), heap_.end(), follows);
         const Item least = heap_.back();
         heap_.pop_back();
         return least;
     }
-    /// The others of the heap need none, either.
+    /// If the pair popped last was the least of all, the others need none, either.
     void skip() {
-        if (from_heap_) heap_.clear();
+        if (!is_least_) return;
+        next_.reset();
+        heap_.clear();
     }
 
   private:
     // Not a function, which the heap would call through a pointer.
     static constexpr auto follows = [](const Item& x, const Item& y) { return y < x; };
 
+    void add(const Item& item) {
+        heap_.push_back(item);
+        std::push_heap(heap_.begin(), heap_.end(), follows);
+    }
+
     std::size_t most_;
+    /// Often the next pair is a child of the pair before, and need not pass through the heap.
+    std::optional<Item> next_;
     std::vector<Item> heap_;
     KeyedDepthFirst<Item> stack_;
-    bool from_heap_ = false;
+    bool is_least_ = false;
 };
 
 /// The test of a pair that has a key: how it ended, and the key.

@@ -23,7 +23,7 @@ struct Options {
     std::string models_dir;
     std::vector<double> gaps = {0.001, 0.01, 0.1, 1};
     int rounds = 5;
-    std::size_t poses = 4;
+    std::size_t poses = 12;
 };
 
 struct Named {

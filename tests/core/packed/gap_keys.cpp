@@ -23,7 +23,7 @@ float key_of(const VolumesOfNodes<Packed>& pair, const Placement& placement, flo
     const float margin =
         (units < 0 ? gap_bound<Packed> : units) * float_unit * o.length + in_floats.double_error;
     float keys[L::n];
-    gap(L::all(pair.a), b, Lanes<L::n>::all(margin)).store(keys);
+    gap(L::all(pair.a), b, Lanes<L::n>::all(margin), Lanes<L::n>::all(HUGE_VALF)).store(keys);
     return keys[0];
 }
 float key_of_one_slab(const VolumesOfNodes<PackedScb>& pair, const Placement& placed, float units) {
