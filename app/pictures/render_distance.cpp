@@ -3,6 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/pictures/frame_pictures.h"
+#include "app/pictures/heat_options.h"
 #include "app/pictures/pairs_figure.h"
 #include "app/pictures/query_index.h"
 #include "app/query/distance_options.h"
@@ -15,6 +16,35 @@
 
 namespace scb::app {
 namespace {
+
+/// A remark on an answer that has no line; empty if it has lines.
+std::string remark_on(const TraceHeader& header, const QueryTrace& frame) {
+    if (frame.found.pairs.empty())
+        return header.kind == QueryKind::within ? "no triangles are so near"
+                                                : "nothing within the limit";
+    return frame.nearest && frame.nearest->distance == 0 ? "triangles intersect: the distance is 0"
+                                                         : "";
+}
+
+struct RenderDistanceOptions : QueryViewOptions {
+    HeatOptions heat;
+};
+
+/// Bodies in the colors of their numbers of tests, with the lines of the answer.
+render::SceneFigure heat_of_distance(const QueryView& view, const QuerySource& source,
+                                     const QueryTrace& frame, const HeatOptions& options) {
+    const TraceHeader& header = source.header();
+    const render::Theme& theme = *view.options().picture.theme();
+    const render::QueryBodies bodies = view.bodies(frame.frame);
+    render::SceneFigure figure = heat_figure(view, source, frame, options);
+    figure.pane.segments = render::contact_segments(bodies, header, frame);
+    figure.labels = render::distance_labels(bodies, frame, theme);
+    if (!frame.found.pairs.empty())
+        figure.panel.push_back(render::distance_key(header, frame, theme));
+    if (figure.remark.empty()) figure.remark = remark_on(header, frame);
+    look_at_contact(figure, view, frame, {});
+    return figure;
+}
 
 render::SceneFigure distance_figure(const QueryView& view, const QuerySource& source,
                                     const QueryTrace& frame, InsideReport& inside) {
@@ -30,12 +60,8 @@ render::SceneFigure distance_figure(const QueryView& view, const QuerySource& so
     figure.pane = render::pairs_pane(bodies, header, frame, lines, style, view.ids().first_free);
     figure.panel = render::distance_panel(bodies, header, frame, source.attribution(frame), theme);
     figure.labels = render::distance_labels(bodies, frame, theme);
-    if (frame.found.pairs.empty())
-        figure.remark = header.kind == QueryKind::within ? "no triangles are so near"
-                                                         : "nothing within the limit";
-    else if (frame.nearest && frame.nearest->distance == 0)
-        figure.remark = "triangles intersect: the distance is 0";
-    else if (frame.nearest)
+    figure.remark = remark_on(header, frame);
+    if (figure.remark.empty() && frame.nearest)
         figure.remark = inside_words(inside.add(frame.frame));
     look_at_contact(figure, view, frame, region);
     view.show_place_of_contact(figure, region);
@@ -45,7 +71,7 @@ render::SceneFigure distance_figure(const QueryView& view, const QuerySource& so
     return figure;
 }
 
-int run(QueryViewOptions& options, const Console& console) {
+int run(RenderDistanceOptions& options, const Console& console) {
     for (const std::string& name : options.scene.names) {
         if (scenes::names_trace(name))
             throw InputError(name + ": a trace has the queries that it recorded; give its scene.");
@@ -54,21 +80,27 @@ int run(QueryViewOptions& options, const Console& console) {
                              ": a recording has both bodies already; give the recording alone.");
     }
     options.check();
+    options.heat.check();
+    const bool heat = options.heat.of.has_value();
+    if (heat && options.heat.end) options.named.add("heat-end", std::to_string(*options.heat.end));
     QuerySources sources = options.open(console);
     std::optional<SheetRun> sheet =
         options.planned_sheet(sources.front().frames().size(), std::nullopt);
     PictureRun pictures(options.picture, sources.front().header().scene);
     const QueryView view(options, sources, pictures.renderer());
-    const std::string what(query_kind_name(sources.front().header().kind));
+    const std::string what =
+        heat ? options.heat.name() : std::string(query_kind_name(sources.front().header().kind));
     view.begin_sheet(pictures, what, std::move(sheet));
     InsideReport inside(sources[0].query());
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames) {
             const QueryTrace& frame = *frames[0];
-            render::SceneFigure figure = distance_figure(view, sources[0], frame, inside);
+            render::SceneFigure figure =
+                heat ? heat_of_distance(view, sources[0], frame, options.heat)
+                     : distance_figure(view, sources[0], frame, inside);
             nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
-            entry["pair_ids"] = pair_ids_json(view, frames)[0];
+            if (!heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
             pictures.explain(figure);
             const render::Picture picture = render::compose(
                 std::move(figure), options.picture.width(), options.picture.height(),
@@ -78,7 +110,12 @@ int run(QueryViewOptions& options, const Console& console) {
             view.tell_pick(pictures, name, frames);
             return nlohmann::ordered_json();
         },
-        take_nothing, [&] { return query_index_head(view, "render distance"); });
+        take_nothing,
+        [&] {
+            nlohmann::ordered_json head = query_index_head(view, "render distance");
+            if (heat) head["options"]["heat"] = render::heat_names[*options.heat.of];
+            return head;
+        });
 }
 
 }  // namespace
@@ -86,9 +123,10 @@ int run(QueryViewOptions& options, const Console& console) {
 void add_render_distance(const Command& render_command, const Console& console, Action& action) {
     const Command command = render_command.add_subcommand(
         "distance", "Draw the closest points of two bodies, and their distance");
-    const auto options = std::make_shared<QueryViewOptions>();
+    const auto options = std::make_shared<RenderDistanceOptions>();
     set_distance_defaults(options->hierarchy, options->query);
     add_query_view_options(command, *options, Shown::meshes);
+    add_heat_options(command, options->heat, "answer");
     command.footer(
         "The black line is the shortest distance, with its number, and dashed where a body hides "
         "it. Strong colors are the closest triangles.\n"

@@ -1,15 +1,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/choice.h"
 #include "app/cli/commands.h"
-#include "app/cli/validators.h"
 #include "app/pictures/frame_pictures.h"
+#include "app/pictures/heat_options.h"
 #include "app/pictures/pairs_figure.h"
 #include "app/pictures/query_comparison.h"
 #include "app/pictures/query_index.h"
 #include "app/query/query_options.h"
-#include "render/figures/heat_figure.h"
 #include "scb/error.h"
 
 namespace scb::app {
@@ -17,31 +15,14 @@ namespace {
 
 struct PairsOptions : QueryViewOptions {
     bool leaves = false, patches = false;
-    std::optional<HeatOf> heat;
-    std::optional<int> heat_end;
+    HeatOptions heat;
 };
 
-std::string title_of(HeatOf heat) {
-    return "heat of " + std::string(heat == HeatOf::wasted    ? "wasted tests"
-                                    : heat == HeatOf::volumes ? "volume tests"
-                                                              : "triangle tests");
-}
-
-std::optional<std::uint32_t> heat_end_of(const PairsOptions& options) {
-    if (!options.heat_end) return std::nullopt;
-    return static_cast<std::uint32_t>(*options.heat_end);
-}
-
-render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& options,
-                                const TraceHeader& header, const QueryTrace& frame,
-                                const render::QueryBodies& bodies) {
-    const render::Heat heat =
-        render::heat_of(bodies, header, frame, *options.heat, heat_end_of(options));
-    render::SceneFigure figure;
-    figure.title = view.title(title_of(heat.of));
-    figure.pane = render::heat_pane(bodies, heat);
-    figure.panel = render::heat_panel(bodies, frame, heat);
-    if (heat.most == 0) figure.remark = "no such test";
+render::SceneFigure heat_at_contact(const QueryView& view, const QuerySource& source,
+                                    const QueryTrace& frame, const render::QueryBodies& bodies,
+                                    const HeatOptions& options) {
+    render::SceneFigure figure = heat_figure(view, source, frame, options);
+    const TraceHeader& header = source.header();
     look_at_contact(figure, view, frame,
                     render::contact_region(bodies, header, frame,
                                            render::contact_segments(bodies, header, frame)));
@@ -50,7 +31,7 @@ render::SceneFigure heat_figure(const QueryView& view, const PairsOptions& optio
 
 render::ComparisonLayout layout_of(const PairsOptions& options) {
     return render::comparison_layout(options.picture.width(), options.picture.height(),
-                                     !options.heat
+                                     !options.heat.of
                                          ? render::compared_pairs_rows({.leaves = options.leaves})
                                          : render::compared_heat_rows());
 }
@@ -60,9 +41,9 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
                    const std::string& what, PictureRun& pictures) {
     const render::ComparedQueries queries = compared_queries(view, sources, frames);
     const render::PairsOfOne only_here = render::pairs_of_one(queries);
-    const bool heat = options.heat.has_value();
+    const bool heat = options.heat.of.has_value();
     std::array<render::ComparedView, 2> views =
-        heat ? render::compared_heat(queries, only_here, *options.heat, heat_end_of(options),
+        heat ? render::compared_heat(queries, only_here, *options.heat.of, options.heat.scale_end(),
                                      *style.theme)
              : render::compared_pairs(queries, only_here, style, view.ids().first_free);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -75,17 +56,16 @@ void draw_compared(const QueryView& view, const QuerySources& sources, const Que
         views[i].remark = remark + views[i].remark;
     }
     draw_comparison(view, queries, only_here, std::move(views),
-                    heat ? title_of(*options.heat) : pairs_title(style), what, options, pictures);
+                    heat ? options.heat.title() : pairs_title(style), what, options, pictures);
 }
 
 int run(PairsOptions& options, const Console& console) {
     options.check();
-    if (options.heat_end && (!options.heat || *options.heat_end < 2))
-        throw InputError("--heat-end " + std::to_string(*options.heat_end) +
-                         ": give at least 2, and --heat.");
-    if (options.leaves && options.heat)
+    options.heat.check();
+    const bool heat = options.heat.of.has_value();
+    if (options.leaves && heat)
         throw InputError("--leaves: a heat picture has no leaves; leave out --leaves, or --heat.");
-    if (options.patches && (options.heat || options.leaves || !options.compare.empty()))
+    if (options.patches && (heat || options.leaves || !options.compare.empty()))
         throw InputError(
             "--patches: it numbers the pairs of one query; leave out --heat, --leaves and "
             "--compare.");
@@ -96,13 +76,12 @@ int run(PairsOptions& options, const Console& console) {
     options.named.add_if(options.leaves, "leaves");
     options.named.add_if(options.patches, "patches");
     if (options.leaves) options.shown = Shown::leaves;
-    if (options.heat_end) options.named.add("heat-end", std::to_string(*options.heat_end));
+    if (heat && options.heat.end) options.named.add("heat-end", std::to_string(*options.heat.end));
     QuerySources sources = options.open(console);
     for (const QuerySource& source : sources)
-        if ((options.heat || options.patches) && source.header().engine &&
-            source.header().engine->objects)
-            throw InputError(std::string(options.heat ? "--heat" : "--patches") +
-                             ": the items of " + source.header().source.front() +
+        if ((heat || options.patches) && source.header().engine && source.header().engine->objects)
+            throw InputError(std::string(heat ? "--heat" : "--patches") + ": the items of " +
+                             source.header().source.front() +
                              " are objects without triangles; leave it out.");
     for (const QuerySource& source : sources) refuse_recorded_distances(source.header());
     std::optional<render::ComparisonLayout> layout;
@@ -115,8 +94,7 @@ int run(PairsOptions& options, const Console& console) {
     style.leaves = options.leaves;
     style.patches = options.patches;
     style.theme = options.picture.theme();
-    const std::string what =
-        !options.heat ? "pairs" : "heat-" + std::string(render::heat_names[*options.heat]);
+    const std::string what = heat ? options.heat.name() : "pairs";
     view.begin_sheet(pictures, what, std::move(sheet));
     return draw_frames(
         sources, pictures, console,
@@ -129,10 +107,10 @@ int run(PairsOptions& options, const Console& console) {
             const QuerySource& source = sources[0];
             const render::QueryBodies bodies = view.bodies(frame.frame);
             render::SceneFigure figure =
-                options.heat ? heat_figure(view, options, source.header(), frame, bodies)
-                             : pairs_figure(view, source, frame, bodies, style);
+                heat ? heat_at_contact(view, source, frame, bodies, options.heat)
+                     : pairs_figure(view, source, frame, bodies, style);
             nlohmann::ordered_json entry = query_index_entry(view, frames, figure.pane.camera);
-            if (!options.heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
+            if (!heat) entry["pair_ids"] = pair_ids_json(view, frames)[0];
             pictures.explain(figure);
             const render::Picture picture = render::compose(
                 std::move(figure), options.picture.width(), options.picture.height(),
@@ -146,10 +124,10 @@ int run(PairsOptions& options, const Console& console) {
         [&] {
             nlohmann::ordered_json head = query_index_head(view, "render pairs");
             if (options.patches) head["options"]["patches"] = true;
-            if (!options.heat)
-                head["options"]["leaves"] = style.leaves;
+            if (heat)
+                head["options"]["heat"] = render::heat_names[*options.heat.of];
             else
-                head["options"]["heat"] = render::heat_names[*options.heat];
+                head["options"]["leaves"] = style.leaves;
             return head;
         });
 }
@@ -169,18 +147,7 @@ void add_render_pairs(const Command& render_command, const Console& console, Act
         .add_flag("--patches,!--no-patches", options->patches,
                   "Number the contact patches, which are connected sets of pairs: the largest is 1")
         .shareable();
-    add_choice(command, "--heat", options->heat, optional_choices(choices_of(render::heat_names)),
-               "Color triangles by number of tests: tests of the volumes that hold the triangle, "
-               "of the triangle itself, or wasted ones of volumes, which led to no pair")
-        .type_name("volumes|triangles|wasted")
-        .shareable();
-    command
-        .add_option("--heat-end", options->heat_end,
-                    "Count at the end of the color scale. Default: the first of 1, 2 and 5 times a "
-                    "power of ten that holds all counts")
-        .check(decimal_number)
-        .type_name("N")
-        .shareable();
+    add_heat_options(command, options->heat, "pair");
     command.footer(
         "Strong colors are triangles that intersect, black lines where they meet, and green areas "
         "where they lie on each other. Triangles are pale and lines dashed where a body hides "

@@ -62,7 +62,7 @@ class LeastFirst {
     bool empty() const { return !next_ && heap_.empty() && stack_.empty(); }
     void begin_division() { stack_.begin_division(); }
     void push(const Item& item) {
-        if (heap_.size() >= most_) return stack_.push(item);
+        if (heap_.size() + next_.has_value() >= most_) return stack_.push(item);
         if (!next_) {
             next_ = item;
         } else if (item < *next_) {

@@ -66,6 +66,19 @@ std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTr
              theme.text, transform_point(bodies[0].pose, frame.nearest->point_b)}};
 }
 
+PanelItem distance_row(const QueryTrace& frame) {
+    return PanelRow{
+        "distance", {frame.nearest ? distance_text(frame.nearest->distance) : "–"}, {}, true};
+}
+
+PanelKey distance_key(const TraceHeader& header, const QueryTrace& frame, const Theme& theme) {
+    const bool meets = frame.nearest && frame.nearest->distance == 0;
+    return {theme.text, header.kind == QueryKind::within     ? "between closest points"
+                        : meets                              ? "where triangles meet"
+                        : header.distance.relative_error > 0 ? "the distance found"
+                                                             : "the shortest distance"};
+}
+
 std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHeader& header,
                                       const QueryTrace& frame, const Attribution& verdicts,
                                       const Theme& theme) {
@@ -90,8 +103,7 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
         items.emplace_back(PanelRow{"at most", {distance_text(header.tolerance)}});
         items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     } else {
-        items.emplace_back(PanelRow{
-            "distance", {frame.nearest ? distance_text(frame.nearest->distance) : "–"}, {}, true});
+        items.push_back(distance_row(frame));
     }
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
@@ -116,13 +128,8 @@ std::vector<PanelItem> distance_panel(const QueryBodies& bodies, const TraceHead
         items.emplace_back(PanelLegendRow{group.color, ending_words(group, header.kind),
                                           count_text(count), format("%.1f %%", share)});
     }
-    const bool meets = frame.nearest && frame.nearest->distance == 0;
     if (frame.found.pairs.empty()) return items;
-    items.emplace_back(PanelKey{theme.text, is_within ? "between closest points"
-                                            : meets   ? "where triangles meet"
-                                            : header.distance.relative_error > 0
-                                                ? "the distance found"
-                                                : "the shortest distance"});
+    items.emplace_back(distance_key(header, frame, theme));
     items.emplace_back(PanelNote{"dashed, or pale: behind a body"});
     return items;
 }

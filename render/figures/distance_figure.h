@@ -31,6 +31,12 @@ std::vector<Segment> distance_segments(const QueryBodies& bodies, const QueryTra
 std::vector<SceneLabel> distance_labels(const QueryBodies& bodies, const QueryTrace& frame,
                                         const Theme& theme);
 
+/// The distance that a query found.
+PanelItem distance_row(const QueryTrace& frame);
+
+/// The meaning of the lines of an answer.
+PanelKey distance_key(const TraceHeader& header, const QueryTrace& frame, const Theme& theme);
+
 /// The distance with its triangles, or the number of pairs within the tolerance; the counts; and
 /// how many pairs of volumes were left out, by the direction of the largest bound. `verdicts`: on
 /// the query's tests, see tested_pairs; it says how many pairs were divided in vain.

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "render/figures/distance_figure.h"
 #include "render/figures/figure_words.h"
 #include "render/plots/depth_matrix_plot.h"
 #include "render/view/palette.h"
 
 namespace scb::render {
-Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
-             HeatOf of, std::optional<std::uint32_t> scale_end) {
+
+Heat heat_of(const QueryBodies& bodies, const QueryTrace& frame, HeatOf of,
+             std::optional<std::uint32_t> scale_end, const std::vector<bool>& wasted) {
     Heat heat;
     heat.of = of;
-    std::vector<bool> wasted;
-    if (of == HeatOf::wasted) wasted = wasted_tests(frame.steps, outcomes_of(header, frame));
     heat.wasted = static_cast<std::uint64_t>(std::count(wasted.begin(), wasted.end(), true));
     for (std::size_t side = 0; side < 2; ++side) {
         heat.counts[side] =
@@ -61,10 +61,13 @@ PanelItem heat_key(const Heat& heat) {
     return scale;
 }
 
-std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const QueryTrace& frame,
-                                  const Heat& heat) {
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                  const QueryTrace& frame, const Heat& heat) {
     std::vector<PanelItem> items;
-    items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
+    if (header.kind == QueryKind::distance)
+        items.push_back(distance_row(frame));
+    else
+        items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     if (heat.of == HeatOf::wasted)
@@ -91,8 +94,10 @@ std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const QueryTrace& f
     items.push_back(heat_key(heat));
     items.emplace_back(PanelNote{
         heat.of == HeatOf::triangles ? "tests of the triangle against one of the other body"
-        : heat.of == HeatOf::volumes
-            ? "tests of volumes that hold the triangle"
+        : heat.of == HeatOf::volumes ? "tests of volumes that hold the triangle"
+        : is_of_distance(header.kind)
+            ? "tests of volumes that hold the triangle, if no triangles as near as the answer are "
+              "below the pair that led to the test"
             : "tests of volumes that hold the triangle, if no triangles meet below the pair that "
               "led to the test"});
     return items;

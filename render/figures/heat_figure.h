@@ -25,8 +25,9 @@ struct Heat {
 
 /// `scale_end`: the count at the upper end of the scale; else the first number of the form 1, 2 or
 /// 5 times a power of ten that no count exceeds, which seldom changes from frame to frame.
-Heat heat_of(const QueryBodies& bodies, const TraceHeader& header, const QueryTrace& frame,
-             HeatOf of, std::optional<std::uint32_t> scale_end);
+/// `wasted`: which tests are, for HeatOf::wasted only.
+Heat heat_of(const QueryBodies& bodies, const QueryTrace& frame, HeatOf of,
+             std::optional<std::uint32_t> scale_end, const std::vector<bool>& wasted);
 
 /// Both meshes, each triangle in viridis by its count, and B outlined in its color.
 Pane heat_pane(const QueryBodies& bodies, const Heat& heat);
@@ -35,7 +36,7 @@ Pane heat_pane(const QueryBodies& bodies, const Heat& heat);
 PanelItem heat_key(const Heat& heat);
 
 /// Its numbers and its scale.
-std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const QueryTrace& frame,
-                                  const Heat& heat);
+std::vector<PanelItem> heat_panel(const QueryBodies& bodies, const TraceHeader& header,
+                                  const QueryTrace& frame, const Heat& heat);
 
 }  // namespace scb::render

@@ -236,9 +236,13 @@ std::array<ComparedView, 2> compared_heat(const ComparedQueries& queries,
                                           std::optional<std::uint32_t> scale_end,
                                           const Theme& theme) {
     std::array<Heat, 2> heats;
-    for (std::size_t side = 0; side < 2; ++side)
-        heats[side] = heat_of(queries[side].bodies, *queries[side].header, *queries[side].frame, of,
-                              scale_end);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const QueryTrace& frame = *queries[side].frame;
+        std::vector<bool> wasted;
+        if (of == HeatOf::wasted)
+            wasted = wasted_tests(frame.steps, outcomes_of(*queries[side].header, frame));
+        heats[side] = heat_of(queries[side].bodies, frame, of, scale_end, wasted);
+    }
     const std::size_t larger = heats[1].most > heats[0].most ? 1 : 0;
     heats[1 - larger].scale = heats[larger].scale;
     std::array<ComparedView, 2> views;

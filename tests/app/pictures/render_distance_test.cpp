@@ -65,6 +65,33 @@ TEST_F(RenderDistance, ShowsAShortLineClosely) {
     }
 }
 
+/// The number that follows a text in a picture.
+std::uint64_t number_after(const std::string& svg, const std::string& text) {
+    const std::size_t at = svg.find(">" + text + "</text>");
+    if (at == std::string::npos) return 0;
+    std::uint64_t number = 0;
+    for (std::size_t i = svg.find('>', svg.find("<text", at)) + 1; i < svg.size(); ++i) {
+        if (svg[i] == ',' && i + 1 < svg.size() && svg[i + 1] != ' ') continue;
+        if (svg[i] < '0' || svg[i] > '9') break;
+        number = 10 * number + static_cast<std::uint64_t>(svg[i] - '0');
+    }
+    return number;
+}
+
+TEST_F(RenderDistance, HeatCountsTheTestsOfPairsDividedInVain) {
+    const auto drawn = [this](const std::string& options) {
+        const json index = index_of("spheres-l1 --frames 0 --svg " + options);
+        EXPECT_EQ(index["options"].value("heat", ""), options.empty() ? "" : options.substr(7));
+        return file_text(out_ + "/" + index["files"][0]["svg"].get<std::string>());
+    };
+    // A division leads to two tests.
+    const std::uint64_t in_vain = number_after(drawn(""), "of these in vain");
+    EXPECT_GT(in_vain, 10u);
+    EXPECT_EQ(number_after(drawn("--heat wasted"), "wasted N_v"), 2 * in_vain);
+    // Each test has one triangle of A at least, and the roots have all.
+    EXPECT_GT(number_after(drawn("--heat volumes"), "most tests"), 10u);
+}
+
 TEST_F(RenderDistance, RefusesTracesAndWrongNumbers) {
     const auto error = [this](const std::string& arguments) {
         const ProgramRun run = run_scb("render distance " + arguments + " -o " + out_);
@@ -73,6 +100,8 @@ TEST_F(RenderDistance, RefusesTracesAndWrongNumbers) {
     };
     EXPECT_NE(error("spheres-l1 --within -1").find("0 or more"), std::string::npos);
     EXPECT_NE(error("spheres-l1 --within 1 --limit 2").find("--limit"), std::string::npos);
+    EXPECT_NE(error("spheres-l1 --heat-end 10").find("give at least 2, and --heat"),
+              std::string::npos);
     EXPECT_NE(error("spheres-l1 --bodies A,A").find("name two bodies"), std::string::npos);
     const std::string trace = folder_ / "t.scbrec";
     ASSERT_EQ(run_scb("trace spheres-l1 --frames 0 -o " + trace).status, 0);
