@@ -19,8 +19,8 @@ namespace scb {
 namespace HWY_NAMESPACE {
 
 /// Hands over the near triangles of pairs of leaves. Most pairs are far enough apart along the
-/// vector between the nearest triangles so far. The others wait until there are enough for all
-/// lanes, and are then bounded from both sides.
+/// vector between the nearest triangles so far, or between their centers. The others wait until
+/// there are enough for all lanes, and are then bounded from both sides.
 class NearTriangles {
   public:
     NearTriangles(const LeafQuery& query, NearSearch& search)
@@ -32,7 +32,8 @@ class NearTriangles {
             i.bits, j.bits,
             [this]<int n>(const TrianglePairs<n>& pairs, std::uint32_t valid, const PackedLeaf& a,
                           const PackedLeaf& b, int first) HWY_ATTR {
-                const std::uint32_t bits = valid & low_bits(n) & ~far(pairs).bits();
+                std::uint32_t bits = valid & low_bits(n) & ~far_along_nearest(pairs).bits();
+                if (bits != 0) bits &= ~far_along_centers(pairs).bits();
                 if (bits != 0) put(pairs, bits, a, b, first);
             });
         // The first limit is needed soonest.
@@ -54,11 +55,25 @@ class NearTriangles {
     std::uint64_t count() const { return findings_.n_p; }
 
   private:
+    /// Whether the gaps along these vectors, at most this long, are above the limit.
     template <int n>
-    HWY_INLINE LaneMask<n> far(const TrianglePairs<n>& pairs) const {
+    HWY_INLINE LaneMask<n> far_along(const TrianglePairs<n>& pairs, const Lanes3<n>& v,
+                                     Lanes<n> length) const {
         const Lanes<n> most = Lanes<n>::all(search_.limit) + gap_error(pairs);
-        return most * Lanes<n>::all(direction_length_) <
-               gap_along(pairs, Lanes3<n>::all(direction_));
+        return most * length < gap_along(pairs, v);
+    }
+    template <int n>
+    HWY_INLINE LaneMask<n> far_along_nearest(const TrianglePairs<n>& pairs) const {
+        return far_along(pairs, Lanes3<n>::all(direction_), Lanes<n>::all(direction_length_));
+    }
+    /// Along the vector between the centers of each pair, which costs more, and ends pairs that are
+    /// beside each other on surfaces that are about as near everywhere.
+    template <int n>
+    HWY_INLINE LaneMask<n> far_along_centers(const TrianglePairs<n>& t) const {
+        const Lanes<n> three = Lanes<n>::all(3);
+        const Lanes3<n> v = (t.f1 + t.f2) - (t.p1 + t.p2) + scaled(three, t.w);
+        const Lanes<n> length = sqrt(dot(v, v));
+        return has_direction(length) & far_along(t, v, length * Lanes<n>::all(1 + 0x1p-20f));
     }
 
     template <int n>

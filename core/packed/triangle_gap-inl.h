@@ -149,6 +149,12 @@ HWY_INLINE Lanes<n> gap_along(const TrianglePairs<n>& t, const Lanes3<n>& v) {
            max(zero, max(dot(v, t.p1), dot(v, t.p2)));
 }
 
+/// Whether a vector of this length has a direction, see shortest_gap.
+template <int n>
+HWY_INLINE LaneMask<n> has_direction(Lanes<n> length) {
+    return (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(longest_gap));
+}
+
 /// The error of both bounds.
 template <int n>
 HWY_INLINE Lanes<n> gap_error(const TrianglePairs<n>& t) {
@@ -170,9 +176,7 @@ struct TriangleGap {
                            Lanes<n> error)
         : least(-error), most(sqrt(shortest.squared) + error), v(shortest.v) {
         const Lanes<n> length = sqrt(shortest.squared);
-        const LaneMask<n> has_direction =
-            (Lanes<n>::all(shortest_gap) < length) & (length < Lanes<n>::all(longest_gap));
-        least = select(has_direction, gap_along(t, v) / length - error, least);
+        least = select(has_direction(length), gap_along(t, v) / length - error, least);
     }
 };
 
