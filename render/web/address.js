@@ -36,7 +36,7 @@ export class Address {
     clearTimeout(this.later);
     const { app } = this, { state, view, manifest } = app, number = (/** @type {number} */ x) => String(+x.toPrecision(7)), words = new URLSearchParams();
     const set = (/** @type {string} */ name, /** @type {string | number} */ value) => words.set(name, String(value));
-    if (state.mode !== 'levels') set('show', state.mode);
+    if (state.mode !== app.firstMode) set('show', state.mode);
     if (state.hidden.length) set('hide', state.hidden.join('|'));
     if (state.without.length) set('without', state.without.join());
     if (state.focus !== 0.5) set('focus', state.focus);
@@ -89,7 +89,7 @@ export class Address {
       const parts = (words.get(name) ?? '').split(',').map(Number);
       return parts.length === count && parts.every(Number.isFinite) ? parts : null;
     };
-    state.mode = (app.hasQueries && modes.find(({ name }) => name === words.get('show'))?.name) || 'levels';
+    state.mode = (app.hasQueries && modes.find(({ name }) => name === words.get('show'))?.name) || app.firstMode;
     state.hidden = words.get('hide')?.split('|') ?? [];
     state.without = (words.get('without') ?? '').split(',').filter((word) => /^\d+$/.test(word)).map(Number);
     if (words.size > 0) Object.assign(state, { levels: {}, focus: 0.5 });

@@ -96,8 +96,12 @@ export class App {
     this.icicle = new Icicle(this);
     this.matrix = new Matrix(this);
     new Controls(this);
+    const isPlain = location.hash.length < 2;
     await this.refresh();
+    this.draw();  // what follows reads its rectangles and pixels
     await this.follow();
+    // From the view that fits the bodies, a short line is hard to see.
+    if (this.measures && isPlain) this.approach();
     this.address.writeNow();
     // The first drawing was asked for before, so it ends before this callback; a script can pick afterwards.
     await new Promise(requestAnimationFrame);
@@ -119,6 +123,10 @@ export class App {
   // Whether the queries are of distances.
   get measures() {
     return this.columns.some(({ query }) => query?.stored.distance);
+  }
+  // The mode without a word in the address.
+  get firstMode() {
+    return this.measures ? 'pairs' : 'levels';
   }
   // The column with the most bodies.
   get longest() {

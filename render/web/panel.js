@@ -1,5 +1,5 @@
 import { dot } from './linear.js';
-import { terms, concepts, keys } from './words.js';
+import { terms, concepts, keysOf } from './words.js';
 import { element, counted, short, faint, row, table, button, slider, swatch, colorScale } from './elements.js';
 import { ballAbout } from './camera.js';
 import { FrameChart } from './frames.js';
@@ -75,10 +75,11 @@ export class Panel {
   }
 
   fillHelp() {
+    const { app } = this;
     const two = (/** @type {(Node | string)[][]} */ pairs) => element('table', {}, ...pairs.map(([key, what]) => element('tr', {}, element('td', {}, key), element('td', {}, what))));
     /** @type {HTMLElement} */ (document.getElementById('help')).append(
       element('form', { method: 'dialog' }, element('button', { textContent: 'Close' })),
-      element('h2', { textContent: 'Keys' }), two(keys.map(([key, what]) => [element('kbd', { textContent: key }), what])),
+      element('h2', { textContent: 'Keys' }), two(keysOf(app).map(([key, what]) => [element('kbd', { textContent: key }), what])),
       element('p', { className: 'faint', textContent: 'Drag to turn, with Shift or the right button to move, wheel or pinch to zoom. Click a volume, a triangle or a line of contact to ask about it. Words with dots below them say what they mean under the mouse.' }),
       element('h2', { textContent: 'Words' }), two(concepts.map((name) => [name, terms[name]])));
   }

@@ -49,8 +49,8 @@ export const terms = {
 // Those that the help explains.
 export const concepts = ['N_v', 'N_p', 'wasted N_v', 'overlapping pairs', 'fit too loose', 'test too weak', 'rejected wrongly', 'slack', 'gap'];
 
-export const keys = [
-  ['1 to 7', modes.map(({ text }) => text.toLowerCase()).join(', ')],
+export const keysOf = (/** @type {App} */ app) => [
+  ['1 to 7', modesOf(app).map(({ text }) => text.toLowerCase()).join(', ')],
   ['arrows', 'turn; with Shift, move'],
   ['+ \u2212', 'nearer, farther'],
   ['[ ]', 'one level up, down'],

@@ -1022,7 +1022,7 @@ test('a page of a distance has no pairs within one', () => {
 test('a distance: its line with its number, its tests by bound, and each test with its volumes', async () => {
   // An order in which parents are not those that a depth-first search has.
   const query = ['spheres-l1', '--frames', '0', '--order', 'nearest'], told = JSON.parse(scb('distance', ...query, '--json')).frames[0];
-  await onPage(page_of(...query, '--kind', 'distance'), { hash: '#show=pairs' }, async (page) => {
+  await onPage(page_of(...query, '--kind', 'distance'), {}, async (page) => {
     await settled(page);
     const found = await page.evaluate(() => {
       const { app } = document.getElementById('canvas'), { frame, contacts } = app.scenes[0], { query } = frame;
@@ -1047,15 +1047,20 @@ test('a distance: its line with its number, its tests by bound, and each test wi
     assert.equal(found.wasted, found.parents.filter((parent) => parent >= 0 && found.divided[parent] && !led[parent]).length);
     assert.equal(Number(await page.locator('#labels .dimension').textContent()), Number(told.distance.toPrecision(5)));
     assert.equal(await page.getByRole('tab', { selected: true }).textContent(), 'Distance');
+    // The line is seen in its length, at first and when one goes there.
+    const share = () => page.evaluate(() => {
+      const { app } = document.getElementById('canvas'), { line } = app.scenes[0].contacts[0], [p, q] = [line.slice(0, 3), line.slice(3)].map(app.projection(0));
+      return Math.hypot(p[0] - q[0], p[1] - q[1]) / app.rectangles[0][3];
+    });
+    const first = await share();
+    assert.ok(first > 0.15 && first < 0.6, `${first} of the height`);
+    await shot(page, 'distance');
+    await press(page, 'f');
+    await settled(page);
+    assert.ok((await share()) < 0.1);
     await page.getByRole('button', { name: 'Go to it' }).first().click();
     await settled(page);
-    // The line is seen in its length.
-    const [length, height] = await page.evaluate(() => {
-      const { app } = document.getElementById('canvas'), { line } = app.scenes[0].contacts[0], [p, q] = [line.slice(0, 3), line.slice(3)].map(app.projection(0));
-      return [Math.hypot(p[0] - q[0], p[1] - q[1]), app.rectangles[0][3]];
-    });
-    assert.ok(length > 0.15 * height && length < 0.6 * height, `${length} of ${height} pixels`);
-    await shot(page, 'distance');
+    assert.ok(Math.abs((await share()) - first) < 0.02 * first);
     // The list leads to the test, whose volumes the scene shows.
     await unfold(page);
     await page.locator('.bounds button').first().click();
