@@ -1,11 +1,12 @@
 #include "app/study/bench_run.h"
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
 
+#include "app/study/near_query.h"
 #include "core/analysis/measure_correlation.h"
-
 #include "render/figures/figure_words.h"
 #include "scb/error.h"
 
@@ -152,34 +153,17 @@ class BenchQueries {
     }
 
     QueryAnswer near_query(std::size_t s, std::size_t i) const {
-        const DistanceQuery& asked = *options_.distance;
-        if (asked.within && !options_.first) return {within_query(s, i, *asked.within)};
-        const Distance nearest =
-            nearest_query(s, i, asked.within ? asked.up_to_first() : asked.limits);
-        QueryAnswer answer{{}, nearest.found.distance};
-        if (asked.within && nearest.triangles) answer.found.pairs = {*nearest.triangles};
-        answer.found.n_v = nearest.n_v;
-        answer.found.n_p = nearest.n_p;
-        answer.found.n_u = nearest.n_u;
+        DistanceQuery asked = *options_.distance;
+        const bool to_first = asked.within && options_.first;
+        if (to_first) asked = {asked.up_to_first(), std::nullopt};
+        const auto [a, b] = meshes_;
+        QueryAnswer answer = packed_[s].empty()
+                                 ? near_answer(hierarchies(s)[a], mesh(a), hierarchies(s)[b],
+                                               mesh(b), poses_[i], asked)
+                                 : near_answer(packed_[s][0], mesh(a), packed_[s][1], mesh(b),
+                                               poses_[i], asked, options_.packed.level);
+        if (to_first && std::isfinite(answer.distance)) answer.found.pairs = {{0, 0}};
         return answer;
-    }
-
-    Distance nearest_query(std::size_t s, std::size_t i, const DistanceOptions& limits) const {
-        const auto [a, b] = meshes_;
-        if (packed_[s].empty())
-            return distance(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i],
-                            limits);
-        return distance_of(distance_packed(packed_[s][0], mesh(a), packed_[s][1], mesh(b),
-                                           poses_[i], limits, options_.packed.level));
-    }
-
-    Collision within_query(std::size_t s, std::size_t i, double tolerance) const {
-        const auto [a, b] = meshes_;
-        if (packed_[s].empty())
-            return within(hierarchies(s)[a], mesh(a), hierarchies(s)[b], mesh(b), poses_[i],
-                          tolerance, options_.collide.descent);
-        return collision_of(within_packed(packed_[s][0], mesh(a), packed_[s][1], mesh(b), poses_[i],
-                                          tolerance, options_.packed.level));
     }
 
     Collision packed_query(std::size_t s, std::size_t i) {

@@ -1,6 +1,6 @@
 #include "app/study/tune_subject.h"
 
-#include "app/study/query_timing.h"
+#include "app/study/near_query.h"
 #include "core/base/statistics.h"
 #include "core/platform/clock.h"
 #include "scenes/scene/scene_hierarchies.h"
@@ -76,6 +76,19 @@ PackedCollision TuneSubject::query(const BuiltLayout& built, std::size_t frame) 
                           scene_.meshes[mesh_b_].mesh, poses_[frame], {}, &workspace_);
 }
 
+QueryAnswer TuneSubject::query(const BuiltSetting& built, const DistanceQuery& asked,
+                               std::size_t frame) const {
+    return near_answer((*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
+                       (*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh, poses_[frame],
+                       asked);
+}
+
+QueryAnswer TuneSubject::query(const BuiltLayout& built, const DistanceQuery& asked,
+                               std::size_t frame) const {
+    return near_answer(built.a, scene_.meshes[mesh_a_].mesh, built.b, scene_.meshes[mesh_b_].mesh,
+                       poses_[frame], asked);
+}
+
 void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {
     CollideOptions slow;
     slow.overlap.test = OverlapTest::extents;
@@ -91,6 +104,19 @@ void TuneSubject::prepare(const BuiltSetting& built, std::size_t frame) const {
 void TuneSubject::prepare(const BuiltLayout& built, std::size_t frame) {
     collide_packed(built.b, scene_.meshes[mesh_b_].mesh, built.a, scene_.meshes[mesh_a_].mesh,
                    relative_pose(poses_[frame], Pose{}), {}, &workspace_);
+}
+
+void TuneSubject::prepare(const BuiltSetting& built, const DistanceQuery& asked,
+                          std::size_t frame) const {
+    near_answer((*built.hierarchies)[mesh_b_], scene_.meshes[mesh_b_].mesh,
+                (*built.hierarchies)[mesh_a_], scene_.meshes[mesh_a_].mesh,
+                relative_pose(poses_[frame], Pose{}), asked);
+}
+
+void TuneSubject::prepare(const BuiltLayout& built, const DistanceQuery& asked,
+                          std::size_t frame) const {
+    near_answer(built.b, scene_.meshes[mesh_b_].mesh, built.a, scene_.meshes[mesh_a_].mesh,
+                relative_pose(poses_[frame], Pose{}), asked);
 }
 
 }  // namespace scb::app

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/study/query_timing.h"
 #include "app/study/scene_query.h"
 #include "core/analysis/tuning.h"
 #include "scb/any_packed.h"
@@ -42,6 +43,11 @@ class TuneSubject {
     Collision query(const BuiltSetting& built, const TuneSetting& setting, std::size_t frame) const;
     /// Pairs and counts, without N_u. Not for several threads at a time.
     PackedCollision query(const BuiltLayout& built, std::size_t frame);
+    /// Queries of distances.
+    QueryAnswer query(const BuiltSetting& built, const DistanceQuery& asked,
+                      std::size_t frame) const;
+    QueryAnswer query(const BuiltLayout& built, const DistanceQuery& asked,
+                      std::size_t frame) const;
 
     /// Makes a timed query independent of the one before it. A setting would be quicker right after
     /// one with the same hierarchies, which are then in the caches, or with the same overlap test,
@@ -50,6 +56,9 @@ class TuneSubject {
     void prepare(const BuiltSetting& built, std::size_t frame) const;
     /// The same; a layout has only one test.
     void prepare(const BuiltLayout& built, std::size_t frame);
+    /// The same for queries of distances, with A and B exchanged.
+    void prepare(const BuiltSetting& built, const DistanceQuery& asked, std::size_t frame) const;
+    void prepare(const BuiltLayout& built, const DistanceQuery& asked, std::size_t frame) const;
 
   private:
     struct Split {

@@ -11,8 +11,10 @@
 #include "app/pictures/picture_name.h"
 #include "app/pictures/picture_options.h"
 #include "app/pictures/plot_file.h"
+#include "app/query/distance_options.h"
 #include "app/query/query_options.h"
 #include "app/report/build_text.h"
+#include "app/timing/tune_distance_report.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
 #include "app/timing/tune_report.h"
@@ -33,6 +35,7 @@ struct TuneCommandOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query{.frames = auto_frames};
+    KindOptions kind;
     PictureOptions picture{.output = ""};
     int repeats = 5;
     bool every = false, no_time = false, json = false;
@@ -49,9 +52,13 @@ std::vector<int> chosen_frames(const std::string& text, const scenes::Scene& sce
     return frames;
 }
 
+void check_repeats(int repeats) {
+    if (repeats < 1 || repeats > 1000)
+        throw InputError("--repeat " + std::to_string(repeats) + ": give 1 to 1000.");
+}
+
 TuneOptions tune_options(const TuneCommandOptions& options) {
-    if (options.repeats < 1 || options.repeats > 1000)
-        throw InputError("--repeat " + std::to_string(options.repeats) + ": give 1 to 1000.");
+    check_repeats(options.repeats);
     const CollideOptions collide = options.query.collide();
     const BuildOptions build = options.hierarchy.build();
     TuneOptions result;
@@ -69,20 +76,25 @@ TuneOptions tune_options(const TuneCommandOptions& options) {
     return result;
 }
 
-std::string conditions(const TuneCommandOptions& options, const SceneTuning& tuning) {
-    if (options.no_time) return build_sentence(tuning.build);
-    const std::string built = build_sentence(tuning.build);
-    const std::size_t frames = tuning.timed_frames.size();
-    return (built.empty() ? "" : built + " ") + "Time: " + std::to_string(options.repeats) +
-           (options.repeats == 1 ? " run" : " runs") + " over " + std::to_string(frames) +
-           (frames == 1 ? " frame" : " frames") +
+/// Sentences on how times were measured; `sorting`: whether a query sorts its pairs.
+std::string time_conditions(int repeats, std::size_t frames, bool sorting) {
+    return "Time: " + std::to_string(repeats) + (repeats == 1 ? " run" : " runs") + " over " +
+           std::to_string(frames) + (frames == 1 ? " frame" : " frames") +
            ", in which the settings take turns, each after an untimed query of the same nodes; one "
-           "thread, processor time, sorting the pairs included. " +
-           (options.repeats == 1 ? ""
-                                 : "The interval is from the least to the most of the runs; where "
-                                   "two intervals meet, no difference was measured. ") +
+           "thread, processor time" +
+           (sorting ? ", sorting the pairs included. " : ". ") +
+           (repeats == 1 ? ""
+                         : "The interval is from the least to the most of the runs; where "
+                           "two intervals meet, no difference was measured. ") +
            "Compiled by " + compiler_text() +
            ". Times differ from machine to machine and from run to run; counts do not.";
+}
+
+std::string conditions(const TuneCommandOptions& options, const SceneTuning& tuning) {
+    const std::string built = build_sentence(tuning.build);
+    if (options.no_time) return built;
+    return (built.empty() ? "" : built + " ") +
+           time_conditions(options.repeats, tuning.timed_frames.size(), true);
 }
 
 std::string command_to_use(const TuneCommandOptions& options, const SceneTuning& tuning) {
@@ -159,7 +171,78 @@ void write_files(const TuneCommandOptions& options, const scenes::Scene& scene,
     write_file_whole(folder / table_file(options, scene, ".json"), json_text(options, tuning));
 }
 
+DistanceTuneOptions distance_tune_options(const TuneCommandOptions& options) {
+    check_repeats(options.repeats);
+    DistanceTuneOptions result;
+    result.build = options.hierarchy.build();
+    result.base.volume = options.hierarchy.kind();
+    result.base.split = result.build.split;
+    result.base.growth = result.build.fit.growth;
+    result.base.descent = options.query.descent;
+    result.asked = *options.query.distance;
+    result.asked.limits.descent = options.query.descent;
+    result.repeats = options.repeats;
+    return result;
+}
+
+std::string distance_json_text(const TuneCommandOptions& options, const DistanceTuning& tuning) {
+    Json document = {{"version", SCB_VERSION}, {"source", utf8_names(options.scene.names)}};
+    document.update(distance_tune_json(tuning));
+    document["margin"] = options.hierarchy.margin;
+    const auto command = [&](std::size_t row) {
+        return "scb distance" + options.of_scene + distance_options(tuning.rows[row].setting);
+    };
+    document["command"] = command(tuning.best());
+    document["unpacked_command"] = command(tuning.best_unpacked());
+    document["repeats"] = options.repeats;
+    document["compiler"] = compiler_text();
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string distance_text(const TuneCommandOptions& options, const DistanceTuning& tuning) {
+    const auto use = [&](std::size_t row) {
+        const DistanceSetting& setting = tuning.rows[row].setting;
+        return "scb distance" + options.of_scene + distance_options(setting) +
+               "\n  in C++: " + distance_code(tuning, setting) + "\n";
+    };
+    const std::size_t best = tuning.best(), unpacked = tuning.best_unpacked();
+    const std::string built = build_sentence(tuning.build);
+    return distance_tune_table(tuning) + "\n" + (built.empty() ? "" : built + " ") +
+           time_conditions(options.repeats, tuning.frames.size(), tuning.asked.within.has_value()) +
+           "\n\nTo use it: " + use(best) + (unpacked == best ? "" : "Unpacked: " + use(unpacked));
+}
+
+int interrupted(const InterruptWatch& watch, const Console& console) {
+    console.note("scb: interrupted before the settings were compared; nothing was written.");
+    return exit_interrupted(watch.signal());
+}
+
+BodyPair tuned_bodies(const TuneCommandOptions& options, const scenes::Scene& scene) {
+    const BodyPair bodies = body_pairs(scene, options.query.bodies).front();
+    if (bodies[0] == bodies[1])
+        throw InputError("--bodies " + options.query.bodies +
+                         ": `scb tune` times queries of two bodies, on packed layouts too; give "
+                         "two, or see the settings that `scb inspect` lists.");
+    return bodies;
+}
+
+int run_distance(const TuneCommandOptions& options, const Console& console) {
+    const DistanceTuneOptions asked = distance_tune_options(options);
+    const scenes::Scene scene = options.scene.load(options.query.frames);
+    const auto [a, b] = tuned_bodies(options, scene);
+    note_doubts(options.scene, scene, options.query, {asked.base.volume}, console.notes());
+    const InterruptWatch watch;
+    const std::optional<DistanceTuning> tuning =
+        tune_distance(scene, a, b, chosen_frames(options.query.frames, scene), asked,
+                      tune_progress(console, watch));
+    if (!tuning) return interrupted(watch, console);
+    print_result(options.json ? distance_json_text(options, *tuning)
+                              : distance_text(options, *tuning));
+    return exit_done;
+}
+
 int run(const TuneCommandOptions& options, const Console& console) {
+    if (options.query.distance) return run_distance(options, console);
     const TuneOptions asked = tune_options(options);
     options.picture.check();
     const scenes::Scene scene = options.scene.load(options.query.frames);
@@ -168,11 +251,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
              {table_file(options, scene, ".csv"), table_file(options, scene, ".json"),
               picture_file(options, scene)})
             refuse_input(std::filesystem::path(options.picture.output) / file, "-o");
-    const auto [a, b] = body_pairs(scene, options.query.bodies).front();
-    if (a == b)
-        throw InputError("--bodies " + options.query.bodies +
-                         ": `scb tune` times queries of two bodies, on packed layouts too; give "
-                         "two, or see the settings that `scb inspect` lists.");
+    const auto [a, b] = tuned_bodies(options, scene);
     const std::vector<int> frames = chosen_frames(options.query.frames, scene);
     // For slab cut balls the threshold matters even if the base's test has none, since other tests
     // are tried.
@@ -193,10 +272,7 @@ int run(const TuneCommandOptions& options, const Console& console) {
     const InterruptWatch watch;
     const std::optional<SceneTuning> tuning =
         tune_scene(scene, a, b, frames, asked, tune_progress(console, watch));
-    if (!tuning) {
-        console.note("scb: interrupted before the settings were compared; nothing was written.");
-        return exit_interrupted(watch.signal());
-    }
+    if (!tuning) return interrupted(watch, console);
     if (writes) write_files(options, scene, *tuning, *renderer, folder);
     std::string text = options.json ? json_text(options, *tuning) : tune_table(*tuning);
     if (!options.json) {
@@ -223,6 +299,7 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "A built-in scene (see `scb scenes`), a scene file, or two mesh files");
     add_hierarchy_options(command, options->hierarchy, false);
     add_query_options(command, options->query, false);
+    add_kind_options(command, options->kind);
     command.get_option("--frames")
         .description(
             "Frames: 0,250 or FIRST:LAST[:STEP] or all; auto is fifty from the whole scene");
@@ -249,14 +326,22 @@ void add_tune(const Command& program, const Console& console, Action& action) {
         "B/tri: bytes of the\n"
         "hierarchies per triangle. The printed test misses pairs and is never best. Ctrl-C stops "
         "it, with exit status 130.\n\n"
+        "With --kind distance or --within T the base is the default of `scb distance`. The command "
+        "tries every volume, split, order\n"
+        "and packed layout in a few frames, and times the quickest and the base, in turns. The "
+        "best is the quickest if all of its\n"
+        "runs are quicker than all runs of the base; else the base.\n\n"
         "Examples:\n"
         "  scb tune spheres-l1 -o out/\n"
         "  scb tune knots-l1 --frames 0:499:50 --no-time\n"
-        "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected");
+        "  scb tune a.ply b.ply --pose 1,0,0,0.5,0,1,0,0,0,0,1,0 --test corrected\n"
+        "  scb tune spheres-l1 --kind distance");
     command.callback([&action, &console, command, options] {
-        options->of_scene =
-            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--query",
-                                 "--tag", "--frames", "--margin"});
+        options->of_scene = given_text(
+            command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--query", "--tag",
+                      "--frames", "--margin", "--within", "--relative-error", "--limit"});
+        take_kind(command, {"--test", "--threshold", "--every", "--no-time", "--output"},
+                  options->scene, options->hierarchy, options->query, options->kind);
         action = [&console, options] { return run(*options, console); };
     });
 }

@@ -24,8 +24,8 @@ std::string packed_text(const TuneSetting& s) {
 
 /// "{.fit = {.margin = 0.1}, .split = scb::SplitMethod::cost}": the BuildOptions of the setting.
 /// Empty if they are the default ones with the split `usual`.
-std::string build_code(const SceneTuning& tuning, const TuneSetting& setting, SplitMethod usual) {
-    const double margin = tuning.build.fit.margin;
+std::string build_code(const BuildOptions& options, const TuneSetting& setting, SplitMethod usual) {
+    const double margin = options.fit.margin;
     std::string fit;
     const auto add = [&fit](const std::string& field) { fit += (fit.empty() ? "" : ", ") + field; };
     if (has_growth(setting.volume) && setting.growth != TuneSetting{}.growth)
@@ -84,27 +84,31 @@ std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout) 
     return text;
 }
 
-std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
-    const TuneSetting& setting = tuning.rows[layout.row].setting;
-    const bool is_quantized = layout.layout.numbers == PackedLayout::Numbers::quantized,
-               is_indexed = layout.layout.corners == LeafCorners::in_mesh;
-    const bool gives_leaf = is_indexed || layout.layout.leaf_triangles != most_leaf_triangles;
-    const std::string build = build_code(tuning, setting, packed_build.split);
+std::string packed_code(const BuildOptions& options, const TuneSetting& setting,
+                        const PackedLayout& layout) {
+    const bool is_quantized = layout.numbers == PackedLayout::Numbers::quantized,
+               is_indexed = layout.corners == LeafCorners::in_mesh;
+    const bool gives_leaf = is_indexed || layout.leaf_triangles != most_leaf_triangles;
+    const std::string build = build_code(options, setting, packed_build.split);
     std::string code =
         "scb::build_packed<scb::" + std::string(is_quantized ? "QuantizedCodec" : "FloatCodec") +
-        "<" + std::to_string(layout.layout.width) +
+        "<" + std::to_string(layout.width) +
         (setting.volume == VolumeKind::scb2 ? ", scb::Scb2" : "") + ">>(mesh";
     if (!build.empty())
         code += ", " + build;
     else if (gives_leaf)
         code += ", scb::packed_build";
-    if (gives_leaf) code += ", " + std::to_string(layout.layout.leaf_triangles);
+    if (gives_leaf) code += ", " + std::to_string(layout.leaf_triangles);
     return code + (is_indexed ? ", scb::LeafCorners::in_mesh)" : ")");
 }
 
-std::string setting_code(const SceneTuning& tuning, const TuneSetting& setting) {
-    const std::string build = build_code(tuning, setting, BuildOptions{}.split);
-    std::string code, options;
+std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout) {
+    return packed_code(tuning.build, tuning.rows[layout.row].setting, layout.layout);
+}
+
+std::string hierarchy_code(const BuildOptions& options, const TuneSetting& setting) {
+    const std::string build = build_code(options, setting, BuildOptions{}.split);
+    std::string code;
     switch (setting.volume) {
 #define SCB_TYPE(kind, V, name)                          \
     case VolumeKind::kind:                               \
@@ -113,7 +117,12 @@ std::string setting_code(const SceneTuning& tuning, const TuneSetting& setting) 
         SCB_FOR_EACH_VOLUME_KIND(SCB_TYPE)
 #undef SCB_TYPE
     }
-    code += (build.empty() ? "" : ", " + build) + ")";
+    return code + (build.empty() ? "" : ", " + build) + ")";
+}
+
+std::string setting_code(const SceneTuning& tuning, const TuneSetting& setting) {
+    const std::string code = hierarchy_code(tuning.build, setting);
+    std::string options;
     const OverlapOptions& overlap = setting.overlap;
     if (setting.volume == VolumeKind::scb && overlap.test != OverlapOptions{}.test)
         options = ".overlap = {scb::OverlapTest::" + std::string(overlap_test_name(overlap.test)) +

@@ -17,6 +17,13 @@ std::string recommended_text(const SceneTuning& tuning);
 /// The options of `scb collide` and `scb bench`: " --volume scb2 --split cost --layout quantized8".
 std::string layout_options(const SceneTuning& tuning, const TuneLayout& layout);
 
+/// The call of the library that builds such a packed hierarchy of `mesh`. Split and growth are in
+/// `setting`, all else in `build`.
+std::string packed_code(const BuildOptions& build, const TuneSetting& setting,
+                        const PackedLayout& layout);
+/// The same of an unpacked hierarchy.
+std::string hierarchy_code(const BuildOptions& build, const TuneSetting& setting);
+
 /// The call of the library that builds such a hierarchy of `mesh`.
 std::string layout_code(const SceneTuning& tuning, const TuneLayout& layout);
 
