@@ -112,6 +112,7 @@ class Inputs(unittest.TestCase):
                 json.dump({"scb_scene": 1, "name": "s", "models": [{"name": "m", "box": {}}], "bodies": [body, rough]}, file)
             with self.assertWarnsRegex(UserWarning, "^the pose of B: not quite a rotation"):
                 scb.load_scene(path)
+            self.refuses("1e-9", scb.load_scene, path, exact_pose=True)
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
                 with self.assertRaises(UserWarning):

@@ -29,8 +29,9 @@ class Packed(unittest.TestCase):
                     np.testing.assert_array_equal(scb.collide(a, b, pose, threads=2).pairs, once.pairs)
                     for many in found:
                         np.testing.assert_array_equal(many.pairs_of(i), once.pairs)
-                        self.assertEqual((many.n_v[i], many.n_p[i], many.n_exact[i]),
-                                         (once.n_v, once.n_p, once.n_exact))
+                        self.assertEqual((many.n_v[i], many.n_p[i], many.n_exact[i], many.n_after_doubles[i]),
+                                         (once.n_v, once.n_p, once.n_exact, once.n_after_doubles))
+                        self.assertLessEqual(once.n_after_doubles, once.n_exact)
             self.assertEqual(len(found[0]), len(self.poses))
             self.assertRaises(IndexError, found[0].pairs_of, len(self.poses))
 

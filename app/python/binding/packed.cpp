@@ -38,7 +38,7 @@ SharedPacked pack_mesh(const SharedMesh& mesh, const std::string& layout, const 
 /// The result of a query, for Python.
 struct FoundPacked {
     py::array pairs;
-    std::uint64_t n_v = 0, n_p = 0, n_exact = 0;
+    std::uint64_t n_v = 0, n_p = 0, n_exact = 0, n_after_doubles = 0;
 };
 
 /// The memory of this thread's queries. To allocate it anew takes up to half of a short query.
@@ -58,8 +58,8 @@ FoundPacked collide_packed_once(const SharedPacked& a, const SharedPacked& b,
         found = collide_packed(a->packed, *a->mesh, b->packed, *b->mesh, b_to_a, options,
                                &workspace_of_thread());
     }
-    return {array_of<std::uint32_t>(std::move(found.pairs), 2), found.n_v, found.n_p,
-            found.n_exact};
+    return {array_of<std::uint32_t>(std::move(found.pairs), 2), found.n_v, found.n_p, found.n_exact,
+            found.n_after_doubles};
 }
 
 PackedTouch touches_once(const SharedPacked& a, const SharedPacked& b, const py::object& pose) {
@@ -88,13 +88,14 @@ void at_poses(const std::vector<Pose>& poses, std::int64_t thread_count, const Q
 
 /// Results of queries at several poses: a row per pose.
 struct PackedAtPoses : PairsAtPoses {
-    py::array n_v, n_p, n_exact;
+    py::array n_v, n_p, n_exact, n_after_doubles;
 };
 
 PackedAtPoses collide_packed_poses(const SharedPacked& a, const SharedPacked& b,
                                    const py::object& matrices, std::int64_t threads) {
     const std::vector<Pose> poses = poses_of(matrices, "poses");
-    std::vector<std::uint64_t> n_v(poses.size()), n_p(poses.size()), n_exact(poses.size());
+    std::vector<std::uint64_t> n_v(poses.size()), n_p(poses.size()), n_exact(poses.size()),
+        n_after_doubles(poses.size());
     std::vector<std::vector<IndexPair>> pairs(poses.size());
     at_poses(poses, threads, [&](std::size_t i, const Pose& pose, PackedWorkspace& workspace) {
         PackedCollision found =
@@ -102,6 +103,7 @@ PackedAtPoses collide_packed_poses(const SharedPacked& a, const SharedPacked& b,
         n_v[i] = found.n_v;
         n_p[i] = found.n_p;
         n_exact[i] = found.n_exact;
+        n_after_doubles[i] = found.n_after_doubles;
         pairs[i] = std::move(found.pairs);
     });
     PackedAtPoses result;
@@ -109,6 +111,7 @@ PackedAtPoses collide_packed_poses(const SharedPacked& a, const SharedPacked& b,
     result.n_v = array_of<std::uint64_t>(std::move(n_v));
     result.n_p = array_of<std::uint64_t>(std::move(n_p));
     result.n_exact = array_of<std::uint64_t>(std::move(n_exact));
+    result.n_after_doubles = array_of<std::uint64_t>(std::move(n_after_doubles));
     return result;
 }
 
@@ -164,6 +167,8 @@ numbers of mesh.triangles. Read-only, without a copy.)")
         .def_readonly("n_p", &FoundPacked::n_p, "Tests of two triangles.")
         .def_readonly("n_exact", &FoundPacked::n_exact,
                       "Tests of n_p that floats could not decide.")
+        .def_readonly("n_after_doubles", &FoundPacked::n_after_doubles,
+                      "Tests of n_exact that doubles could not decide either.")
         .def("__repr__", [](const FoundPacked& f) {
             return "<scb.PackedCollision: " + std::to_string(f.pairs.shape(0)) +
                    " pairs, N_v = " + std::to_string(f.n_v) + ", N_p = " + std::to_string(f.n_p) +
@@ -195,6 +200,8 @@ numbers of mesh.triangles. Read-only, without a copy.)")
         .def_readonly("n_p", &PackedAtPoses::n_p, "n uint64: tests of two triangles.")
         .def_readonly("n_exact", &PackedAtPoses::n_exact,
                       "n uint64: tests of n_p that floats could not decide.")
+        .def_readonly("n_after_doubles", &PackedAtPoses::n_after_doubles,
+                      "n uint64: tests of n_exact that doubles could not decide either.")
         .def_readonly("pairs", &PackedAtPoses::pairs,
                       "m x 2 uint32: the pairs of all poses, pose after pose.")
         .def_readonly("offsets", &PackedAtPoses::offsets,

@@ -16,11 +16,12 @@ namespace scb::python {
 namespace {
 
 SharedScene load_scene(const py::args& names, const py::object& pose,
-                       const std::optional<std::string>& models_dir) {
+                       const std::optional<std::string>& models_dir, bool exact_pose) {
     SharedScene result;
     app::SceneOptions& options = result.options;
     options = source_of(names);
     if (models_dir) options.models_dir = *models_dir;
+    options.exact_pose = exact_pose;
     if (!pose.is_none()) {
         const scenes::PoseRows rows = scenes::rows_of(pose_of(pose, "pose"));
         options.pose.assign(rows.begin(), rows.end());
@@ -176,12 +177,13 @@ Raises InputError where a pose is not rigid, or bodies have different numbers of
                    std::to_string(s.scene->frames) + " frames>";
         });
     module.def("load_scene", load_scene, py::kw_only(), py::arg("pose") = py::none(),
-               py::arg("models_dir") = py::none(),
+               py::arg("models_dir") = py::none(), py::arg("exact_pose") = false,
                R"(Load what the command line names as SCENE.
 
 One built-in name, scene file, mesh file or recording; or two mesh files, of which `pose` places the
 second in the frame of the first. models_dir, or else the environment variable SCB_MODELS, says where
-meshes are that are not where a scene names them.
+meshes are that are not where a scene names them. exact_pose: refuse a pose in a file whose R^T R
+differs from the identity by more than 1e-9. Otherwise, up to 1e-3, the nearest rotation is taken.
 
 Raises InputError.)");
     module.def(

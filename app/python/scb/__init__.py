@@ -11,6 +11,8 @@ from . import _scb
 from ._scb import (
     Collision,
     Collisions,
+    ContactPatch,
+    DeepVertex,
     Distance,
     Distances,
     Explanation,
@@ -41,6 +43,7 @@ from ._scb import (
     load_scene,
     open_queries,
     pack,
+    patches,
     read_mesh,
     relative_pose,
     scene_names,
@@ -65,6 +68,8 @@ _scb._set_mesh_reader(_os.path.join(_os.path.dirname(_os.path.abspath(__file__))
 __all__ = [
     "Collision",
     "Collisions",
+    "ContactPatch",
+    "DeepVertex",
     "Distance",
     "Distances",
     "DrawError",
@@ -102,6 +107,7 @@ __all__ = [
     "load_scene",
     "open_queries",
     "pack",
+    "patches",
     "read_mesh",
     "relative_pose",
     "scene_names",
