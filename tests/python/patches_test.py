@@ -1,4 +1,4 @@
-"""Contact patches and depths equal those of the program."""
+"""Contact patches and depths equal the reports of the program."""
 
 import unittest
 
