@@ -23,25 +23,8 @@ using Json = nlohmann::ordered_json;
 
 std::string point_text(const Vec3& p) { return format("(%.6g, %.6g, %.6g)", p[0], p[1], p[2]); }
 
-std::vector<Cell> found_cells(const Distance& d) {
-    if (!d.triangles) {
-        std::vector<Cell> cells(9);
-        for (std::size_t i = 0; i < 3; ++i) cells[i].text = "-";
-        return cells;
-    }
-    std::vector<Cell> cells = {Cell(d.found.distance, "%.6g"), d.triangles->a, d.triangles->b};
-    for (const Vec3& p : {d.found.point_a, d.found.point_b})
-        for (int i = 0; i < 3; ++i) cells.emplace_back(p[i], "%.6g");
-    return cells;
-}
-
-std::vector<Column> found_columns(bool with_proof) {
-    std::vector<Column> columns = {{"distance", "distance", 12},
-                                   {"triangle A", "triangle_a", 11},
-                                   {"triangle B", "triangle_b", 11}};
-    for (const char* coordinate :
-         {"point_a_x", "point_a_y", "point_a_z", "point_b_x", "point_b_y", "point_b_z"})
-        columns.push_back({"", coordinate});
+std::vector<Column> answer_columns(bool with_proof) {
+    std::vector<Column> columns = found_columns();
     if (with_proof)
         for (const char* bound : {"lower", "upper", "certified"}) columns.push_back({"", bound});
     return columns;
@@ -62,7 +45,7 @@ DistanceReport::DistanceReport(const DistanceCommandOptions& options, SceneQuery
     if (lists_pairs())
         columns.push_back({"pairs", "pairs", 9});
     else
-        for (Column& column : found_columns(options.prove)) columns.push_back(std::move(column));
+        for (Column& column : answer_columns(options.prove)) columns.push_back(std::move(column));
     for (const auto& [title, key] :
          {std::pair("N_v", "n_v"), std::pair("N_p", "n_p"), std::pair("N_u", "n_u")})
         columns.push_back({title, key, 10});
@@ -110,8 +93,8 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     // A query that ends at the first pair says nothing about the others.
     const bool is_apart = !found.triangles || (!options_.first && found.found.distance > 0);
     Json json = found_json(found.triangles, found.found);
-    if (options_.json && found.triangles) json["rounding"] = rounding(frame);
-    std::vector<Cell> cells = found_cells(found);
+    if (options_.json && found.triangles) json["rounding"] = query_.rounding(frame);
+    std::vector<Cell> cells = found_cells(found.triangles, found.found);
     if (options_.prove) {
         json["proof"] = prove(frame, found);
         for (const char* bound : {"lower", "upper", "certified"})
@@ -122,13 +105,6 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
 
 MeshTree DistanceReport::mesh_tree(std::size_t body) const {
     return {query_.mesh(body), topology_of(query_.hierarchy(body))};
-}
-
-double DistanceReport::rounding(int frame) const {
-    const Pose b_to_a = query_.b_to_a(frame);
-    return allowed_width(0,
-                         std::max(placed_corners(mesh_tree(query_.a), nullptr).largest_coordinate,
-                                  placed_corners(mesh_tree(query_.b), &b_to_a).largest_coordinate));
 }
 
 Json DistanceReport::prove(int frame, const Distance& found) {
@@ -239,7 +215,7 @@ std::vector<Cell> DistanceReport::mean_cells() const {
     if (lists_pairs())
         cells.push_back(mean(found_));
     else
-        cells.resize(1 + found_columns(options_.prove).size());
+        cells.resize(1 + answer_columns(options_.prove).size());
     for (const std::uint64_t sum : {work_.n_v, work_.n_p}) cells.push_back(mean(sum));
     cells.push_back(query_.is_packed() ? Cell(Json(), std::string("-")) : mean(work_.n_u));
     for (const Stage stage : stages_)

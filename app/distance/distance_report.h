@@ -75,10 +75,7 @@ class DistanceReport {
     bool intersect(std::span<const IndexPair> pairs, int frame) const;
     /// Certifies the distance, and lists the certificate's bounds.
     nlohmann::ordered_json prove(int frame, const Distance& found);
-    /// An error that a distance of the chosen bodies may have by rounding: 4 x 2^-52 of the largest
-    /// coordinate in A's frame.
     MeshTree mesh_tree(std::size_t body) const;
-    double rounding(int frame) const;
     /// Adds a row for the chosen bodies, and its JSON. `judges_inside`: whether bodies without
     /// contact are to be judged.
     void add_row(Bodies& bodies, int frame, const Distance& work, std::vector<Cell> cells,

@@ -31,6 +31,7 @@ SceneAtFrame open_scene(const ExplainOptions& options) {
     if (trace) refuse_for_trace(options.recording, name);
     if (trace && !options.scene.frames.empty()) query.frames = options.scene.frames;
     QuerySource source(options.scene, options.hierarchy, query, {}, false);
+    source.refuse_distances();
     const int frame = trace ? source.frames()[0] : options.scene.frame_of(source.query().scene);
     if (trace) source.frame(frame);  // throws if bodies have moved since the recording
     return {std::move(source), frame};

@@ -55,6 +55,8 @@ InspectedQueries open_scene(const InspectOptions& options, const Console& consol
     result.sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits,
                                 false);
     const QuerySource& source = result.sources.front();
+    // Recorded queries of distances are judged, see open_recording.
+    source.refuse_distances();
     note_doubts(options.hierarchy, {source.query().kind}, console.notes());
     note_doubts(options.scene, source.query().scene, options.query, {source.query().kind},
                 console.notes());

@@ -83,7 +83,7 @@ int run(PairsOptions& options, const Console& console) {
             throw InputError(std::string(heat ? "--heat" : "--patches") + ": the items of " +
                              source.header().source.front() +
                              " are objects without triangles; leave it out.");
-    for (const QuerySource& source : sources) refuse_recorded_distances(source.header());
+    for (const QuerySource& source : sources) source.refuse_distances();
     std::optional<render::ComparisonLayout> layout;
     if (sources.size() == 2) layout = layout_of(options);
     std::optional<SheetRun> sheet = options.planned_sheet(sources.front().frames().size(), layout);

@@ -195,7 +195,7 @@ int run(RejectionsOptions& options, const Console& console) {
     options.check();
     options.named = options.changed();
     QuerySources sources = options.open(console);
-    for (const QuerySource& source : sources) refuse_recorded_distances(source.header());
+    for (const QuerySource& source : sources) source.refuse_distances();
     const render::RejectionsStyle style = options.style(sources);
     // Volumes that are left out need no room in the view.
     if (style.focus < 1) options.held_part = held_in_focus;

@@ -28,11 +28,12 @@ struct TraversalOptions : QueryViewOptions {
     KindOptions kind{};
 
     /// Throws InputError.
-    Diagrams shown() const {
-        if (show == Diagrams::bounds && !query.distance)
+    Diagrams shown(const TraceHeader& header) const {
+        const bool has_bounds = is_of_distance(header.kind) && !header.engine;
+        if (show == Diagrams::bounds && !has_bounds)
             throw InputError(
                 "--show bounds: queries of overlap have no bounds; add --kind distance.");
-        return show.value_or(query.distance ? Diagrams::bounds : Diagrams::both);
+        return show.value_or(has_bounds ? Diagrams::bounds : Diagrams::both);
     }
 };
 
@@ -110,24 +111,25 @@ int run(TraversalOptions& options, const Console& console) {
     const std::optional<IndexPair> root = root_of(options);
     options.named.add_if(options.by != TraversalOptions{}.by, "by",
                          std::string(render::matrix_measure_names[options.by]));
-    const Diagrams shown = options.shown();
-    options.named.add_if(options.query.distance.has_value(), "kind", "distance");
-    options.named.add_if(options.show.has_value(), "show", std::string(diagram_names[shown]));
-    if (root) options.named.add("root", std::to_string(root->a) + "-" + std::to_string(root->b));
     QuerySources sources = options.open(console);
     if (sources.size() == 2)
         throw InputError("a picture of a traversal is of one query; give one trace.");
-    PictureRun pictures(options.picture, sources.front().header().scene);
+    const TraceHeader& header = sources.front().header();
+    const Diagrams shown = options.shown(header);
+    const bool is_own_distance = is_of_distance(header.kind) && !header.engine;
+    options.named.add_if(is_own_distance, "kind", "distance");
+    options.named.add_if(options.show.has_value(), "show", std::string(diagram_names[shown]));
+    if (root) options.named.add("root", std::to_string(root->a) + "-" + std::to_string(root->b));
+    PictureRun pictures(options.picture, header.scene);
     const QueryView view(options, sources, pictures.renderer());
 
     render::TraversalFigure figure;
-    figure.title = view.title(options.query.distance ? "traversal of a distance" : "traversal");
+    figure.title = view.title(is_own_distance ? "traversal of a distance" : "traversal");
     figure.measure = options.by;
     figure.matrix = shown == Diagrams::matrix || shown == Diagrams::both;
     figure.icicle = shown == Diagrams::icicle || shown == Diagrams::both;
     figure.theme = options.picture.theme();
     figure.part = root.has_value();
-    const TraceHeader& header = sources.front().header();
     return draw_frames(
         sources, pictures, console,
         [&](const QueryFrames& frames) {

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ struct DiffOptions {
 
 Json counts_json(const TraceDiff& d, const TraceCounts& a, const TraceCounts& b) {
     Json result;
-    for (const scenes::CountRow& row : scenes::count_rows(a, b, d.stages)) {
+    for (const scenes::CountRow& row : scenes::count_rows(d, a, b)) {
         const std::string name = row.name == "N_v"   ? "n_v"
                                  : row.name == "N_p" ? "n_p"
                                  : row.name == "N_u" ? "n_u"
@@ -38,17 +39,34 @@ Json counts_json(const TraceDiff& d, const TraceCounts& a, const TraceCounts& b)
     return result;
 }
 
+/// The distances of both and their triangles; null without triangles.
+Json answers_json(const FrameDifference& frame) {
+    const auto of = [](const std::optional<NearestTriangles>& found) -> std::array<Json, 2> {
+        if (!found) return {};
+        return {Json(found->distance), Json{found->triangles.a, found->triangles.b}};
+    };
+    const auto [distance_a, triangles_a] = of(frame.nearest_a);
+    const auto [distance_b, triangles_b] = of(frame.nearest_b);
+    return {{"distances_differ", frame.distances_differ()},
+            {"triangles_differ", frame.triangles_differ()},
+            {"distance", {{"a", distance_a}, {"b", distance_b}}},
+            {"rounding", frame.rounding},
+            {"triangles", {{"a", triangles_a}, {"b", triangles_b}}}};
+}
+
 Json json_of(const DiffOptions& options, const TraceDiff& d) {
     Json asked = Json::array(), frames = Json::array(), first;
     for (const FieldDifference& field : d.asked)
         asked.push_back({{"field", field.name}, {"a", field.a}, {"b", field.b}});
-    for (const FrameDifference& frame : d.frames)
+    for (const FrameDifference& frame : d.frames) {
         frames.push_back(
             {{"frame", frame.frame},
              {"poses_differ", frame.poses_differ},
              {"pairs_only_in_a", d.pairs_comparable ? Json(frame.pairs_only_in_a) : Json()},
              {"pairs_only_in_b", d.pairs_comparable ? Json(frame.pairs_only_in_b) : Json()},
              {"counts", counts_json(d, frame.a, frame.b)}});
+        if (d.kind == QueryKind::distance) frames.back().update(answers_json(frame));
+    }
     Json lost = Json::array();
     for (const LostPair& pair : d.lost)
         lost.push_back(
@@ -143,7 +161,9 @@ void add_diff(const Command& program, const Console& console, Action& action) {
         "Exit "
         "status: 0 equal,\n"
         "1 different, 2 a file is neither a trace nor a recording. The versions of scb and the "
-        "names of recordings are not compared.\n\n"
+        "names of recordings are not compared.\n"
+        "Distances are equal if they differ by rounding only: 4 x 2^-52 of the largest coordinate. "
+        "Two kinds of queries are refused.\n\n"
         "Example:\n"
         "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbrec\n"
         "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbrec\n"

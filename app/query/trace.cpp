@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/query/distance_options.h"
 #include "app/query/layout_options.h"
 #include "app/query/output_guard.h"
 #include "app/query/query_options.h"
@@ -39,6 +40,8 @@ struct TraceOptions {
     QueryOptions query;
     QueryLimits limits;
     LayoutOptions layout;
+    KindOptions kind;
+    bool first = false;
     bool json = false, events = false, records = false;
     std::string output;
 };
@@ -88,7 +91,8 @@ int record(const TraceOptions& options, const Console& console) {
     std::size_t done = 0;
     std::uint64_t tests = 0;
     for (; done < query.frames.size() && watch.signal() == 0; ++done) {
-        const QueryTrace frame = traced_query(query, query.frames[done]);
+        QueryTrace frame = traced_query(query, query.frames[done]);
+        if (frame.nearest) frame.rounding = query.rounding(frame.frame);
         if (recording)
             recording->add(frame, query.poses(frame.frame));
         else
@@ -122,6 +126,12 @@ void print_block(std::string& text) {
     if (text.size() < block) return;
     print_result(text);
     text.clear();
+}
+
+/// Throws InputError without --within.
+void ask_for_first(QueryOptions& query) {
+    if (!query.distance || !query.distance->within) throw InputError("--first needs --within T.");
+    query.distance = {query.distance->up_to_first(), std::nullopt};
 }
 
 /// The width of node columns: engines may have large numbers.
@@ -222,7 +232,7 @@ int print(const TraceOptions& options, const std::vector<std::string>& given,
 
 void add_trace(const Command& program, const Console& console, Action& action) {
     const Command command = program.add_subcommand(
-        "trace", "Record every test of collision queries to a file, or print such a file");
+        "trace", "Record every test of queries to a file, or print such a file");
     const auto options = std::make_shared<TraceOptions>();
     add_scene_options(command, options->scene, false);
     command.get_option("SCENE").description(
@@ -234,6 +244,9 @@ void add_trace(const Command& program, const Console& console, Action& action) {
     add_query_limits(command, options->limits);
     add_layout_options(command, options->layout,
                        "Record the queries on packed hierarchies, as --records does");
+    add_kind_options(command, options->kind);
+    command.add_flag("--first", options->first,
+                     "With --within: end at the first triangles that are near enough");
     command.add_option("-o,--output", options->output, "Write the trace to this file")
         .file({".scbrec"})
         .only_typed();
@@ -250,11 +263,18 @@ void add_trace(const Command& program, const Console& console, Action& action) {
         "the frames that were finished and exits with 130.\n\n"
         "Examples:\n"
         "  scb trace spheres-l1 --frames 0:499:50 -o spheres.scbrec\n"
+        "  scb trace spheres-l1 --kind distance --frames 0 -o distance.scbrec\n"
         "  scb trace spheres.scbrec --frames 250 --events");
     command.callback([&action, &console, command, options] {
         std::vector<std::string> given = given_recording_options(command);
-        for (const char* option : {"--layout", "--leaf"})
+        for (const char* option : {"--layout", "--leaf", "--kind", "--order", "--within",
+                                   "--relative-error", "--limit", "--first"})
             if (command.count(option) > 0) given.emplace_back(option);
+        take_kind(
+            command,
+            {"--test", "--threshold", "--max-pairs", "--levels", "--layout", "--leaf", "--records"},
+            options->scene, options->hierarchy, options->query, options->kind);
+        if (options->first) ask_for_first(options->query);
         action = [&console, options, given] {
             const std::vector<std::string>& names = options->scene.names;
             const bool recorded = names.size() == 1 &&

@@ -37,6 +37,11 @@ nlohmann::ordered_json count_json(int frame, const Pose& b_to_a, const Collision
 /// The same of a query on packed layouts.
 nlohmann::ordered_json packed_count_json(int frame, const Pose& b_to_a, const Collision& found);
 
+/// The columns and the cells of the closest triangles: their distance, their numbers, and the
+/// points between which it was measured; "-" without triangles.
+std::vector<Column> found_columns();
+std::vector<Cell> found_cells(const std::optional<IndexPair>& triangles,
+                              const TriangleDistance& found);
 /// The closest triangles, their distance and the points between which it was measured, as JSON;
 /// null without triangles.
 nlohmann::ordered_json found_json(const std::optional<IndexPair>& triangles,

@@ -68,6 +68,7 @@ Json trace_header_json(const TraceHeader& header) {
             return result;
         }
         result.update(limits_json(header.distance));
+        if (header.distance.enough >= 0) result["ends_at"] = header.distance.enough;
         return result;
     }
     if (header.volume == VolumeKind::scb) {
@@ -89,11 +90,12 @@ Json traced_test_json(const TracedTest& test, const BodyNames& bodies) {
     result["stage"] = test.stage;
     result["outcome"] = words_of(test, bodies);
     if (test.triangles) {
+        const bool of_distance = is_of_distance(test.kind);
         result["triangles"] = {test.triangles->items.a, test.triangles->items.b};
-        result["intersect"] = test.triangles->hit;
+        result[of_distance ? "hit" : "intersect"] = test.triangles->hit;
         if (test.triangle_tests > 1) {
             result["triangle_tests"] = test.triangle_tests;
-            result["intersecting"] = test.intersecting;
+            result[of_distance ? "hits" : "intersecting"] = test.intersecting;
         }
     }
     if (test.parent) {

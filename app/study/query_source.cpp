@@ -36,6 +36,10 @@ RecordedOptions recorded_options(const TraceHeader& header, const SceneOptions& 
     recorded.query.frames = auto_frames;
     recorded.query.threshold = header.options.overlap.threshold;
     recorded.query.descent = header.options.descent;
+    if (is_of_distance(header.kind)) {
+        recorded.query.distance = {header.distance, std::nullopt};
+        if (header.kind == QueryKind::within) recorded.query.distance->within = header.tolerance;
+    }
     recorded.limits.max_pairs = static_cast<std::int64_t>(header.options.max_pairs);
     if (header.options.stop_level >= 0)
         recorded.limits.levels = std::to_string(header.options.stop_level);
@@ -223,6 +227,15 @@ void refuse_recorded_distances(const TraceHeader& header) {
                          ": these queries are of distances, and this command is for queries of "
                          "overlap; `scb inspect` judges them, and `scb render traversal` and `scb "
                          "trace --events` show their tests.");
+}
+
+void QuerySource::refuse_distances() const {
+    refuse_recorded_distances(header());
+    if (!trace_path_.empty() && is_of_distance(header().kind))
+        throw InputError(trace_path_ +
+                         ": its queries are of distances, and this command is for queries of "
+                         "overlap; `scb trace --events`, `scb view` and `scb render traversal` "
+                         "show their tests, and `scb diff` compares them.");
 }
 
 void note_left_out(const scenes::RecordedTrace& recorded, const Note& note) {

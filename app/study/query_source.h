@@ -44,6 +44,10 @@ class QuerySource {
         return input_ ? input_->all_frames() : query_.frames;
     }
 
+    /// Throws InputError for a trace or a recording of distances, of commands that would take its
+    /// queries for queries of overlap.
+    void refuse_distances() const;
+
     /// The number of volume tests in the query of a frame; makes or reads the query.
     std::uint64_t test_count(int frame) const;
 
@@ -70,8 +74,8 @@ class QuerySource {
     mutable std::array<std::shared_ptr<const Tree>, 2> trees_;
 };
 
-/// Throws InputError for recorded queries of distances, of commands that would take them for queries
-/// of overlap. Of other headers, does nothing.
+/// Throws InputError for recorded queries of distances, of commands that would take them for
+/// queries of overlap. Of other headers, does nothing.
 void refuse_recorded_distances(const TraceHeader& header);
 
 /// Notes the queries of a recording that are left out, since they are not the first of their frame.

@@ -65,6 +65,10 @@ void check_comparable(const QuerySources& sources) {
             !same_meshes(a, b))
             throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
                              "; " + text_of(b) + "); give two of one scene.");
+    if (a.kind != b.kind && (is_of_distance(a.kind) || is_of_distance(b.kind)))
+        throw InputError("the queries of the two are of other kinds (" +
+                         std::string(query_kind_name(a.kind)) + ", " +
+                         std::string(query_kind_name(b.kind)) + "); give two of one kind.");
     if (pairs_are_nodes(a) != pairs_are_nodes(b) || a.options.stop_level != b.options.stop_level)
         throw InputError(
             "the traces stop at other levels, so that one has pairs of other things; record them "

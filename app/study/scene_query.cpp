@@ -5,6 +5,7 @@
 
 #include "app/study/query_timing.h"
 #include "core/base/text_format.h"
+#include "core/distance/distance_certificate.h"
 #include "core/platform/number_list.h"
 #include "scb/error.h"
 
@@ -142,6 +143,15 @@ Collision SceneQuery::within(int frame, double tolerance) const {
                                       tolerance));
 }
 
+double SceneQuery::rounding(int frame) const {
+    const Pose pose = b_to_a(frame);
+    const auto largest = [this](std::size_t body, const Pose* placed) {
+        return placed_corners({mesh(body), topology_of(hierarchy(body))}, placed)
+            .largest_coordinate;
+    };
+    return allowed_width(0, std::max(largest(a, nullptr), largest(b, &pose)));
+}
+
 QueryKind SceneQuery::query_kind() const {
     if (distance) return distance->kind();
     return is_self() ? QueryKind::self : QueryKind::collide;
@@ -159,6 +169,7 @@ void SceneQuery::trace(int frame, QueryTrace& into) const {
     into.frame = frame;
     into.b_to_a = b_to_a(frame);
     into.nearest.reset();
+    into.rounding = 0;
     if (!distance) {
         into.found = collide(frame, recorder);
     } else if (distance->within) {

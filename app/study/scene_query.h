@@ -55,6 +55,9 @@ struct SceneQuery {
     Distance nearest(int frame, const DistanceOptions& limits) const;
     /// The triangles of A and B that are at most this far apart; they must be two bodies.
     Collision within(int frame, double tolerance) const;
+    /// An error that a distance of the two bodies may have by rounding: 4 x 2^-52 of the largest
+    /// coordinate in A's frame.
+    double rounding(int frame) const;
     /// How the tests of a traced query of distances compare with its answer.
     DistanceSteps distance_steps(const TraceHeader& header, const QueryTrace& frame) const;
     /// The query of a frame, of query_kind(), with its steps. The memory of `into` is reused.

@@ -176,6 +176,10 @@ class Columns {
         column.places = {source.body_index(0), source.body_index(1)};
         column.query = &source;
         column.names = names;
+        if (source.header().kind == QueryKind::within && !source.is_recording())
+            throw InputError(names[0] +
+                             ": its queries find all triangles within a distance, and the page "
+                             "shows the smallest distance; see them with `scb render traversal`.");
         const std::vector<int>& queried = source.frames();
         int first = queried.front();
         // Recorded trees belong to one frame.

@@ -30,6 +30,10 @@ std::string names_of(const ViewOptions& options, const ViewColumn& column) {
     return words_of(names);
 }
 
+bool shows_distances(const ViewColumn& column) {
+    return column.query && is_of_distance(column.query->header().kind);
+}
+
 bool compares_tests(const ViewOptions& options) {
     return overlap_test_of(options.compare.substr(0, options.compare.find(','))).has_value();
 }
@@ -111,11 +115,14 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
     for (const ViewColumn& column : subject.columns) all.push_back(&column);
     commands["levels"] = level_commands(options, all);
     for (const ColumnList& columns : compared(options, all)) {
-        if (options.query.distance) {
+        if (shows_distances(*columns.front())) {
             for (const ViewColumn* column : columns) {
                 const std::string own = query_words(options, *column) + options.distances;
-                commands["pairs"].push_back("scb render distance" + own);
-                commands["traversal"].push_back("scb render traversal" + own + " --kind distance");
+                // A trace has its kind.
+                const bool of_file = is_from_file(*column);
+                if (!of_file) commands["pairs"].push_back("scb render distance" + own);
+                commands["traversal"].push_back("scb render traversal" + own +
+                                                (of_file ? "" : " --kind distance"));
             }
             continue;
         }
@@ -140,7 +147,7 @@ std::map<std::string, std::vector<std::string>> view_commands(const ViewOptions&
 std::string explain_command(const ViewOptions& options, const ViewColumn& column) {
     if (column.query && options.level.scene.recorded) return "scb explain" + options.of_packed;
     if (!column.query || column.is_recorded() || options.level.scene.given ||
-        options.query.distance)
+        shows_distances(column))
         return "";
     return "scb explain" + query_words(options, column);
 }

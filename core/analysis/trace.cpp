@@ -151,6 +151,15 @@ std::vector<TraceField> fields_of(const TraceHeader& header) {
         fields.push_back({"order", std::string(distance_order_name(header.distance.order))});
         fields.push_back({"relative error", number(header.distance.relative_error)});
         fields.push_back({"limit", number(header.distance.limit)});
+        // Only what commands set rarely, or not at all.
+        if (header.distance.order == DistanceOrder::hybrid &&
+            header.distance.heap != DistanceOptions{}.heap)
+            fields.push_back({"heap", std::to_string(header.distance.heap)});
+        if (header.distance.enough >= 0)
+            fields.push_back({"ends at", number(header.distance.enough)});
+        if (const auto& seed = header.distance.seed)
+            fields.push_back(
+                {"begins with", std::to_string(seed->a) + ", " + std::to_string(seed->b)});
     }
     if (header.kind == QueryKind::within) fields.push_back({"tolerance", number(header.tolerance)});
     if (is_of_distance(header.kind)) return fields;

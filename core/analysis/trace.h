@@ -101,6 +101,9 @@ struct QueryTrace {
     std::array<std::shared_ptr<const Tree>, 2> trees{};
     /// Of QueryKind::distance, the distance of the found pair, in A's frame.
     std::optional<TriangleDistance> nearest{};
+    /// How far this distance may differ from the distance by other code, see equal_distances. 0 if
+    /// nobody asked.
+    double rounding = 0;
 };
 
 /// The builder's numbers of two nodes. Users see numbers, never the indices of a frame.

@@ -9,6 +9,8 @@
 
 #include "core/analysis/ending.h"
 #include "core/collide/index_pairs.h"
+#include "core/distance/distance_certificate.h"
+#include "scb/error.h"
 
 namespace scb {
 namespace {
@@ -58,9 +60,15 @@ std::vector<FieldDifference> asked_differently(const TraceHeader& a, const Trace
     return result;
 }
 
+/// A test of a query of distances that does not reject has the volumes near enough.
+std::string stage_words_of_kind(const TraceHeader& header, Stage stage) {
+    return is_of_distance(header.kind) && stage == Stage::overlapping ? "near"
+                                                                      : stage_words(header, stage);
+}
+
 /// The names of all stages: this project's, then the engines' own in their order.
 std::vector<std::string> stage_order(const TraceHeader& a, const TraceHeader& b) {
-    std::vector<std::string> names = {stage_words(a, Stage::overlapping)};
+    std::vector<std::string> names = {stage_words_of_kind(a, Stage::overlapping)};
     const auto add = [&names](std::string name) {
         if (std::find(names.begin(), names.end(), name) == names.end())
             names.push_back(std::move(name));
@@ -93,6 +101,11 @@ std::optional<std::size_t> parting_test(const QueryTrace& a, const Outcomes& out
         test = std::min<std::size_t>(test, triangles_b[triangles].step);
     const bool same = test == outcomes_a.size() && test == outcomes_b.size();
     return same ? std::nullopt : std::optional(test);
+}
+
+std::optional<NearestTriangles> nearest_of(const QueryTrace& frame) {
+    if (!frame.nearest || frame.found.pairs.empty()) return std::nullopt;
+    return NearestTriangles{frame.nearest->distance, frame.found.pairs.front()};
 }
 
 /// The frame of B with the stages of A's table, by name.
@@ -196,6 +209,17 @@ QueryTraces frames_of(const Trace& trace) {
 
 }  // namespace
 
+bool FrameDifference::distances_differ() const {
+    if (!nearest_a || !nearest_b) return nearest_a.has_value() != nearest_b.has_value();
+    return !equal_distances(nearest_a->distance, nearest_b->distance, rounding);
+}
+
+bool FrameDifference::triangles_differ() const {
+    if (!nearest_a || !nearest_b || meshes_differ || distances_differ()) return false;
+    return nearest_a->triangles != nearest_b->triangles &&
+           (nearest_a->distance > 0 || nearest_b->distance > 0);
+}
+
 void TraceCounts::add(const TraceHeader& header, const QueryTrace& frame) {
     const Collision& found = frame.found;
     pairs += found.pairs.size();
@@ -205,7 +229,7 @@ void TraceCounts::add(const TraceHeader& header, const QueryTrace& frame) {
     EndingCounts tests{};
     for (const Step& test : frame.steps.volumes) ++tests[static_cast<std::size_t>(test.stage)];
     for (std::size_t s = 0; s < tests.size(); ++s)
-        if (tests[s] != 0) stages[stage_words(header, static_cast<Stage>(s))] += tests[s];
+        if (tests[s] != 0) stages[stage_words_of_kind(header, static_cast<Stage>(s))] += tests[s];
 }
 
 bool operator==(const TraceCounts& a, const TraceCounts& b) {
@@ -217,6 +241,7 @@ TracedTest traced_test(const TraceHeader& header, const QueryTrace& frame, const
                        std::size_t index) {
     const Steps& steps = frame.steps;
     TracedTest result;
+    result.kind = header.kind;
     const auto numbered = [&](std::size_t i) {
         Step test = steps.volumes[i];
         test.nodes = numbers_of(frame, test.nodes);
@@ -242,7 +267,12 @@ TracedTest traced_test(const TraceHeader& header, const QueryTrace& frame, const
 
 TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHeader& b,
                const QueryTraces& frames_b) {
+    if (a.kind != b.kind && (is_of_distance(a.kind) || is_of_distance(b.kind)))
+        throw InputError(std::string("the first trace has queries of the kind ") +
+                         std::string(query_kind_name(a.kind)) + ", and the second of the kind " +
+                         std::string(query_kind_name(b.kind)) + "; compare two of one kind.");
     TraceDiff result;
+    result.kind = a.kind;
     result.asked = asked_differently(a, b);
     result.stages = stage_order(a, b);
     result.nodes_comparable = same_meshes(a, b);
@@ -253,7 +283,8 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
     result.bodies = side_names(a);
     result.of_nodes = pairs_are_nodes(a);
     result.pairs_comparable =
-        !result.meshes_differ && pairs_are_nodes(b) == result.of_nodes &&
+        a.kind != QueryKind::distance && !result.meshes_differ &&
+        pairs_are_nodes(b) == result.of_nodes &&
         (a.engine || b.engine || a.options.stop_level == b.options.stop_level) &&
         (result.nodes_comparable || !result.of_nodes);
     const QueryTrace* frame_a = frames_a();
@@ -277,6 +308,12 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
         difference.poses_differ = !same_pose(frame_a->b_to_a, frame_b->b_to_a);
         difference.a.add(a, *frame_a);
         difference.b.add(b, *frame_b);
+        if (a.kind == QueryKind::distance) {
+            difference.nearest_a = nearest_of(*frame_a);
+            difference.nearest_b = nearest_of(*frame_b);
+            difference.rounding = frame_a->rounding;
+            difference.meshes_differ = result.meshes_differ;
+        }
         std::optional<std::size_t> test;
         Outcomes outcomes_a, outcomes_b;
         if (result.nodes_comparable || result.pairs_comparable) {
@@ -298,6 +335,7 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
         if (result.pairs_comparable)
             compare_pairs({a, *frame_a, outcomes_a}, {b, *frame_b, outcomes_b}, difference, result);
         if (test || difference.poses_differ || difference.pairs_differ() ||
+            difference.distances_differ() || difference.triangles_differ() ||
             difference.a != difference.b)
             result.frames.push_back(difference);
         frame_a = frames_a();

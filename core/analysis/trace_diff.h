@@ -25,6 +25,12 @@ struct FieldDifference {
     std::string name, a, b;
 };
 
+/// The answer of a query for the smallest distance.
+struct NearestTriangles {
+    double distance = 0;
+    IndexPair triangles;
+};
+
 /// A common frame that differs.
 struct FrameDifference {
     int frame = 0;
@@ -32,6 +38,15 @@ struct FrameDifference {
     TraceCounts a, b;
     std::uint64_t pairs_only_in_a = 0, pairs_only_in_b = 0;  ///< 0 if pairs are not comparable
 
+    /// Of QueryKind::distance; nothing if the query found no triangles.
+    std::optional<NearestTriangles> nearest_a{}, nearest_b{};
+    double rounding = 0;  ///< by which these distances may differ, see equal_distances
+    bool meshes_differ = false;
+
+    /// Whether the distances differ by more than rounding, or only one query found triangles.
+    bool distances_differ() const;
+    /// Whether other triangles have this distance. At distance 0, any that intersect are right.
+    bool triangles_differ() const;
     bool pairs_differ() const { return pairs_only_in_a + pairs_only_in_b > 0; }
     /// Whether A found pairs and B none.
     bool touches_only_in_a() const { return a.pairs > 0 && b.pairs == 0; }
@@ -40,6 +55,7 @@ struct FrameDifference {
 
 /// A volume test and its context, for users: nodes are numbers, see numbers_of.
 struct TracedTest {
+    QueryKind kind = QueryKind::collide;
     Step test;
     Stage outcome{};
     std::string stage;  ///< where it ended, see stage_words
@@ -75,7 +91,8 @@ struct TraceDiff {
     /// The number of lost pairs to examine.
     static constexpr std::size_t most_lost = 5;
 
-    BodyNames bodies;  ///< as A names them
+    QueryKind kind = QueryKind::collide;  ///< of A; two kinds are compared only if both find pairs
+    BodyNames bodies;                     ///< as A names them
 
     std::vector<FieldDifference> asked;
     std::vector<int> only_in_a, only_in_b;  ///< frames
@@ -108,7 +125,11 @@ using QueryTraces = std::function<const QueryTrace*()>;
 /// tests on one scene, the question is where they part. Frames differ if poses, counts or tests
 /// differ. Node indices do not depend on the volume, so tests are compared for different volumes,
 /// too. For different splits, or different trees of other engines, only pairs and counts are
-/// compared; for different meshes only counts. Versions of scb are not compared.
+/// compared; for different meshes only counts. Distances are compared up to rounding. Versions of
+/// scb are not compared.
+///
+/// Throws InputError if one finds pairs that intersect, and the other distances or pairs within
+/// one.
 TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHeader& b,
                const QueryTraces& frames_b);
 TraceDiff diff(const Trace& a, const Trace& b);

@@ -12,6 +12,49 @@ std::string side_of(const std::optional<TracedTest>& test, const BodyNames& bodi
     return "tested " + words_of(test->test) + ": " + words_of(*test, bodies);
 }
 
+std::string triangles_text(const TracedTest& test) {
+    return test.triangles ? pair_text(test.triangles->items.a, test.triangles->items.b) : "";
+}
+
+/// The words about the triangles of two leaves: one pair, or how many of several.
+std::string words_of_leaves(const TracedTest& test) {
+    const bool is_within = test.kind == QueryKind::within, hits = test.intersecting > 0;
+    if (test.triangle_tests > 1)
+        return "of " + std::to_string(test.triangle_tests) + " pairs of their triangles " +
+               (hits ? std::to_string(test.intersecting) : "none") +
+               (is_within               ? " within the tolerance"
+                : test.intersecting > 1 ? " were nearer than all before"
+                                        : " was nearer than all before") +
+               (hits ? ", the first " + triangles_text(test) : "");
+    return "their triangles " + triangles_text(test) +
+           (is_within ? (hits ? " are within the tolerance" : " are farther than the tolerance")
+                      : (hits ? " were nearer than all before" : " were not nearer"));
+}
+
+/// words_of a test in a query of distances.
+std::string words_of_bound(const TracedTest& test, const BodyNames& bodies) {
+    // Recordings have a stage of this name.
+    if (is_rejection(test.outcome))
+        return test.stage.starts_with("left out") ? test.stage : "left out at " + test.stage;
+    switch (test.outcome) {
+        case Stage::divided_a:
+            return "near, passed on to the children of " + bodies[0] + "'s node";
+        case Stage::divided_b:
+            return "near, passed on to the children of " + bodies[1] + "'s node";
+        case Stage::divided_both:
+            return "near, passed on to the children of both";
+        case Stage::triangles_apart:
+        case Stage::triangles_meet:
+            return "near; " + words_of_leaves(test);
+        case Stage::found:
+            return "near, found";
+        case Stage::left_over:
+            return "near, not needed any more";
+        default:
+            return {};
+    }
+}
+
 }  // namespace
 
 std::string words_of(const Step& test) {
@@ -20,8 +63,8 @@ std::string words_of(const Step& test) {
 }
 
 std::string words_of(const TracedTest& test, const BodyNames& bodies) {
-    const std::string triangles =
-        test.triangles ? pair_text(test.triangles->items.a, test.triangles->items.b) : "";
+    if (is_of_distance(test.kind)) return words_of_bound(test, bodies);
+    const std::string triangles = triangles_text(test);
     if (is_rejection(test.outcome)) return "rejected at " + test.stage;
     switch (test.outcome) {
         case Stage::divided_a:

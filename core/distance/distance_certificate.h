@@ -67,6 +67,12 @@ ProvenDistance check_distance(const MeshTree& a, const MeshTree& b, const Pose& 
 /// coordinate.
 double allowed_width(double distance, double largest_coordinate);
 
+/// Whether two distances of the same triangles are equal up to rounding. `rounding`: the
+/// allowed_width of the distance 0. Numbers that are not finite are equal to nothing.
+inline bool equal_distances(double x, double y, double rounding) {
+    return std::abs(x - y) <= rounding;
+}
+
 /// Whether the proof is as narrow as allowed_width, and holds the distance up to the error that
 /// triangle_distance states. A distance of 0 needs the bounds 0 and 0, another distance others.
 bool certifies(const ProvenDistance& proven, double distance);

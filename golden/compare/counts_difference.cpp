@@ -1,12 +1,13 @@
 #include "golden/compare/counts_difference.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "core/distance/distance_certificate.h"
 
 namespace scb::golden {
 namespace {
@@ -36,9 +37,8 @@ bool is_measured(const json& value) {
 }
 
 bool equal_measured(const json& before, const json& after) {
-    // Written so that a number out of range is equal to nothing.
-    return std::abs(before["value"].get<double>() - after["value"].get<double>()) <=
-           before["bound"].get<double>();
+    return equal_distances(before["value"].get<double>(), after["value"].get<double>(),
+                           before["bound"].get<double>());
 }
 
 /// The leaf as JSON, on one line.

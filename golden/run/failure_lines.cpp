@@ -186,6 +186,9 @@ std::vector<std::string> conclusions(const TraceDiff& d, const Cause& cause) {
                             " now.");
     if (const std::string lost = scenes::lost_pairs_text(d, trace_names); !lost.empty())
         lines.push_back(lost + ".");
+    for (const FrameDifference& frame : d.frames)
+        if (const std::string answer = scenes::answer_text(frame, trace_names); !answer.empty())
+            lines.push_back("In the traces, " + answer + ".");
     if (d.first)
         lines.push_back("They part first at " + joined(words_of(*d.first, d.bodies, trace_names)));
     return lines;

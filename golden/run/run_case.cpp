@@ -174,9 +174,7 @@ GoldenRunEnd run_case(const GoldenCase& golden, const GoldenRunSettings& setting
 
 std::string record_trace(const GoldenCase& golden, const GoldenRunSettings& settings,
                          const fs::path& folder) {
-    if (golden.run == GoldenRun::levels || golden.run == GoldenRun::distance ||
-        of_recording(golden))
-        return "";
+    if (golden.run == GoldenRun::levels || of_recording(golden)) return "";
     const CaseFiles files = case_files(folder, golden.name);
     const std::string counts = files.counts.string(),
                       frame = only_frame(parse_json(read_text_file(counts), counts));

@@ -11,9 +11,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The arguments of a query that a trace records; each has a value.
-constexpr std::string_view recorded_arguments[] = {"--pose",   "--poses",     "--growth",
-                                                   "--margin", "--threshold", "--descent",
-                                                   "--bodies", "--max-pairs", "--level"};
+constexpr std::string_view recorded_arguments[] = {
+    "--pose",    "--poses",  "--growth",    "--margin",        "--threshold",
+    "--descent", "--bodies", "--max-pairs", "--level",         "--kind",
+    "--order",   "--within", "--limit",     "--relative-error"};
 
 void add_option(std::vector<std::string>& command, const char* option, const std::string& value) {
     if (value.empty()) return;
@@ -99,8 +100,10 @@ std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::s
     add_option(command, "--frames", frame);
     add_option(command, "--volume", golden.volume);
     add_option(command, "--test", golden.test);
+    if (golden.run == GoldenRun::distance) add_option(command, "--kind", "distance");
     for (std::size_t i = 0; i < golden.arguments.size(); ++i) {
         const std::string& word = golden.arguments[i];
+        if (word == "--first") command.push_back(word);
         const bool alone = word.find('=') == std::string::npos;
         if (std::find(std::begin(recorded_arguments), std::end(recorded_arguments),
                       word.substr(0, word.find('='))) == std::end(recorded_arguments))

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <new>
 
+#include "core/distance/volume_gap.h"
+#include "scb/any_distance.h"
 #include "scenes/recordings/byte_stream.h"
 #include "scenes/scene/scene.h"
 
@@ -47,11 +50,22 @@ void tell(ByteWriter& news, std::map<std::uint32_t, std::uint32_t>& known, std::
     last = value;
 }
 
-struct Divided {
-    IndexPair nodes;
-    int depth_a, depth_b;
-    std::uint32_t step;
-};
+/// A query of distances divides pairs of nodes in an order that does not follow from the tests, and
+/// measures triangles some time after the test of their leaves.
+bool has_own_order(const TraceHeader& header) { return is_of_distance(header.kind); }
+
+std::span<const Stage> stages_of(const TraceHeader& header) {
+    return is_of_distance(header.kind) ? distance_stages(header.volume)
+                                       : stages_of(header.volume, header.options.overlap);
+}
+
+/// N_u of a query with these tests.
+std::uint64_t transform_count(const TraceHeader& header, const Collision& found) {
+    if (!is_of_distance(header.kind))
+        return transform_count(header.volume, found.stages, header.options.overlap);
+    return found.n_v *
+           with_volume_type(header.volume, []<Volume V>() { return transforms_per_gap<V>(); });
+}
 
 /// Rebuilds a frame's tests from symbols and news.
 struct FrameBuilder {
@@ -59,7 +73,9 @@ struct FrameBuilder {
     std::array<TraceNodes, 2>& nodes;
     ByteReader& news;
     QueryTrace& frame;
-    std::vector<Divided> pending{};
+    ByteReader parents{{}};                ///< see has_own_order
+    std::vector<std::uint32_t> pending{};  ///< tests whose pairs are divided later
+    std::vector<bool> is_open{};           ///< the same by test, if queries have their own order
     std::uint32_t last_root = 0;
     std::set<std::uint32_t> roots{};
     std::string failure{};
@@ -101,6 +117,34 @@ struct FrameBuilder {
         return left;
     }
 
+    /// The test that was divided next; nothing, and a failure, if there is none.
+    std::optional<std::uint32_t> next_parent() {
+        if (!has_own_order(header)) {
+            if (pending.empty()) {
+                failure = "there are tests after the last one";
+                return std::nullopt;
+            }
+            const std::uint32_t last = pending.back();
+            pending.pop_back();
+            return last;
+        }
+        const std::uint64_t back = parents.varint();
+        const std::size_t next = frame.steps.volumes.size();
+        if (back == 0 || back > next || !is_open[next - back]) {
+            failure = "a test has a parent that was not divided";
+            return std::nullopt;
+        }
+        is_open[next - back] = false;
+        return static_cast<std::uint32_t>(next - back);
+    }
+
+    /// Whether pairs were left that a query divides before it ends.
+    bool is_unfinished() const {
+        // The smallest distance may be known before.
+        if (header.kind == QueryKind::distance) return false;
+        return !pending.empty() || std::find(is_open.begin(), is_open.end(), true) != is_open.end();
+    }
+
     /// A root test of a self query: a left child against its sibling.
     void visit_root(std::uint8_t symbol) {
         if (header.kind != QueryKind::self || !pending.empty()) {
@@ -131,7 +175,7 @@ struct FrameBuilder {
         if (symbol >= rejected_first && symbol != neighbors) {
             const int number = symbol - rejected_first + 1;
             stage = static_cast<Stage>(number);
-            const auto stages = stages_of(header.volume, header.options.overlap);
+            const auto stages = stages_of(header);
             if (std::find(stages.begin(), stages.end(), stage) == stages.end())
                 failure = "a stage does not belong to its overlap test";
         }
@@ -142,7 +186,7 @@ struct FrameBuilder {
         if (stop >= 0 && (depth_a > stop || depth_b > stop ||
                           (symbol == divided && depth_a == stop && depth_b == stop)))
             failure = "there are tests below the level to stop at";
-        if (frame.found.pairs.size() >= header.options.max_pairs)
+        if (!has_own_order(header) && frame.found.pairs.size() >= header.options.max_pairs)
             failure = "there are tests after the last pair";
         if (!failure.empty()) return;
         const auto step = static_cast<std::uint32_t>(frame.steps.volumes.size());
@@ -151,8 +195,13 @@ struct FrameBuilder {
         Collision& found = frame.found;
         ++found.n_v;
         ++found.stages[static_cast<std::size_t>(stage)];
-        found.depth = std::max(found.depth, depth_a + depth_b);
-        if (symbol == divided) pending.push_back({pair, depth_a, depth_b, step});
+        if (has_own_order(header)) {
+            is_open.push_back(symbol == divided);
+        } else {
+            // Queries of distances do not count their depth.
+            found.depth = std::max(found.depth, depth_a + depth_b);
+            if (symbol == divided) pending.push_back(step);
+        }
         if (symbol == neighbors && header.kind != QueryKind::self)
             failure = "there are neighbors in a query of two bodies";
         if (symbol != leaves_apart && symbol != leaves_meet && symbol != neighbors) return;
@@ -166,10 +215,53 @@ struct FrameBuilder {
         frame.steps.items.push_back({triangles, step, symbol == leaves_meet, symbol == neighbors});
         if (symbol == neighbors) return;
         ++found.n_p;
-        if (symbol != leaves_meet) return;
+        if (symbol != leaves_meet || header.kind == QueryKind::distance) return;
         found.pairs.push_back(pair_of(header, frame.steps.items.back()));
     }
 };
+
+void write_answer(ByteWriter& out, const QueryTrace& frame) {
+    out.byte(frame.nearest ? 1 : 0);
+    if (!frame.nearest) return;
+    const IndexPair triangles = frame.found.pairs.front();
+    out.varint(triangles.a);
+    out.varint(triangles.b);
+    out.real(frame.nearest->distance);
+    for (const Vec3& point : {frame.nearest->point_a, frame.nearest->point_b})
+        for (int i = 0; i < 3; ++i) out.real(point[i]);
+    out.real(frame.rounding);
+}
+
+/// Reads the smallest distance and its triangles. Returns the error as a clause, or an empty text.
+std::string read_answer(ByteReader& in, const TraceHeader& header, QueryTrace& frame) {
+    const auto& items = frame.steps.items;
+    const auto& seed = header.distance.seed;
+    frame.found.n_p += seed ? 1 : 0;
+    const bool has_hits =
+        std::any_of(items.begin(), items.end(), [](const ItemStep& item) { return item.hit; });
+    const std::uint8_t answers = in.byte();
+    if (!in.ok || answers > 1 || (answers == 0 && has_hits)) return "its answer cannot be read";
+    if (answers == 0) return {};
+    const std::uint64_t a = in.varint(), b = in.varint();
+    TriangleDistance nearest;
+    nearest.distance = in.real();
+    for (Vec3* point : {&nearest.point_a, &nearest.point_b})
+        for (int i = 0; i < 3; ++i) (*point)[i] = in.real();
+    frame.rounding = in.real();
+    const bool is_finite = std::isfinite(nearest.distance) && nearest.point_a.allFinite() &&
+                           nearest.point_b.allFinite() && std::isfinite(frame.rounding);
+    if (!in.ok || !is_finite || nearest.distance < 0 || nearest.distance > header.distance.limit ||
+        frame.rounding < 0)
+        return "its answer cannot be read";
+    const auto is_answer = [a, b](const IndexPair& pair) { return pair.a == a && pair.b == b; };
+    if (!(seed && is_answer(*seed)) &&
+        std::none_of(items.begin(), items.end(),
+                     [&](const ItemStep& item) { return item.hit && is_answer(item.items); }))
+        return "its answer is none of the triangles that it measured";
+    frame.nearest = nearest;
+    frame.found.pairs = {{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)}};
+    return {};
+}
 
 }  // namespace
 
@@ -177,7 +269,7 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const QueryTrac
                                       std::array<TraceNodes, 2>& nodes) {
     const Outcomes outcomes = outcomes_of(header, frame);
     const std::vector<Step>& tests = frame.steps.volumes;
-    ByteWriter plain, news;
+    ByteWriter plain, parents, news;
     plain.varint(static_cast<std::uint64_t>(frame.frame));
     plain.varint(frame.found.n_u);
     for (int row = 0; row < 3; ++row)
@@ -195,6 +287,7 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const QueryTrac
             news.varint(tests[i].depth_a);
             last_root = tests[i].nodes.a;
         } else if (parent != no_step && siblings++ % 2 == 0) {
+            parents.varint(i - parent);
             const IndexPair divided_pair = tests[parent].nodes;
             if (outcomes[parent] == Stage::divided_a) {
                 tell(news, nodes[0].left, divided_pair.a, tests[i].nodes.a, nodes[0].last_left);
@@ -211,7 +304,12 @@ std::vector<std::uint8_t> frame_bytes(const TraceHeader& header, const QueryTrac
         tell(news, nodes[0].triangle, tests[i].nodes.a, pair.a, nodes[0].last_triangle);
         tell(news, nodes[1].triangle, tests[i].nodes.b, pair.b, nodes[1].last_triangle);
     }
+    if (has_own_order(header)) {
+        plain.varint(parents.bytes.size());
+        plain.append(parents.bytes);
+    }
     plain.append(news.bytes);
+    if (header.kind == QueryKind::distance) write_answer(plain, frame);
     return std::move(plain.bytes);
 }
 
@@ -221,6 +319,8 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     frame.steps.volumes.clear();
     frame.steps.items.clear();
     frame.found = {};
+    frame.nearest.reset();
+    frame.rounding = 0;
     const std::uint64_t number = plain.varint();
     frame.found.n_u = plain.varint();
     for (int row = 0; row < 3; ++row)
@@ -230,24 +330,27 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     if (!(rigidity_defect(frame.b_to_a) < 1e-6) || !frame.b_to_a.translation.allFinite())
         return "a pose is not rigid";
     const auto symbols = plain.take(plain.varint());
-    if (!plain.ok || (symbols.empty() && header.kind != QueryKind::self))
-        return "a frame has no tests";
+    // A query that begins with triangles that intersect has its answer.
+    const bool may_be_empty = header.kind == QueryKind::self || header.distance.seed;
+    if (!plain.ok || (symbols.empty() && !may_be_empty)) return "a frame has no tests";
     if (number >= most_frames) return "the number of a frame is out of range";
     frame.frame = static_cast<int>(number);
     frame.steps.volumes.reserve(symbols.size());
 
     FrameBuilder builder{header, nodes, plain, frame};
+    if (has_own_order(header)) builder.parents = {plain.take(plain.varint())};
     std::size_t next = 0;
-    if (header.kind == QueryKind::collide) builder.visit(symbols[next++], {0, 0}, 0, 0, no_step);
+    if (header.kind != QueryKind::self && !symbols.empty())
+        builder.visit(symbols[next++], {0, 0}, 0, 0, no_step);
     bool is_cut = false;
     while (next < symbols.size() && builder.failure.empty()) {
         if ((symbols[next] & is_root) != 0) {
             builder.visit_root(symbols[next++] & symbol_bits);
             continue;
         }
-        if (builder.pending.empty()) return "there are tests after the last one";
-        const Divided p = builder.pending.back();
-        builder.pending.pop_back();
+        const std::optional<std::uint32_t> parent = builder.next_parent();
+        if (!parent) return builder.failure;
+        const Step p = frame.steps.volumes[*parent];
         const bool divides_a = (symbols[next] & of_b) == 0;
         const std::uint32_t left =
             divides_a ? builder.left_of(0, p.nodes.a) : builder.left_of(1, p.nodes.b);
@@ -261,17 +364,20 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
             builder.visit(
                 symbol,
                 divides_a ? IndexPair{left + child, p.nodes.b} : IndexPair{p.nodes.a, left + child},
-                depth_a, depth_b, p.step);
+                depth_a, depth_b, *parent);
         }
     }
     if (!builder.failure.empty()) return builder.failure;
-    if (!plain.bytes.empty()) return "a frame is longer than its tests";
+    if (header.kind == QueryKind::distance)
+        if (std::string failure = read_answer(plain, header, frame); !failure.empty())
+            return failure;
+    if (!builder.parents.bytes.empty() || !plain.bytes.empty())
+        return "a frame is longer than its tests";
     Collision& found = frame.found;
-    found.complete = found.pairs.size() < header.options.max_pairs;
-    if (found.complete && (!builder.pending.empty() || is_cut))
+    found.complete = is_of_distance(header.kind) || found.pairs.size() < header.options.max_pairs;
+    if (found.complete && (builder.is_unfinished() || is_cut))
         return "the tests end before the query did";
-    if (found.n_u != transform_count(header.volume, found.stages, header.options.overlap))
-        return "its counts differ from its tests";
+    if (found.n_u != transform_count(header, found)) return "its counts differ from its tests";
     std::sort(found.pairs.begin(), found.pairs.end());
     return {};
 }

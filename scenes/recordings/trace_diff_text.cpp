@@ -12,7 +12,7 @@ namespace {
 std::string count_table(const TraceDiff& d, const TraceNames& names) {
     const std::string difference = names.b + " - " + names.a;
     const int width = std::max(14, static_cast<int>(difference.size()));
-    const std::vector<CountRow> rows = count_rows(d.sum_a, d.sum_b, d.stages);
+    const std::vector<CountRow> rows = count_rows(d, d.sum_a, d.sum_b);
     std::size_t longest = 16;
     for (const CountRow& row : rows) longest = std::max(longest, row.name.size());
     std::string text =
@@ -61,18 +61,30 @@ std::string pairs_text(const TraceDiff& d, const TraceNames& names) {
 
 /// How the frames differ, a line for each kind of difference.
 std::string kinds_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {
-    std::vector<int> moved, other_pairs, same_pairs, only_a, only_b;
+    std::vector<int> moved, other_distances, other_triangles, same_answers, other_pairs, same_pairs,
+        only_a, only_b;
     for (const FrameDifference& f : d.frames) {
         if (f.poses_differ) moved.push_back(f.frame);
+        if (d.kind == QueryKind::distance) {
+            (f.distances_differ()   ? other_distances
+             : f.triangles_differ() ? other_triangles
+                                    : same_answers)
+                .push_back(f.frame);
+            continue;
+        }
         if (d.pairs_comparable) (f.pairs_differ() ? other_pairs : same_pairs).push_back(f.frame);
         if (f.touches_only_in_a()) only_a.push_back(f.frame);
         if (f.touches_only_in_b()) only_b.push_back(f.frame);
     }
+    const std::string contact =
+        d.kind == QueryKind::within ? "with pairs only in the " : "with contact only in the ";
     return line_of(moved, "with other poses", most) +
+           line_of(other_distances, "with other distances", most) +
+           line_of(other_triangles, "with the same distance of other triangles", most) +
+           line_of(same_answers, "with the same distance, but other counts or tests", most) +
            line_of(other_pairs, "with other pairs", most) +
            line_of(same_pairs, "with the same pairs, but other counts or tests", most) +
-           line_of(only_a, "with contact only in the " + names.a, most) +
-           line_of(only_b, "with contact only in the " + names.b, most);
+           line_of(only_a, contact + names.a, most) + line_of(only_b, contact + names.b, most);
 }
 
 std::string frames_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {
@@ -93,8 +105,24 @@ BodyNames printable_names(const BodyNames& names) {
     return {printable(names[0]), printable(names[1])};
 }
 
+/// The first answers that differ.
+std::string answers_text(const TraceDiff& d, const TraceNames& names) {
+    std::string text;
+    std::size_t listed = 0;
+    for (const FrameDifference& frame : d.frames) {
+        const std::string answer = answer_text(frame, names);
+        if (answer.empty()) continue;
+        if (listed++ < TraceDiff::most_lost) text += "  " + answer + "\n";
+    }
+    if (listed == 0) return "";
+    const bool some = listed > TraceDiff::most_lost;
+    return "\n" + counted(listed, "answer differs", "answers differ") +
+           (some ? format("; %zu of them:\n", TraceDiff::most_lost) : std::string(":\n")) + text;
+}
+
 // The pairs that only one trace found, and the tests by which the other left them out.
 std::string lost_text(const TraceDiff& d, const TraceNames& names) {
+    if (d.kind == QueryKind::distance) return answers_text(d, names);
     if (d.nodes_comparable && !d.pairs_comparable)
         return "\nThey stop at different levels, so their pairs cannot be compared.\n";
     if (has_same_pairs(d))
@@ -111,16 +139,17 @@ std::string lost_text(const TraceDiff& d, const TraceNames& names) {
 
 }  // namespace
 
-std::vector<CountRow> count_rows(const TraceCounts& a, const TraceCounts& b,
-                                 const std::vector<std::string>& stages) {
-    std::vector<CountRow> rows = {
-        {"pairs", a.pairs, b.pairs}, {"N_v", a.n_v, b.n_v}, {"N_p", a.n_p, b.n_p}};
+std::vector<CountRow> count_rows(const TraceDiff& d, const TraceCounts& a, const TraceCounts& b) {
+    std::vector<CountRow> rows;
+    if (d.kind != QueryKind::distance) rows.push_back({"pairs", a.pairs, b.pairs});
+    rows.push_back({"N_v", a.n_v, b.n_v});
+    rows.push_back({"N_p", a.n_p, b.n_p});
     if (a.n_u && b.n_u) rows.push_back({"N_u", *a.n_u, *b.n_u});
     const auto of = [](const TraceCounts& counts, const std::string& stage) {
         const auto found = counts.stages.find(stage);
         return found == counts.stages.end() ? 0 : found->second;
     };
-    for (const std::string& stage : stages)
+    for (const std::string& stage : d.stages)
         if (of(a, stage) != 0 || of(b, stage) != 0)
             rows.push_back({stage, of(a, stage), of(b, stage)});
     return rows;
@@ -130,6 +159,20 @@ std::string lost_pairs_text(const TraceDiff& d, const TraceNames& names) {
     if (d.pairs_only_in_a + d.pairs_only_in_b == 0) return {};
     return counted(d.pairs_only_in_a, "pair", "pairs") + " only in the " + names.a + ", " +
            counted(d.pairs_only_in_b, "pair", "pairs") + " only in the " + names.b;
+}
+
+std::string answer_text(const FrameDifference& frame, const TraceNames& names) {
+    if (!frame.distances_differ() && !frame.triangles_differ()) return {};
+    const auto of = [](const std::optional<NearestTriangles>& found) {
+        return found ? format("%.17g of the triangles (%u, %u)", found->distance,
+                              found->triangles.a, found->triangles.b)
+                     : std::string("no triangles within the limit");
+    };
+    return format("frame %d: ", frame.frame) + of(frame.nearest_a) + " in the " + names.a + ", " +
+           of(frame.nearest_b) + " in the " + names.b +
+           (frame.distances_differ() && frame.nearest_a && frame.nearest_b
+                ? format("; they may differ by %.2g", frame.rounding)
+                : "");
 }
 
 std::string trace_diff_text(const TraceDiff& d, const TraceNames& names, std::size_t most) {

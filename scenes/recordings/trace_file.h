@@ -26,6 +26,10 @@ namespace scb::scenes {
 // are first needed, so frames must be read in order. A test takes 0.41 bytes in `spheres-l1` (500
 // frames, symmetric, 8.8 million tests).
 //
+// Queries of distances divide pairs in an order of their own, so their steps also have how many
+// tests each pair of children is behind its parent. For the smallest distance, a step ends with the
+// distance, its triangles and points, and the rounding of the distance.
+//
 // scb 1.0 wrote trace files (`.scbtrace`), which are still read. Numbers as in byte_stream.h:
 //
 //     magic      the eight bytes 89 's' 'c' 'b' 't' 'r' 0d 0a
@@ -54,8 +58,8 @@ class TraceWriter {
   public:
     explicit TraceWriter(const TraceHeader& header);
 
-    /// Frames must be added ascending by number, each once, as recorded by collide: counts other
-    /// than N_u are not stored, since they follow from the tests. Throws InputError if the frame
+    /// Frames must be added ascending by number, each once, as recorded by collide, distance or
+    /// within: counts other than N_u are not stored, since they follow from the tests. Throws InputError if the frame
     /// has more than 2^31 volume tests, or takes more than 2^31 bytes.
     void add(const QueryTrace& frame);
     /// The whole file. Nothing may be added after it.

@@ -35,5 +35,8 @@ SCB_FUZZ(input) {
         fuzz::require(
             copy.steps.volumes == frame.steps.volumes && copy.found.pairs == frame.found.pairs,
             "a frame is read as it was written");
+        fuzz::require(copy.nearest.has_value() == frame.nearest.has_value() &&
+                          (!frame.nearest || frame.nearest->distance == copy.nearest->distance),
+                      "an answer is read as it was written");
     }
 }

@@ -5,12 +5,38 @@
 
 namespace scb {
 
+/// A query of distances on two meshes, recorded.
+inline void record_distance(const AnyHierarchy& a, const Mesh& mesh_a, const AnyHierarchy& b,
+                            const Mesh& mesh_b, const TraceHeader& header, StepRecorder& recorder,
+                            QueryTrace& result) {
+    if (header.kind == QueryKind::within) {
+        result.found = within(a, mesh_a, b, mesh_b, result.b_to_a, header.tolerance,
+                              header.distance.descent, recorder);
+        return;
+    }
+    const Distance d = distance(a, mesh_a, b, mesh_b, result.b_to_a, header.distance, recorder);
+    result.found.n_v = d.n_v;
+    result.found.n_p = d.n_p;
+    result.found.n_u = d.n_u;
+    result.found.stages = d.stages;
+    if (!d.triangles) return;
+    result.found.pairs = {*d.triangles};
+    result.nearest = d.found;
+    result.rounding = 1e-15;
+}
+
 /// One query on two meshes, recorded.
 inline QueryTrace record_frame(const BuiltMesh& a, const BuiltMesh& b, int frame,
                                const Pose& b_to_a, const TraceHeader& header) {
     const auto kind = static_cast<std::size_t>(header.volume);
     StepRecorder recorder;
     QueryTrace result{frame, b_to_a, {}, {}};
+    if (is_of_distance(header.kind)) {
+        record_distance(a.hierarchies[kind], a.mesh, b.hierarchies[kind], b.mesh, header, recorder,
+                        result);
+        result.steps = std::move(recorder.steps);
+        return result;
+    }
     result.found = header.kind == QueryKind::self
                        ? collide_self(a.hierarchies[kind], a.mesh, joined_vertices(a.mesh),
                                       header.options, recorder)
@@ -48,6 +74,20 @@ inline TraceHeader asking(VolumeKind volume, OverlapTest test) {
 inline TraceHeader asking_self(VolumeKind volume) {
     TraceHeader header = asking(volume, OverlapTest::symmetric);
     header.kind = QueryKind::self;
+    return header;
+}
+
+inline TraceHeader asking_distance(VolumeKind volume, const DistanceOptions& limits = {}) {
+    TraceHeader header = asking(volume, OverlapTest::symmetric);
+    header.kind = QueryKind::distance;
+    header.distance = limits;
+    header.options.descent = limits.descent;
+    return header;
+}
+inline TraceHeader asking_within(VolumeKind volume, double tolerance) {
+    TraceHeader header = asking_distance(volume);
+    header.kind = QueryKind::within;
+    header.tolerance = tolerance;
     return header;
 }
 

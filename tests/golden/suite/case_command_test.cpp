@@ -66,6 +66,21 @@ TEST(CaseCommand, ATraceIsOfTheQueryAlone) {
                "--margin=0.5", "--pose", "1,0,0,0,0,1,0,0,0,0,1,0", "-o", "t.scbrec"}));
 }
 
+TEST(CaseCommand, ATraceOfADistanceHasItsKindAndLimits) {
+    GoldenCase golden = sample();
+    golden.run = GoldenRun::distance;
+    golden.volume = golden.test = "";
+    golden.own_arguments = {"--within", "0.5", "--first", "--order=nearest", "--prove"};
+    EXPECT_EQ(trace_command_of(in_own_folder(golden), "7", "t.scbrec"),
+              (Words{"trace", "a.ply", "b.ply", "--frames", "7", "--kind", "distance", "--within",
+                     "0.5", "--first", "--order=nearest", "-o", "t.scbrec"}));
+    golden.run = GoldenRun::traversal;
+    golden.own_arguments = {"--kind", "distance", "--show", "both", "--limit", "2"};
+    EXPECT_EQ(trace_command_of(in_own_folder(golden), "7", "t.scbrec"),
+              (Words{"trace", "a.ply", "b.ply", "--frames", "7", "--kind", "distance", "--limit",
+                     "2", "-o", "t.scbrec"}));
+}
+
 TEST(CaseCommand, FilesAreBesideTheSuiteOrElseAmongTheModels) {
     const TemporaryFolder suite, models;
     suite.write("a.ply", "");

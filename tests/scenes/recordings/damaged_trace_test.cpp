@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 #include "core/base/random.h"
 #include "tests/scenes/recordings/recording_block.h"
 #include "tests/scenes/recordings/trace_bytes.h"
@@ -91,6 +94,12 @@ bool survives(const Bytes& bytes) {
             EXPECT_LT(test.items.b, bodies[1].mesh.triangles);
             EXPECT_LT(test.step, frame.steps.volumes.size());
         }
+        if (frame.nearest) {
+            EXPECT_EQ(frame.found.pairs.size(), 1u);
+            EXPECT_LE(frame.nearest->distance, trace.header.distance.limit);
+            EXPECT_GE(frame.nearest->distance, 0);
+            EXPECT_TRUE(frame.nearest->point_a.allFinite() && frame.nearest->point_b.allFinite());
+        }
         EXPECT_EQ(std::adjacent_find(frame.found.pairs.begin(), frame.found.pairs.end()),
                   frame.found.pairs.end());
         const Outcomes outcomes = outcomes_of(trace.header, frame);
@@ -113,32 +122,56 @@ TEST(DamagedTrace, MadeUpFilesAreRefusedOrRead) {
             }
 }
 
+/// Changes some bytes of the frames, again and again.
+void expect_safe(const Trace& trace, int trials) {
+    const std::vector<Bytes> blocks = plain_frames(trace);
+    ASSERT_EQ(file_of(trace.header, blocks), encode_trace(trace));
+    Random random(5);
+    int accepted = 0, refused = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::vector<Bytes> changed = blocks;
+        for (std::uint32_t changes = 1 + random.below(3); changes > 0; --changes) {
+            Bytes& block = changed[random.below(3)];
+            const std::uint32_t at = random.below(static_cast<std::uint32_t>(block.size()));
+            const auto value = static_cast<std::uint8_t>(random.below(256));
+            const std::uint32_t what = random.below(4);
+            if (what == 0) block.erase(block.begin() + at);
+            if (what == 1) block.insert(block.begin() + at, value);
+            if (what == 2) block[at] = value;
+            if (what == 3) block[at] ^= static_cast<std::uint8_t>(1 << value % 8);
+            if (block.empty()) block.push_back(value);
+        }
+        ++(survives(file_of(trace.header, changed)) ? accepted : refused);
+    }
+    EXPECT_GT(accepted, 0);
+    EXPECT_GT(refused, trials / 3);
+}
+
 TEST(DamagedTrace, MadeUpFramesAreRefusedOrRead) {
     for (const int level : {-1, 4}) {
         TraceHeader header = asking(VolumeKind::scb, OverlapTest::symmetric);
         header.options.stop_level = level;
-        const Trace trace = small_trace(header);
-        const std::vector<Bytes> blocks = plain_frames(trace);
-        ASSERT_EQ(file_of(trace.header, blocks), encode_trace(trace));
-        Random random(5);
-        int accepted = 0, refused = 0;
-        for (int trial = 0; trial < 3000; ++trial) {
-            std::vector<Bytes> changed = blocks;
-            for (std::uint32_t changes = 1 + random.below(3); changes > 0; --changes) {
-                Bytes& block = changed[random.below(3)];
-                const std::uint32_t at = random.below(static_cast<std::uint32_t>(block.size()));
-                const auto value = static_cast<std::uint8_t>(random.below(256));
-                const std::uint32_t what = random.below(4);
-                if (what == 0) block.erase(block.begin() + at);
-                if (what == 1) block.insert(block.begin() + at, value);
-                if (what == 2) block[at] = value;
-                if (what == 3) block[at] ^= static_cast<std::uint8_t>(1 << value % 8);
-                if (block.empty()) block.push_back(value);
+        expect_safe(small_trace(header), 3000);
+    }
+}
+
+TEST(DamagedTrace, MadeUpDistancesAreRefusedOrRead) {
+    std::vector<Trace> traces = distance_traces(VolumeKind::scb2);
+    traces.pop_back();  // it has one frame
+    for (const Trace& trace : traces) expect_safe(trace, 500);
+}
+
+TEST(DamagedTrace, MadeUpLimitsAreRefusedOrRead) {
+    for (const Trace& trace : distance_traces(VolumeKind::ball)) {
+        Trace without_frames = trace;
+        without_frames.frames.clear();
+        const Bytes bytes = encode_trace(without_frames);
+        for (std::size_t i = 0; i + 4 < bytes.size(); ++i)
+            for (int bit = 0; bit < 8; ++bit) {
+                Bytes flipped = bytes;
+                flipped[i] ^= static_cast<std::uint8_t>(1 << bit);
+                survives(with_fitting_checksums(flipped));
             }
-            ++(survives(file_of(trace.header, changed)) ? accepted : refused);
-        }
-        EXPECT_GT(accepted, 0);
-        EXPECT_GT(refused, 1000);
     }
 }
 
@@ -260,6 +293,69 @@ TEST(DamagedTrace, ContradictionsAreNamed) {
         else
             expect_in(cases[i].failure, refusal_of(bytes));
     }
+}
+
+/// A trace of one query of a distance with a change, written as it is.
+std::string refusal_of(const std::function<void(TraceHeader&, QueryTrace&)>& change) {
+    Trace trace = record_trace(soup_a(), soup_b(), asking_distance(VolumeKind::scb2), {20}, -0.1);
+    change(trace.header, trace.frames[0]);
+    return refusal_of(encode_trace(trace));
+}
+
+TEST(DamagedTrace, ContradictionsOfDistancesAreNamed) {
+    const auto first_near = [](QueryTrace& frame, bool hit) {
+        auto& items = frame.steps.items;
+        return std::find_if(items.begin(), items.end(),
+                            [hit](const ItemStep& item) { return item.hit == hit; });
+    };
+    expect_in("a test has a parent that was not divided",
+              refusal_of([](TraceHeader&, QueryTrace& frame) {
+                  auto& tests = frame.steps.volumes;
+                  tests[3].parent = tests[4].parent = tests[1].parent;
+              }));
+    expect_in("its counts differ from its tests",
+              refusal_of([](TraceHeader&, QueryTrace& frame) { ++frame.found.n_u; }));
+    expect_in("a stage does not belong", refusal_of([](TraceHeader&, QueryTrace& frame) {
+                  for (Step& test : frame.steps.volumes)
+                      if (is_rejection(test.stage)) test.stage = Stage::axis_a0;
+              }));
+    expect_in("its answer is none of the triangles that it measured",
+              refusal_of([&](TraceHeader&, QueryTrace& frame) {
+                  frame.found.pairs = {first_near(frame, false)->items};
+              }));
+    expect_in("its answer cannot be read", refusal_of([](TraceHeader& header, QueryTrace& frame) {
+                  header.distance.limit = frame.nearest->distance / 2;
+              }));
+    expect_in("its answer cannot be read", refusal_of([](TraceHeader&, QueryTrace& frame) {
+                  frame.nearest->point_a[1] = std::nan("");
+              }));
+    expect_in("its answer cannot be read",
+              refusal_of([](TraceHeader&, QueryTrace& frame) { frame.rounding = -1; }));
+    expect_in("its answer cannot be read",
+              refusal_of([](TraceHeader&, QueryTrace& frame) { frame.nearest.reset(); }));
+    // The smallest distance may be known before all pairs are divided, and all pairs within a
+    // distance may not.
+    expect_in("the tests end before the query did",
+              refusal_of([](TraceHeader& header, QueryTrace& frame) {
+                  header.kind = QueryKind::within;
+                  header.tolerance = 2;
+                  frame.nearest.reset();
+              }));
+    for (const double number : {-1.0, std::nan(""), HUGE_VAL}) {
+        expect_in("its header cannot be read", refusal_of([&](TraceHeader& header, QueryTrace&) {
+                      header.distance.relative_error = number;
+                  }));
+        if (number < HUGE_VAL || std::isnan(number))
+            expect_in("its header cannot be read",
+                      refusal_of([&](TraceHeader& header, QueryTrace&) {
+                          header.distance.limit = number;
+                      }));
+    }
+    expect_in("its header cannot be read", refusal_of([](TraceHeader& header, QueryTrace&) {
+                  header.distance.seed = IndexPair{120, 0};
+              }));
+    expect_in("its header cannot be read",
+              refusal_of([](TraceHeader& header, QueryTrace&) { header.options.stop_level = 3; }));
 }
 
 TEST(DamagedTrace, FramesComeInOrder) {

@@ -27,6 +27,40 @@ inline Trace small_trace(const TraceHeader& header = asking(VolumeKind::scb,
     return record_trace(soup_a(), soup_b(), header, {4, 7, 12});
 }
 
+/// Queries of distances of all orders and limits, near and far, and bodies that touch.
+inline std::vector<Trace> distance_traces(VolumeKind kind) {
+    std::vector<TraceHeader> headers;
+    for (const DistanceOrder order :
+         {DistanceOrder::nearest, DistanceOrder::depth_first, DistanceOrder::hybrid})
+        headers.push_back(asking_distance(kind, {.order = order}));
+    headers.push_back(asking_distance(kind, {.heap = 3}));
+    headers.push_back(asking_distance(kind, {.descent = DescentRule::alternating}));
+    headers.push_back(asking_distance(kind, {.enough = 0.5, .limit = 0.5}));
+    headers.push_back(asking_distance(kind, {.relative_error = 0.25}));
+    headers.push_back(asking_distance(kind, {.seed = IndexPair{7, 11}}));
+    headers.push_back(asking_within(kind, 0));
+    headers.push_back(asking_within(kind, 0.3));
+    std::vector<Trace> traces;
+    for (const TraceHeader& header : headers)
+        traces.push_back(record_trace(soup_a(), soup_b(), header, {4, 7, 30}, -0.1));
+    // The first triangles that a query measures intersect.
+    const IndexPair touching = record_trace(soup_a(), soup_b(), asking_within(kind, 0), {4}, -0.1)
+                                   .frames[0]
+                                   .found.pairs[0];
+    traces.push_back(
+        record_trace(soup_a(), soup_b(), asking_distance(kind, {.seed = touching}), {4}, -0.1));
+    return traces;
+}
+
+inline void expect_same_answer(const QueryTrace& f, const QueryTrace& g) {
+    ASSERT_EQ(f.nearest.has_value(), g.nearest.has_value());
+    EXPECT_EQ(f.rounding, g.rounding);
+    if (!f.nearest) return;
+    EXPECT_EQ(f.nearest->distance, g.nearest->distance);
+    EXPECT_EQ(f.nearest->point_a, g.nearest->point_a);
+    EXPECT_EQ(f.nearest->point_b, g.nearest->point_b);
+}
+
 inline void expect_same(const Trace& a, const Trace& b) {
     EXPECT_EQ(fields_of(a.header), fields_of(b.header));
     EXPECT_EQ(a.header.scb_version, b.header.scb_version);
@@ -45,6 +79,7 @@ inline void expect_same(const Trace& a, const Trace& b) {
         EXPECT_EQ(f.found.stages, g.found.stages);
         EXPECT_EQ(f.found.depth, g.found.depth);
         EXPECT_EQ(f.found.complete, g.found.complete);
+        expect_same_answer(f, g);
     }
 }
 

@@ -14,7 +14,7 @@ TEST(CountRows, HaveEveryStageOnce) {
         steps.emplace_back().stage = static_cast<Stage>(s);
     const TraceDiff d = diff(trace, trace);
     std::set<std::string> names;
-    const std::vector<CountRow> rows = count_rows(d.sum_a, d.sum_b, d.stages);
+    const std::vector<CountRow> rows = count_rows(d, d.sum_a, d.sum_b);
     for (const CountRow& row : rows) names.insert(row.name);
     EXPECT_EQ(names.size(), rows.size());
     for (std::size_t s = 0; s < stage_count; ++s)

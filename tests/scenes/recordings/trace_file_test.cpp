@@ -54,6 +54,40 @@ TEST(TraceFile, GivesBackWhatItWasGiven) {
     }
 }
 
+TEST(TraceFile, GivesBackDistancesInAnyOrder) {
+    for (const VolumeKind kind : all_volume_kinds())
+        for (const Trace& trace : distance_traces(kind)) {
+            const Bytes bytes = encode_trace(trace);
+            const Trace again = decode_trace(bytes, "file");
+            expect_same(trace, again);
+            EXPECT_EQ(encode_trace(again), bytes);
+            EXPECT_EQ(header_bytes(again.header), header_bytes(trace.header));
+        }
+    // These queries have all that a trace can have.
+    const std::vector<Trace> traces = distance_traces(VolumeKind::scb2);
+    EXPECT_TRUE(traces.back().frames[0].steps.volumes.empty());
+    EXPECT_EQ(traces.back().frames[0].nearest->distance, 0);
+    EXPECT_GT(traces[9].frames[1].found.pairs.size(), 1u);
+    EXPECT_FALSE(traces[5].frames[2].nearest);
+    const QueryTrace& far = traces[0].frames[2];
+    EXPECT_GT(far.nearest->distance, 0);
+    const Outcomes outcomes = outcomes_of(traces[0].header, far);
+    EXPECT_GT(std::count(outcomes.begin(), outcomes.end(), Stage::left_over), 0);
+}
+
+TEST(TraceFile, ATestOfADistanceTakesTwoBytesAtMost) {
+    for (const DistanceOrder order : {DistanceOrder::nearest, DistanceOrder::depth_first}) {
+        const Trace trace = record_trace(
+            soup_a(), soup_b(), asking_distance(VolumeKind::scb2, {.order = order}), {25}, -0.1);
+        std::array<TraceNodes, 2> nodes;
+        frame_bytes(trace.header, trace.frames[0], nodes);
+        // The nodes are known by now.
+        const Bytes plain = frame_bytes(trace.header, trace.frames[0], nodes);
+        constexpr std::size_t pose_and_answer = 190;
+        EXPECT_LT(plain.size(), 2 * trace.frames[0].found.n_v + pose_and_answer);
+    }
+}
+
 TEST(TraceFile, ASceneNameThatIsNoFileNameIsRefused) {
     for (const char* name : {"../up", "a/b", "", ".hidden"}) {
         Trace trace = small_trace();
