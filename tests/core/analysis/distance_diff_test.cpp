@@ -74,7 +74,8 @@ TEST(DistanceDiff, TwoOrdersPartAtATestWithTheSameDistances) {
     ASSERT_EQ(d.asked.size(), 1u);
     EXPECT_EQ(d.asked[0].name, "order");
     ASSERT_TRUE(d.first && d.first->a && d.first->b);
-    EXPECT_NE(d.first->a->test.nodes, d.first->b->test.nodes);
+    EXPECT_TRUE(d.first->a->test.nodes != d.first->b->test.nodes ||
+                d.first->a->outcome != d.first->b->outcome);
     for (const FrameDifference& frame : d.frames)
         EXPECT_FALSE(frame.distances_differ() || frame.triangles_differ()) << frame.frame;
     const std::string words = words_of(*d.first, d.bodies);

@@ -296,7 +296,7 @@ TEST(DamagedTrace, ContradictionsAreNamed) {
 }
 
 /// A trace of one query of a distance with a change, written as it is.
-std::string refusal_of(const std::function<void(TraceHeader&, QueryTrace&)>& change) {
+std::string refusal_after(const std::function<void(TraceHeader&, QueryTrace&)>& change) {
     Trace trace = record_trace(soup_a(), soup_b(), asking_distance(VolumeKind::scb2), {20}, -0.1);
     change(trace.header, trace.frames[0]);
     return refusal_of(encode_trace(trace));
@@ -309,53 +309,60 @@ TEST(DamagedTrace, ContradictionsOfDistancesAreNamed) {
                             [hit](const ItemStep& item) { return item.hit == hit; });
     };
     expect_in("a test has a parent that was not divided",
-              refusal_of([](TraceHeader&, QueryTrace& frame) {
+              refusal_after([](TraceHeader&, QueryTrace& frame) {
                   auto& tests = frame.steps.volumes;
-                  tests[3].parent = tests[4].parent = tests[1].parent;
+                  const auto rejected =
+                      std::find_if(tests.begin(), tests.end(),
+                                   [](const Step& test) { return is_rejection(test.stage); });
+                  ASSERT_LT(rejected, tests.end() - 2);
+                  (tests.end() - 1)->parent = (tests.end() - 2)->parent =
+                      static_cast<std::uint32_t>(rejected - tests.begin());
               }));
     expect_in("its counts differ from its tests",
-              refusal_of([](TraceHeader&, QueryTrace& frame) { ++frame.found.n_u; }));
-    expect_in("a stage does not belong", refusal_of([](TraceHeader&, QueryTrace& frame) {
+              refusal_after([](TraceHeader&, QueryTrace& frame) { ++frame.found.n_u; }));
+    expect_in("a stage does not belong", refusal_after([](TraceHeader&, QueryTrace& frame) {
                   for (Step& test : frame.steps.volumes)
                       if (is_rejection(test.stage)) test.stage = Stage::axis_a0;
               }));
     expect_in("its answer is none of the triangles that it measured",
-              refusal_of([&](TraceHeader&, QueryTrace& frame) {
+              refusal_after([&](TraceHeader&, QueryTrace& frame) {
                   frame.found.pairs = {first_near(frame, false)->items};
               }));
-    expect_in("its answer cannot be read", refusal_of([](TraceHeader& header, QueryTrace& frame) {
+    expect_in("its answer cannot be read",
+              refusal_after([](TraceHeader& header, QueryTrace& frame) {
                   header.distance.limit = frame.nearest->distance / 2;
               }));
-    expect_in("its answer cannot be read", refusal_of([](TraceHeader&, QueryTrace& frame) {
+    expect_in("its answer cannot be read", refusal_after([](TraceHeader&, QueryTrace& frame) {
                   frame.nearest->point_a[1] = std::nan("");
               }));
     expect_in("its answer cannot be read",
-              refusal_of([](TraceHeader&, QueryTrace& frame) { frame.rounding = -1; }));
+              refusal_after([](TraceHeader&, QueryTrace& frame) { frame.rounding = -1; }));
     expect_in("its answer cannot be read",
-              refusal_of([](TraceHeader&, QueryTrace& frame) { frame.nearest.reset(); }));
+              refusal_after([](TraceHeader&, QueryTrace& frame) { frame.nearest.reset(); }));
     // The smallest distance may be known before all pairs are divided, and all pairs within a
     // distance may not.
     expect_in("the tests end before the query did",
-              refusal_of([](TraceHeader& header, QueryTrace& frame) {
+              refusal_after([](TraceHeader& header, QueryTrace& frame) {
                   header.kind = QueryKind::within;
                   header.tolerance = 2;
                   frame.nearest.reset();
               }));
     for (const double number : {-1.0, std::nan(""), HUGE_VAL}) {
-        expect_in("its header cannot be read", refusal_of([&](TraceHeader& header, QueryTrace&) {
+        expect_in("its header cannot be read", refusal_after([&](TraceHeader& header, QueryTrace&) {
                       header.distance.relative_error = number;
                   }));
         if (number < HUGE_VAL || std::isnan(number))
             expect_in("its header cannot be read",
-                      refusal_of([&](TraceHeader& header, QueryTrace&) {
+                      refusal_after([&](TraceHeader& header, QueryTrace&) {
                           header.distance.limit = number;
                       }));
     }
-    expect_in("its header cannot be read", refusal_of([](TraceHeader& header, QueryTrace&) {
+    expect_in("its header cannot be read", refusal_after([](TraceHeader& header, QueryTrace&) {
                   header.distance.seed = IndexPair{120, 0};
               }));
-    expect_in("its header cannot be read",
-              refusal_of([](TraceHeader& header, QueryTrace&) { header.options.stop_level = 3; }));
+    expect_in("its header cannot be read", refusal_after([](TraceHeader& header, QueryTrace&) {
+                  header.options.stop_level = 3;
+              }));
 }
 
 TEST(DamagedTrace, FramesComeInOrder) {

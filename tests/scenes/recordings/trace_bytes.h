@@ -42,13 +42,13 @@ inline std::vector<Trace> distance_traces(VolumeKind kind) {
     headers.push_back(asking_within(kind, 0.3));
     std::vector<Trace> traces;
     for (const TraceHeader& header : headers)
-        traces.push_back(record_trace(soup_a(), soup_b(), header, {4, 7, 30}, -0.1));
+        traces.push_back(record_trace(soup_a(), soup_b(), header, {3, 12, 40}, 0.1));
     // The first triangles that a query measures intersect.
-    const IndexPair touching = record_trace(soup_a(), soup_b(), asking_within(kind, 0), {4}, -0.1)
-                                   .frames[0]
-                                   .found.pairs[0];
+    const QueryTrace contact =
+        record_trace(soup_a(), soup_b(), asking_within(kind, 0), {3}, 0.1).frames[0];
+    const IndexPair touching = contact.found.pairs.at(0);
     traces.push_back(
-        record_trace(soup_a(), soup_b(), asking_distance(kind, {.seed = touching}), {4}, -0.1));
+        record_trace(soup_a(), soup_b(), asking_distance(kind, {.seed = touching}), {3}, 0.1));
     return traces;
 }
 
