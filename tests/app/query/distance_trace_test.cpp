@@ -161,5 +161,26 @@ TEST_F(DistanceTrace, DiffComparesAnswersAndTests) {
     EXPECT_FALSE(frame["counts"].contains("pairs"));
 }
 
+TEST_F(DistanceTrace, AFailedCaseOfAGoldenSuiteHasOne) {
+    const auto suite = [&](const std::string& order) {
+        write_text(folder / "cases.json",
+                   R"({"scb_golden": 2, "cases": [{"name": "near", "run": "distance", "frames": "0",
+                       "scene": "spheres-l1", "arguments": ["--order", ")" +
+                       order + R"("]}]})");
+    };
+    suite("nearest");
+    const ProgramRun update = run("golden update --suite cases.json --all");
+    ASSERT_EQ(update.status, 0) << update.err;
+    EXPECT_EQ(run("golden check --suite cases.json").status, 0);
+    suite("depth-first");
+    const ProgramRun check = run("golden check --suite cases.json --trace --report report");
+    EXPECT_EQ(check.status, 1);
+    const std::string said = check.out + check.err;
+    EXPECT_NE(said.find("They part first at frame 0, test"), std::string::npos) << said;
+    EXPECT_NE(said.find("near, "), std::string::npos) << said;
+    EXPECT_EQ(run("diff report/near.baseline.scbrec report/near.new.scbrec").status, 1);
+    EXPECT_TRUE(std::filesystem::exists(folder / "report/near.view.html"));
+}
+
 }  // namespace
 }  // namespace scb::app
