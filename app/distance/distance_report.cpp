@@ -11,9 +11,9 @@
 #include "app/report/count_table.h"
 #include "app/report/scene_report.h"
 #include "app/report/trace_report.h"
+#include "app/study/proven_distance.h"
 #include "core/base/text_format.h"
 #include "core/collide/index_pairs.h"
-#include "core/distance/distance_certificate.h"
 #include "scb/triangle_overlap.h"
 
 namespace scb::app {
@@ -103,21 +103,14 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     add_row(bodies, frame, found, std::move(cells), std::move(json), is_apart);
 }
 
-MeshTree DistanceReport::mesh_tree(std::size_t body) const {
-    return {query_.mesh(body), topology_of(query_.hierarchy(body))};
-}
-
 Json DistanceReport::prove(int frame, const Distance& found) {
-    const MeshTree a = mesh_tree(query_.a), b = mesh_tree(query_.b);
-    const Pose b_to_a = query_.b_to_a(frame);
-    const DistanceCertificate certificate = make_certificate(a, b, b_to_a, *found.triangles);
-    const ProvenDistance proven = check_distance(a, b, b_to_a, certificate);
-    const bool is_proven = certifies(proven, found.found.distance);
-    ++(is_proven ? proven_ : not_proven_);
-    return {{"lower", proven.lower},
-            {"upper", proven.upper},
-            {"certified", is_proven},
-            {"directions", certificate.directions.size()}};
+    const CertifiedDistance proof =
+        certified_distance(query_, query_.b_to_a(frame), *found.triangles, found.found.distance);
+    ++(proof.certified ? proven_ : not_proven_);
+    return {{"lower", proof.proven.lower},
+            {"upper", proof.proven.upper},
+            {"certified", proof.certified},
+            {"directions", proof.directions}};
 }
 
 bool DistanceReport::intersect(std::span<const IndexPair> pairs, int frame) const {

@@ -16,7 +16,6 @@
 #include "app/query/query_options.h"
 #include "app/report/table.h"
 #include "app/study/scene_query.h"
-#include "core/distance/placed_corners.h"
 #include "render/figures/distance_plot.h"
 
 namespace scb::app {
@@ -75,7 +74,6 @@ class DistanceReport {
     bool intersect(std::span<const IndexPair> pairs, int frame) const;
     /// Certifies the distance, and lists the certificate's bounds.
     nlohmann::ordered_json prove(int frame, const Distance& found);
-    MeshTree mesh_tree(std::size_t body) const;
     /// Adds a row for the chosen bodies, and its JSON. `judges_inside`: whether bodies without
     /// contact are to be judged.
     void add_row(Bodies& bodies, int frame, const Distance& work, std::vector<Cell> cells,

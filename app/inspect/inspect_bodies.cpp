@@ -4,8 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/inspect/inspect_pictures.h"
 #include "app/pictures/query_view.h"
-#include "core/analysis/assumed_time.h"
+#include "app/study/distance_trial.h"
 #include "render/figures/waste_figure.h"
 
 namespace scb::app {
@@ -40,6 +41,15 @@ std::vector<render::MarkedTriangle> marked_triangles(const InspectReport& report
     return marked;
 }
 
+/// Of a query of distances, sets the hits to the tests that led to the answer: a hit is recorded if
+/// triangles were the nearest so far.
+void mark_nearest(QueryTrace& frame, const Attribution& attribution) {
+    std::vector<bool> leads(frame.steps.volumes.size());
+    for (const PassedPair& pair : attribution.passed)
+        leads[pair.test] = pair.reason == PassReason::triangles_meet;
+    for (ItemStep& item : frame.steps.items) item.hit = leads[item.step];
+}
+
 }  // namespace
 
 std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
@@ -47,7 +57,9 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     if (report.sum.counts.wasted.volume_tests == 0) return "";
     if (report.header.engine && report.header.engine->objects) return "";
     const int number = report.frames.front().frame;
-    const QueryTrace frame = sources.front().frame_again(number);
+    QueryTrace frame = sources.front().frame_again(number);
+    if (is_of_distance(report.header.kind) && !report.recording)
+        mark_nearest(frame, sources.front().attribution(frame));
     QueryViewOptions of_view;
     of_view.picture = options;
     of_view.seeks_contact = false;
@@ -56,7 +68,7 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
     const render::Waste waste =
-        render::waste_of(bodies, report.header, frame, assumed_costs(report.header),
+        render::waste_of(bodies, report.header, frame, costs_of_tests(report.header),
                          marked_triangles(report, sources.front(), number));
     const std::vector<AnyVolume> region = render::waste_region(bodies, waste);
     view.seek(render::waste_subject(bodies, waste), number);
@@ -70,7 +82,8 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     figure.labels = render::waste_labels(bodies, waste);
     figure.panel = render::waste_panel(bodies, frame, waste, *figure.theme);
     view.show_place_of_contact(figure, region);
-    const std::string name = view.picture_name("inspect_bodies", number);
+    const std::string name =
+        view.picture_name(name_of_inspection(report).substr(1) + "_bodies", number);
     const render::Picture picture = render::compose(
         std::move(figure), options.width(), options.height(), options.samples, pictures.overlay());
     pictures.draw(name, picture, {{"frame", number}, {"bodies", true}});

@@ -29,19 +29,78 @@ std::string pair_row(int frame, const Step& test, const char* reason) {
            row({test.nodes.a, test.nodes.b, test.depth_a, test.depth_b}) + "," + reason;
 }
 
+/// By frame, in the order of frames.
+std::vector<const InspectedFrame*> ordered_frames(const InspectReport& report) {
+    std::vector<const InspectedFrame*> frames;
+    for (const InspectedFrame& frame : report.frames) frames.push_back(&frame);
+    std::sort(frames.begin(), frames.end(),
+              [](const auto* x, const auto* y) { return x->frame < y->frame; });
+    return frames;
+}
+
+std::string distance_frames_csv(const InspectReport& report) {
+    const bool is_within = report.header.kind == QueryKind::within;
+    const std::vector<PassReason> reasons = waste_reasons(report.header.kind);
+    std::string text = std::string("frame,") + (is_within ? "pairs" : "distance,certified") +
+                       ",n_v,n_p,passed,true";
+    const auto name = [](PassReason reason) { return std::string(pass_reason_names[reason]); };
+    for (const PassReason reason : reasons) text += "," + name(reason);
+    text += ",wrongly_rejected,missed_pairs,wasted_n_v,wasted_n_p";
+    for (const PassReason reason : reasons)
+        text += ",wasted_by_" + name(reason) + "_n_v,wasted_by_" + name(reason) + "_n_p";
+    text += "\n";
+    for (const InspectedFrame* frame : ordered_frames(report)) {
+        const PassCounts& c = frame->found.counts;
+        text += std::to_string(frame->frame) + ",";
+        if (is_within)
+            text += row({frame->found.pairs});
+        else
+            text += (frame->distance < 0 ? "" : format("%.17g", frame->distance)) +
+                    (report.recording   ? ","
+                     : frame->certified ? ",1"
+                                        : ",0");
+        text += "," + row({c.all.volume_tests, c.all.triangle_tests, c.passed(),
+                           c.passed(PassReason::triangles_meet)});
+        for (const PassReason reason : reasons) text += "," + row({c.passed(reason)});
+        text += "," +
+                row({c.wrongly_rejected, c.missed, c.wasted.volume_tests, c.wasted.triangle_tests});
+        for (const PassReason reason : reasons) {
+            const Work wasted = c.wasted_by(reason);
+            text += "," + row({wasted.volume_tests, wasted.triangle_tests});
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string distance_pairs_csv(const InspectReport& report) {
+    std::string text =
+        "frame,node_a,node_b,depth_a,depth_b,reason,beyond,leaves,wasted_n_v,wasted_n_p,stage,"
+        "missed_pairs\n";
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& p : worst.pairs)
+            text +=
+                pair_row(p.frame, p.test, std::string(pass_reason_names[worst.reason]).c_str()) +
+                (p.pair.exact == Contact::disjoint ? format(",%.17g,", p.pair.gap) : ",,") +
+                row({p.pair.leaves, p.pair.below.volume_tests, p.pair.below.triangle_tests}) +
+                ",near,\n";
+    for (const WronglyRejectedPair& w : report.wrong)
+        text += pair_row(w.frame, w.test, "wrongly rejected") + ",,,,," +
+                stage_words(report.header, w.test.stage) + "," +
+                std::to_string(w.rejection.missed) + "\n";
+    return text;
+}
+
 }  // namespace
 
 std::string frames_csv(const InspectReport& report) {
+    if (is_of_distance(report.header.kind)) return distance_frames_csv(report);
     std::string text =
         "frame,pairs,n_v,n_p,passed,true,fit,test,wrongly_rejected,missed_pairs,operations,wasted_"
         "n_v,"
         "wasted_n_p,wasted_operations,wasted_by_test_n_v,wasted_by_test_n_p,"
         "wasted_by_test_operations\n";
-    std::vector<const InspectedFrame*> frames;
-    for (const InspectedFrame& frame : report.frames) frames.push_back(&frame);
-    std::sort(frames.begin(), frames.end(),
-              [](const auto* x, const auto* y) { return x->frame < y->frame; });
-    for (const InspectedFrame* frame : frames) {
+    for (const InspectedFrame* frame : ordered_frames(report)) {
         const PassCounts& c = frame->found.counts;
         text += std::to_string(frame->frame) + "," +
                 row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
@@ -56,11 +115,12 @@ std::string frames_csv(const InspectReport& report) {
 }
 
 std::string pairs_csv(const InspectReport& report) {
+    if (is_of_distance(report.header.kind)) return distance_pairs_csv(report);
     std::string text =
         "frame,node_a,node_b,depth_a,depth_b,reason,exact,gap,depth,leaves,wasted_n_v,wasted_n_p,"
         "wasted_operations,stage,missed_pairs,file\n";
-    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& p : *worst) {
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& p : worst.pairs) {
             const Work& below = p.pair.below;
             text +=
                 pair_row(p.frame, p.test, std::string(pass_reason_names[p.pair.reason]).c_str()) +

@@ -45,8 +45,8 @@ void name_files(InspectedQueries& inspected, const InspectOptions& options) {
 std::string report_view(const InspectOptions& options, const InspectReport& report,
                         const Console& console) {
     std::set<int> frames;
-    for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& pair : *pairs) frames.insert(pair.frame);
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& pair : worst.pairs) frames.insert(pair.frame);
     for (const WronglyRejectedPair& pair : report.wrong) frames.insert(pair.frame);
     if (frames.empty()) frames.insert(report.frames.front().frame);
     ViewOptions view = options.view;
@@ -55,6 +55,7 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
     view.level.picture.background = options.picture.background;
     view.level.picture.gl = options.picture.gl;
     view.query = options.query;
+    view.kind = options.kind;
     view.level.recording = options.recording;
     if (report.recording) {
         // The page has one frame of a recording, and one pair of bodies.
@@ -76,8 +77,10 @@ bool write_waste(PictureRun& pictures, const InspectedQueries& inspected, Inspec
                  std::string& view, const InspectOptions& options, const ExplainedPairs& explained,
                  const Console& console, const InterruptWatch& watch) {
     const InspectReport& report = inspected.report;
-    Progress progress(
-        console, 2 + report.wrong.size() + report.loose_fits.size() + report.weak_tests.size());
+    std::size_t pairs = report.wrong.size();
+    for (const WorstOfReason& worst : report.worst) pairs += worst.pairs.size();
+    if (is_of_distance(report.header.kind)) pairs = 0;
+    Progress progress(console, 2 + pairs);
     const auto step = [&] {
         progress.step("pictures");
         return watch.signal() == 0;
@@ -94,6 +97,10 @@ bool write_waste(PictureRun& pictures, const InspectedQueries& inspected, Inspec
     const bool all = inspected.file || (source.query().options.stop_level < 0 &&
                                         options.limits.max_pairs == QueryLimits{}.max_pairs);
     if (!all || options.no_view) return true;
+    // That page has queries for the smallest distance only, and none of a recording.
+    if (report.header.kind == QueryKind::within ||
+        (inspected.file && is_of_distance(report.header.kind)))
+        return true;
     if (!inspected.file && source.query().is_self()) {
         console.note("scb: there is no page of `scb view`, which shows queries of two bodies.");
         return true;
@@ -135,7 +142,7 @@ bool write_report(PictureRun& pictures, InspectedQueries& inspected, const Inspe
     if (inspected.file && inspected.recording)
         report.recording->pictures = draw_problems(pictures, options.picture, *inspected.recording,
                                                    report.recording->judged);
-    report.drawn = report.has_waste;
+    report.drawn = report.has_waste && !is_of_distance(report.header.kind);
     std::string view;
     if (report.has_waste &&
         !write_waste(pictures, inspected, page, view, options, explained, console, watch)) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/inspect/inspect_triangles.h"
+#include "app/inspect/reason_words.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
-#include "core/analysis/assumed_time.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -25,13 +25,18 @@ std::string triangles(const PassCounts& counts) {
 
 std::string waste(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
-    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
-                        by_tests = counts.wasted_by_tests.volume_tests;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests;
     const std::string tests = render::counted(all, "volume test", "volume tests");
     if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
-    return "Of " + tests + ", " + share(wasted, all) +
-           " were wasted: " + share(wasted - by_tests, all) + " since volumes are too loose, and " +
-           share(by_tests, all) + " since the overlap test is too weak." + triangles(counts);
+    std::string text = "Of " + tests + ", " + share(wasted, all) + " were wasted: ";
+    const std::vector<ReasonWords> reasons = reason_words(report.header.kind, counts);
+    for (std::size_t i = 1; i < reasons.size(); ++i)
+        text += (i == 1                   ? ""
+                 : i + 1 < reasons.size() ? ", "
+                                          : ", and ") +
+                share(counts.wasted_by(reasons[i].reason).volume_tests, all) + " " +
+                reasons[i].because;
+    return text + "." + triangles(counts);
 }
 
 /// The other test that catches the most, if it saves operations.
@@ -55,7 +60,7 @@ std::vector<std::string> best_other(const InspectReport& report) {
 std::string cost_share(const InspectReport& report, std::uint64_t part,
                        std::uint64_t all_triangle_tests) {
     if (part == 0) return "";
-    const TestCosts costs = assumed_costs(report.header);
+    const TestCosts costs = costs_of_tests(report.header);
     const Work& all = report.sum.counts.all;
     const double of_triangles = costs.triangles * static_cast<double>(all.triangle_tests),
                  of_volumes = costs.volumes * static_cast<double>(all.volume_tests);
@@ -90,10 +95,10 @@ std::vector<std::string> causes(const InspectReport& report) {
                     ratio(facts.longest_slender_side, (facts.box.upper - facts.box.lower).norm())) +
                 share_of(body.slender_tests));
         if (body.duplicated)
-            sentences.push_back(
-                render::count_text(facts.duplicates) + " of " + of +
-                " are copies of others: pairs with a copy are found again, and cost again." +
-                share_of(body.duplicate_tests));
+            sentences.push_back(render::count_text(facts.duplicates) + " of " + of +
+                                " are copies of others: pairs with a copy are " +
+                                (is_of_distance(report.header.kind) ? "measured" : "found") +
+                                " again, and cost again." + share_of(body.duplicate_tests));
         if (body.soup)
             sentences.push_back(of + " fall into " + render::count_text(facts.components) +
                                 " parts that have no corner in common: a soup, whose volumes "
@@ -168,7 +173,12 @@ std::string missed_words(const WrongRejection& rejection) {
     return render::counted(rejection.missed, "pair", "pairs") + " of triangles missed";
 }
 
-std::string wrong_rejections_sentence(const PassCounts& counts) {
+std::string wrong_rejections_sentence(const PassCounts& counts, QueryKind kind) {
+    if (is_of_distance(kind))
+        return "the bound left out " + render::counted(counts.wrongly_rejected, "pair", "pairs") +
+               " of volumes that are nearer than the answer, and so missed " +
+               (counts.missed == 0 ? "no pairs" : render::counted(counts.missed, "pair", "pairs")) +
+               " of triangles.";
     return "the test rejected " + render::counted(counts.wrongly_rejected, "pair", "pairs") +
            " of volumes that meet, and so missed " +
            (counts.missed == 0 ? "no pairs" : render::counted(counts.missed, "pair", "pairs")) +
@@ -177,9 +187,28 @@ std::string wrong_rejections_sentence(const PassCounts& counts) {
 
 std::vector<std::string> alarm_findings(const InspectReport& report) {
     if (report.sum.counts.wrongly_rejected == 0) return {};
-    std::string alarm = wrong_rejections_sentence(report.sum.counts);
+    std::string alarm = wrong_rejections_sentence(report.sum.counts, report.header.kind);
     alarm.front() = 'T';
     return {alarm};
+}
+
+CertifiedCount certified_count(const InspectReport& report) {
+    CertifiedCount count;
+    for (const InspectedFrame& frame : report.frames) {
+        count.distances += frame.distance >= 0 ? 1 : 0;
+        count.certified += frame.certified ? 1 : 0;
+    }
+    return count;
+}
+
+std::vector<std::string> certified_findings(const InspectReport& report) {
+    if (report.recording || report.header.kind != QueryKind::distance) return {};
+    if (report.header.distance.relative_error > 0)
+        return {"Distances are not certified, since --relative-error lets them be too large."};
+    const auto [distances, certified] = certified_count(report);
+    if (distances == 0) return {"No triangles are within the limit."};
+    return {render::count_text(certified) + " of " +
+            render::counted(distances, "distance", "distances") + " certified."};
 }
 
 bool has_advice(const InspectReport& report) {
@@ -191,6 +220,8 @@ bool has_advice(const InspectReport& report) {
 }
 
 std::vector<std::string> advice_findings(const InspectReport& report) {
+    if (report.distance_advice)
+        return {advice_sentence(*report.distance_advice, report.frames.size())};
     if (!report.settings) return {};
     const SceneTuning& tuning = report.settings->tuning;
     if (report.settings->recorded) return {recorded_advice(*report.settings)};
@@ -221,8 +252,8 @@ std::vector<std::string> waste_findings(const InspectReport& report) {
 
 std::vector<std::string> inspect_findings(const InspectReport& report) {
     std::vector<std::string> all = alarm_findings(report);
-    for (const auto& some :
-         {advice_findings(report), mesh_sentences(report), waste_findings(report)})
+    for (const auto& some : {certified_findings(report), advice_findings(report),
+                             mesh_sentences(report), waste_findings(report)})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }

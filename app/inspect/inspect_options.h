@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/pictures/picture_options.h"
+#include "app/query/distance_options.h"
 #include "app/query/layout_options.h"
 #include "app/query/query_options.h"
 #include "app/view/view_page.h"
@@ -14,6 +15,7 @@ struct InspectOptions {
     SceneOptions scene;
     HierarchyOptions hierarchy;
     QueryOptions query;
+    KindOptions kind;
     QueryLimits limits;
     LayoutOptions layout;
     PictureOptions picture{.output = ""};
@@ -24,7 +26,9 @@ struct InspectOptions {
     std::string of_files;                  ///< the given options of the meshes
     // The meshes and poses of a recording, and the frames: `scb collide` selects no recorded query.
     std::string of_meshes, of_frames;
-    ViewOptions view;  ///< only its texts of given options
+    std::string of_bodies;     ///< the given options of the scene, without its frames
+    std::string of_distances;  ///< the given limits of queries of distances
+    ViewOptions view;          ///< only its texts of given options
     int top = 10;
     bool asks_top = false;  ///< --top was given
     bool time = false;

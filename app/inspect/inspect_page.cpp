@@ -7,6 +7,7 @@
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
+#include "app/inspect/reason_words.h"
 #include "app/inspect/recording_report.h"
 #include "app/query/recording_verdict.h"
 #include "app/report/scene_report.h"
@@ -45,18 +46,31 @@ data text_rows(const char* key, const std::vector<std::string>& texts) {
     return rows;
 }
 
-data frame_data(const std::string& name, const Inspection& found) {
+data frame_data(const InspectReport& report, const std::string& name, const Inspection& found,
+                double distance) {
     const PassCounts& counts = found.counts;
-    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests,
-                        by_tests = counts.wasted_by_tests.volume_tests;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests;
     data row;
     row["frame"] = name;
-    row["pairs"] = render::count_text(found.pairs);
+    row["pairs"] = report.header.kind != QueryKind::distance ? render::count_text(found.pairs)
+                   : distance < 0                            ? ""
+                                                             : format("%.6g", distance);
     row["n_v"] = render::count_text(all);
     row["passed"] = render::count_text(counts.passed());
-    for (const PassReason reason :
-         {PassReason::triangles_meet, PassReason::loose_fit, PassReason::weak_test})
-        row[std::string(pass_reason_names[reason])] = render::count_text(counts.passed(reason));
+    data passed(data::type::list), bars(data::type::list);
+    for (const ReasonWords& words : reason_words(report.header.kind, report.sum.counts)) {
+        data cell, bar;
+        cell["count"] = render::count_text(counts.passed(words.reason));
+        passed << cell;
+        bar["color"] = words.color;
+        bar["part"] = percents(words.reason == PassReason::triangles_meet
+                                   ? all - wasted
+                                   : counts.wasted_by(words.reason).volume_tests,
+                               all);
+        bars << bar;
+    }
+    row.set("of_reasons", passed);
+    row.set("bars", bars);
     row["wasted"] = render::count_text(wasted);
     const std::uint64_t n_p = counts.wasted.triangle_tests;
     row["wasted_n_p"] = render::count_text(n_p);
@@ -64,21 +78,19 @@ data frame_data(const std::string& name, const Inspection& found) {
     row["wrong"] = render::count_text(counts.wrongly_rejected);
     row["missed"] = render::count_text(counts.missed);
     row["share"] = share(wasted, all);
-    row["true_width"] = percents(all - wasted, all);
-    row["fit_width"] = percents(wasted - by_tests, all);
-    row["test_width"] = percents(by_tests, all);
     return row;
 }
 
 data frame_rows(const InspectReport& report) {
     data rows(data::type::list);
     for (std::size_t i = 0; i < report.frames.size() && i < most_frame_rows; ++i) {
-        data row = frame_data(std::to_string(report.frames[i].frame), report.frames[i].found);
+        data row = frame_data(report, std::to_string(report.frames[i].frame),
+                              report.frames[i].found, report.frames[i].distance);
         row["sum"] = flag(false);
         rows << row;
     }
     if (report.frames.size() > 1) {
-        data row = frame_data("sum", report.sum);
+        data row = frame_data(report, "sum", report.sum, -1);
         row["sum"] = flag(true);
         rows << row;
     }
@@ -88,24 +100,41 @@ data frame_rows(const InspectReport& report) {
 data reason_rows(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
     data rows(data::type::list);
-    const auto add = [&](const char* because, const char* color, PassReason reason,
-                         const Work* wasted) {
-        const auto r = static_cast<std::size_t>(reason);
+    for (const ReasonWords& words : reason_words(report.header.kind, counts)) {
+        const auto r = static_cast<std::size_t>(words.reason);
+        const bool is_waste = words.reason != PassReason::triangles_meet;
+        const Work wasted = counts.wasted_by(words.reason);
         data row;
-        row["because"] = because;
-        row["color"] = color;
+        row["because"] = words.title;
+        row["color"] = words.color;
         row["inner"] = render::count_text(counts.inner[r]);
         row["leaves"] = render::count_text(counts.leaves[r]);
-        row["n_v"] = wasted == nullptr ? "" : render::count_text(wasted->volume_tests);
-        row["n_p"] = wasted == nullptr ? "" : render::count_text(wasted->triangle_tests);
-        row["operations"] = wasted == nullptr ? "" : operations_text(report, wasted->operations);
+        row["n_v"] = is_waste ? render::count_text(wasted.volume_tests) : "";
+        row["n_p"] = is_waste ? render::count_text(wasted.triangle_tests) : "";
+        row["operations"] = is_waste ? operations_text(report, wasted.operations) : "";
         rows << row;
-    };
-    const Work by_fit = counts.wasted_by_fit();
-    add("true contact", "neutral", PassReason::triangles_meet, nullptr);
-    add("fit too loose", "fit", PassReason::loose_fit, &by_fit);
-    add("test too weak", "test", PassReason::weak_test, &counts.wasted_by_tests);
+    }
     return rows;
+}
+
+/// The columns of the table of frames.
+data reason_columns(const InspectReport& report) {
+    data columns(data::type::list);
+    for (const ReasonWords& words : reason_words(report.header.kind, report.sum.counts)) {
+        data column;
+        column["color"] = words.color;
+        column["column"] = words.column;
+        columns << column;
+    }
+    return columns;
+}
+
+/// "not wasted, fit, test": the parts of a bar of the table of frames.
+std::string bar_words(const InspectReport& report) {
+    std::string words = "not wasted";
+    const std::vector<ReasonWords> all = reason_words(report.header.kind, report.sum.counts);
+    for (std::size_t i = 1; i < all.size(); ++i) words += std::string(", ") + all[i].column;
+    return words;
 }
 
 /// The work of a query, and its change.
@@ -290,26 +319,59 @@ data groups_of(const InspectReport& report, const InspectPage& page) {
                   "rejected at " + stage_words(report.header, w.test.stage) + ", " +
                       missed_words(w.rejection));
     wrong.append_to(groups);
-    Group loose(report, page, "fit-too-loose", "fit", "Fit too loose, the worst first",
-                "The volumes overlap, but no triangles below them intersect: no overlap test could "
-                "have rejected them; tighter volumes or other splits could have.");
-    for (const FalsePair& p : report.loose_fits)
-        loose.add(p.frame, p.test, wasted_words(p.pair.below));
-    loose.append_to(groups);
-    Group weak(report, page, "test-too-weak", "test", "Test too weak, the worst first",
-               "The volumes are disjoint, and the test did not see it: a stronger one would have.");
-    for (const FalsePair& p : report.weak_tests)
-        weak.add(p.frame, p.test,
-                 wasted_words(p.pair.below) + ", " + render::number_text(p.margin) + " apart");
-    weak.append_to(groups);
+    for (const WorstOfReason& worst : report.worst) {
+        const bool is_weak = worst.reason == PassReason::weak_test;
+        Group group(report, page, is_weak ? "test-too-weak" : "fit-too-loose",
+                    is_weak ? "test" : "fit",
+                    is_weak ? "Test too weak, the worst first" : "Fit too loose, the worst first",
+                    is_weak ? "The volumes are disjoint, and the test did not see it: a stronger "
+                              "one would have."
+                            : "The volumes overlap, but no triangles below them intersect: no "
+                              "overlap test could have rejected them; tighter volumes or other "
+                              "splits could have.");
+        for (const FalsePair& p : worst.pairs)
+            group.add(p.frame, p.test,
+                      wasted_words(p.pair.below) +
+                          (is_weak ? ", " + render::number_text(p.margin) + " apart" : ""));
+        group.append_to(groups);
+    }
     return groups;
+}
+
+/// The worst pairs of queries of distances. Each has a link into the page of `scb view`.
+data worst_rows(const InspectReport& report, const InspectPage& page) {
+    data rows(data::type::list);
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& p : worst.pairs) {
+            const ReasonWords words = words_of(worst.reason, report.header.kind);
+            data row;
+            row["because"] = words.title;
+            row["color"] = words.color;
+            row["frame"] = std::to_string(p.frame);
+            row["nodes"] = format("%u, %u", p.test.nodes.a, p.test.nodes.b);
+            row["depths"] = format("%d, %d", p.test.depth_a, p.test.depth_b);
+            row["n_v"] = render::count_text(p.pair.below.volume_tests);
+            row["n_p"] = render::count_text(p.pair.below.triangle_tests);
+            row["beyond"] =
+                p.pair.exact == Contact::disjoint ? render::number_text(p.pair.gap) : "–";
+            row["view"] = flag(false);
+            if (!page.view.empty())
+                row["view"] = page.view + format("#frame=%d&nodes=%u,%u", p.frame, p.test.nodes.a,
+                                                 p.test.nodes.b);
+            rows << row;
+        }
+    return rows;
 }
 
 }  // namespace
 
 std::string inspect_title(const InspectReport& report) {
     const TraceHeader& header = report.header;
-    return scene_title(header) + " · " + printable(render::volume_title(header)) + " · inspect";
+    const char* const of_kind = header.kind == QueryKind::distance ? "distance · "
+                                : header.kind == QueryKind::within ? "within a tolerance · "
+                                                                   : "";
+    return scene_title(header) + " · " + printable(render::volume_title(header)) + " · " + of_kind +
+           "inspect";
 }
 
 std::string inspect_subtitle(const InspectReport& report) {
@@ -352,7 +414,13 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
     values["triangles"] = triangles.html();
     values.set("mesh_commands", text_rows("command", mesh_commands(report)));
     values["worst_frame"] = report.frames.empty() ? "" : std::to_string(report.frames[0].frame);
+    const bool is_distance = is_of_distance(report.header.kind);
+    values["is_distance"] = flag(is_distance);
+    values["found"] = report.header.kind == QueryKind::distance ? "distance" : "pairs";
     values["reasons"] = reason_rows(report);
+    values.set("columns", reason_columns(report));
+    values["bar_words"] = bar_words(report);
+    if (is_distance) values.set("worst_pairs", worst_rows(report, page));
     values["frames"] = frame_rows(report);
     if (report.frames.size() > most_frame_rows)
         values["more_frames"] = "The worst " + std::to_string(most_frame_rows) + " of " +
@@ -362,7 +430,7 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
     values["has_others"] = flag(!report.others.empty());
     values["others"] = other_rows(report);
     values["weak"] = render::count_text(report.sum.counts.passed(PassReason::weak_test));
-    values["groups"] = groups_of(report, page);
+    if (!is_distance) values["groups"] = groups_of(report, page);
 }
 
 void set_settings(data& values, const InspectSettings& settings, std::size_t frames) {
@@ -396,6 +464,12 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_waste"] = flag(report.has_waste);
     if (report.has_waste) set_waste(values, report, page);
     values["has_settings"] = flag(report.settings.has_value());
+    values["has_methods"] = flag(report.distance_advice.has_value());
+    if (report.distance_advice) {
+        values["methods"] = methods_table(*report.distance_advice, most_methods).html();
+        values["method_command"] = report.distance_advice->command;
+        values["method_timing"] = report.distance_advice->timing;
+    }
     if (report.settings) set_settings(values, *report.settings, report.frames.size());
     if (!page.view.empty()) {
         values["view"] = page.view + "#show=verdicts";

@@ -8,6 +8,7 @@
 #include "app/explain/explain_report.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
+#include "app/inspect/reason_words.h"
 #include "app/study/recorded_pair.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
@@ -21,8 +22,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const std::string loose = "fit too loose";
 
 /// Room in the panel for this many, besides the recommended setting.
 constexpr std::size_t most_volumes = 3;
@@ -54,6 +53,7 @@ void draw_summary(PictureRun& pictures, const PictureOptions& options,
                   const InspectReport& report) {
     render::InspectFigure figure;
     figure.title = inspect_title(report);
+    figure.kind = report.header.kind;
     figure.subtitle = inspect_subtitle(report);
     figure.frames = report.frames;
     figure.sum = report.sum;
@@ -94,7 +94,8 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const QueryS
     picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
                        " · " + (names.scene.empty() ? "" : names.scene + " · ") +
                        render::volume_title(header);
-    if (reason == loose) picture.but = "the fit is too loose";
+    if (reason == words_of(PassReason::loose_fit, header.kind).title)
+        picture.but = "the fit is too loose";
     if (header.engine)
         picture.ending =
             printable(header.engine->name) + ":  " +
@@ -109,8 +110,14 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const QueryS
 
 }  // namespace
 
+std::string name_of_inspection(const InspectReport& report) {
+    return is_of_distance(report.header.kind)
+               ? "_inspect_" + std::string(query_kind_name(report.header.kind))
+               : "_inspect";
+}
+
 std::string inspect_name(const InspectReport& report, const NamedOptions& more) {
-    return picture_name(report.stem, volume_file_part(report.header) + "_inspect",
+    return picture_name(report.stem, volume_file_part(report.header) + name_of_inspection(report),
                         report.named + report.named_frames + more, "");
 }
 
@@ -119,8 +126,8 @@ ExplainedPairs explain_pairs(InspectReport& report, const QuerySource& source) {
     const std::unique_ptr<scenes::RecordedTrace> recorded =
         source.is_recording() ? source.recorded()->rewound() : nullptr;
     std::set<std::tuple<int, std::uint32_t, std::uint32_t>> keys;
-    for (const auto* pairs : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& pair : *pairs)
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& pair : worst.pairs)
             keys.emplace(pair.frame, pair.test.nodes.a, pair.test.nodes.b);
     for (const WronglyRejectedPair& pair : report.wrong)
         keys.emplace(pair.frame, pair.test.nodes.a, pair.test.nodes.b);
@@ -131,8 +138,8 @@ ExplainedPairs explain_pairs(InspectReport& report, const QuerySource& source) {
                                    ? recorded_pair(*recorded, frame, {a, b}, "the report").pair
                                    : explained_nodes(source.query(), frame, {a, b}, "the report"));
     }
-    for (auto* pairs : {&report.loose_fits, &report.weak_tests})
-        for (FalsePair& pair : *pairs)
+    for (WorstOfReason& worst : report.worst)
+        for (FalsePair& pair : worst.pairs)
             pair.margin = explained.at({pair.frame, pair.test.nodes.a, pair.test.nodes.b})
                               .found.certificate.margin;
     return explained;
@@ -143,16 +150,17 @@ bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const 
                      const std::function<bool()>& step) {
     draw_summary(pictures, options, report);
     if (!step()) return false;
+    if (is_of_distance(report.header.kind)) return true;
     for (const WronglyRejectedPair& w : report.wrong) {
         draw_pair(pictures, options, source, report, explained, w.frame, w.test, "REJECTED WRONGLY",
                   missed_words(w.rejection));
         if (!step()) return false;
     }
-    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& p : *worst) {
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& p : worst.pairs) {
             const std::uint64_t wasted = p.pair.below.volume_tests;
             draw_pair(pictures, options, source, report, explained, p.frame, p.test,
-                      worst == &report.loose_fits ? loose : "test too weak",
+                      words_of(worst.reason, report.header.kind).title,
                       render::count_text(wasted) +
                           (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
             if (!step()) return false;

@@ -10,6 +10,9 @@
 
 namespace scb::app {
 
+/// "_inspect", with the kind of queries of distances: a part of file names.
+std::string name_of_inspection(const InspectReport& report);
+
 /// The name of the picture of all frames, without .png; `more`: further options.
 std::string inspect_name(const InspectReport& report, const NamedOptions& more = {});
 

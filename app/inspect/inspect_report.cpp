@@ -10,6 +10,7 @@
 #include "app/inspect/inspect_summary.h"
 #include "app/inspect/inspect_triangles.h"
 #include "app/inspect/judgement_json.h"
+#include "app/inspect/reason_words.h"
 #include "app/inspect/recording_report.h"
 #include "app/report/build_text.h"
 #include "app/report/scene_report.h"
@@ -31,12 +32,22 @@ std::string cell(std::size_t width, std::uint64_t count) {
     return " " + right_aligned(render::count_text(count), width);
 }
 
-std::string frame_row(const std::string& name, const Inspection& i) {
+std::vector<ReasonWords> words_in(const InspectReport& report) {
+    return reason_words(report.header.kind, report.sum.counts);
+}
+
+/// A row of the table of frames; the sum has no distance.
+std::string frame_row(const std::string& name, const InspectReport& report, const Inspection& i,
+                      double distance) {
     const PassCounts& counts = i.counts;
-    return format("%5s", name.c_str()) + cell(8, i.pairs) + cell(9, counts.all.volume_tests) +
-           cell(9, counts.passed()) + cell(8, counts.passed(PassReason::triangles_meet)) +
-           cell(8, counts.passed(PassReason::loose_fit)) +
-           cell(8, counts.passed(PassReason::weak_test)) + cell(10, counts.wasted.volume_tests) +
+    std::string text = format("%5s", name.c_str());
+    if (report.header.kind == QueryKind::distance)
+        text += format(" %12s", distance < 0 ? "" : format("%.6g", distance).c_str());
+    else
+        text += cell(8, i.pairs);
+    text += cell(9, counts.all.volume_tests) + cell(9, counts.passed());
+    for (const ReasonWords& words : words_in(report)) text += cell(8, counts.passed(words.reason));
+    return text + cell(10, counts.wasted.volume_tests) +
            format(" %8s", share(counts.wasted.volume_tests, counts.all.volume_tests).c_str()) +
            cell(9, counts.wasted.triangle_tests) +
            format(" %8s", share(counts.wasted.triangle_tests, counts.all.triangle_tests).c_str()) +
@@ -48,55 +59,79 @@ std::string frame_row(const std::string& name, const Inspection& i) {
            "\n";
 }
 
-std::string reasons_text(const InspectReport& report) {
-    const PassCounts& sum = report.sum.counts;
+std::string frames_heading(const InspectReport& report) {
     std::string text =
-        "passed because      inner    leaves  wasted N_v  wasted N_p  wasted operations\n";
-    const auto row = [&](const char* title, PassReason reason, const Work* wasted) {
-        const auto r = static_cast<std::size_t>(reason);
-        text += format("%-14s", title) + cell(10, sum.inner[r]) + cell(9, sum.leaves[r]);
-        if (wasted != nullptr)
-            text += cell(11, wasted->volume_tests) + cell(11, wasted->triangle_tests) + " " +
-                    right_aligned(operations_text(report, wasted->operations), 18);
-        text += "\n";
-    };
-    const Work by_fit = sum.wasted_by_fit();
-    row("true contact", PassReason::triangles_meet, nullptr);
-    row("fit too loose", PassReason::loose_fit, &by_fit);
-    row("test too weak", PassReason::weak_test, &sum.wasted_by_tests);
-    return text + "\n";
+        report.header.kind == QueryKind::distance ? "frame     distance" : "frame    pairs";
+    text += "       N_v    passed";
+    for (const ReasonWords& words : words_in(report)) text += right_aligned(words.column, 9);
+    const std::string units(text.size() + 7, ' ');
+    return text + "     wasted    share    wasted    share\n" + units +
+           "N_v   of N_v       N_p   of N_p\n";
 }
 
-std::string depths_text(const Inspection& sum) {
-    std::string text = "depth     tests    passed     true      fit     test    wasted    share\n";
-    for (std::size_t d = 0; d < sum.depths.size(); ++d) {
-        const DepthInspection& at = sum.depths[d];
-        const auto of = [&](PassReason r) { return at.passed[static_cast<std::size_t>(r)]; };
-        text += format("%5zu", d) + cell(9, at.tests) +
-                cell(9, of(PassReason::triangles_meet) + of(PassReason::loose_fit) +
-                            of(PassReason::weak_test)) +
-                cell(8, of(PassReason::triangles_meet)) + cell(8, of(PassReason::loose_fit)) +
-                cell(8, of(PassReason::weak_test)) + cell(9, at.wasted) +
-                format(" %8s\n", share(at.wasted, at.tests).c_str());
+std::string reasons_text(const InspectReport& report) {
+    const PassCounts& sum = report.sum.counts;
+    const bool is_distance = is_of_distance(report.header.kind);
+    const std::size_t width = is_distance ? 17 : 14;
+    std::string text = left_aligned("passed because", width) +
+                       "      inner    leaves  wasted N_v  wasted N_p" +
+                       (is_distance ? "" : "  wasted operations") + "\n";
+    for (const ReasonWords& words : words_in(report)) {
+        const auto r = static_cast<std::size_t>(words.reason);
+        text += left_aligned(words.title, width) + cell(10, sum.inner[r]) + cell(9, sum.leaves[r]);
+        if (words.reason != PassReason::triangles_meet) {
+            const Work wasted = sum.wasted_by(words.reason);
+            text += cell(11, wasted.volume_tests) + cell(11, wasted.triangle_tests);
+            if (!is_distance)
+                text += " " + right_aligned(operations_text(report, wasted.operations), 18);
+        }
+        text += "\n";
     }
     return text + "\n";
 }
 
-std::string worst_text(const InspectReport& report, const std::vector<FalsePair>& worst,
-                       const char* title) {
-    if (worst.empty()) return std::string(title) + ": none\n\n";
+std::string depths_text(const InspectReport& report) {
+    const Inspection& sum = report.sum;
+    const std::vector<ReasonWords> reasons = words_in(report);
+    std::string text = "depth     tests    passed";
+    for (const ReasonWords& words : reasons) text += right_aligned(words.column, 9);
+    text += "    wasted    share\n";
+    for (std::size_t d = 0; d < sum.depths.size(); ++d) {
+        const DepthInspection& at = sum.depths[d];
+        std::uint64_t passed = 0;
+        std::string of_reasons;
+        for (const ReasonWords& words : reasons) {
+            const std::uint64_t count = at.passed[static_cast<std::size_t>(words.reason)];
+            passed += count;
+            of_reasons += cell(8, count);
+        }
+        text += format("%5zu", d) + cell(9, at.tests) + cell(9, passed) + of_reasons +
+                cell(9, at.wasted) + format(" %8s\n", share(at.wasted, at.tests).c_str());
+    }
+    return text + "\n";
+}
+
+std::string worst_text(const InspectReport& report, const WorstOfReason& worst) {
+    const bool is_distance = is_of_distance(report.header.kind);
+    const char* const title = words_of(worst.reason, report.header.kind).title;
+    if (worst.pairs.empty()) return std::string(title) + ": none\n\n";
     std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
                               printable(report.header.bodies[0].name).c_str(),
                               printable(report.header.bodies[1].name).c_str());
-    text += "frame          nodes     depths  wasted N_v       N_p   operations  gap, -depth\n";
-    for (const FalsePair& p : worst) {
+    text += "frame          nodes     depths  wasted N_v       N_p";
+    text += is_distance ? "  beyond the answer by\n" : "   operations  gap, -depth\n";
+    for (const FalsePair& p : worst.pairs) {
         const Work& below = p.pair.below;
         text += format("%5d %8u %8u   %3d %3d", p.frame, p.test.nodes.a, p.test.nodes.b,
                        p.test.depth_a, p.test.depth_b) +
-                cell(11, below.volume_tests) + cell(9, below.triangle_tests) + " " +
-                right_aligned(operations_text(report, below.operations), 12);
-        text += format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin);
-        text += "\n";
+                cell(11, below.volume_tests) + cell(9, below.triangle_tests);
+        if (is_distance) {
+            const bool is_beyond = p.pair.exact == Contact::disjoint;
+            text += format("  %20s\n", is_beyond ? format("%.3g", p.pair.gap).c_str() : "-");
+            continue;
+        }
+        text += " " + right_aligned(operations_text(report, below.operations), 12) +
+                format("  %10.3g", p.pair.exact == Contact::disjoint ? p.margin : -p.margin) + "\n";
     }
     return text + "\n";
 }
@@ -126,35 +161,66 @@ std::string triangles_text(const InspectReport& report) {
     return table.size() == 0 ? "" : triangles_heading + table.text() + "\n";
 }
 
-Json reasons_json(const std::array<std::uint64_t, pass_reason_count>& counts) {
+Json reasons_json(const InspectReport& report,
+                  const std::array<std::uint64_t, pass_reason_count>& counts) {
+    std::vector<PassReason> reasons = waste_reasons(report.header.kind);
+    reasons.push_back(PassReason::triangles_meet);
+    // In the order of their values.
+    std::sort(reasons.begin(), reasons.end());
     Json json;
-    for (std::size_t r = 0; r < pass_reason_count; ++r)
-        json[std::string(pass_reason_names[static_cast<PassReason>(r)])] = counts[r];
+    for (const PassReason reason : reasons)
+        json[std::string(pass_reason_names[reason])] = counts[static_cast<std::size_t>(reason)];
     return json;
 }
 
-/// Work as JSON, without the operations of another engine, which are unknown.
+/// Work as JSON, without the operations of tests that are not counted.
 Json work_json(const InspectReport& report, const Work& work) {
     Json json = {{"n_v", work.volume_tests}, {"n_p", work.triangle_tests}};
-    if (!report.header.engine) json["operations"] = work.operations;
+    if (!report.header.engine && !is_of_distance(report.header.kind))
+        json["operations"] = work.operations;
+    return json;
+}
+
+/// What `of` gives for each reason of waste.
+template <class Of>
+Json wasted_by_json(const InspectReport& report, const Of& of) {
+    Json json;
+    std::vector<PassReason> reasons = waste_reasons(report.header.kind);
+    std::sort(reasons.begin(), reasons.end());
+    for (const PassReason reason : reasons)
+        json[std::string(pass_reason_names[reason])] = of(reason);
     return json;
 }
 
 Json inspection_json(const InspectReport& report, const Inspection& i) {
     const auto work = [&report](const Work& of) { return work_json(report, of); };
-    return {{"pairs", i.pairs},
-            {"n_v", i.counts.all.volume_tests},
-            {"n_p", i.counts.all.triangle_tests},
-            {"passed", i.counts.passed()},
-            {"inner", reasons_json(i.counts.inner)},
-            {"leaves", reasons_json(i.counts.leaves)},
-            {"touching", i.counts.touching},
-            {"wrongly_rejected", i.counts.wrongly_rejected},
-            {"missed_pairs", i.counts.missed},
-            {"work", work(i.counts.all)},
-            {"wasted", work(i.counts.wasted)},
-            {"wasted_by",
-             {{"test", work(i.counts.wasted_by_tests)}, {"fit", work(i.counts.wasted_by_fit())}}}};
+    const bool is_distance = is_of_distance(report.header.kind);
+    Json json;
+    if (report.header.kind != QueryKind::distance) json["pairs"] = i.pairs;
+    json.update(Json{{"n_v", i.counts.all.volume_tests},
+                     {"n_p", i.counts.all.triangle_tests},
+                     {"passed", i.counts.passed()},
+                     {"inner", reasons_json(report, i.counts.inner)},
+                     {"leaves", reasons_json(report, i.counts.leaves)}});
+    if (!is_distance) json["touching"] = i.counts.touching;
+    json.update(Json{{"wrongly_rejected", i.counts.wrongly_rejected},
+                     {"missed_pairs", i.counts.missed},
+                     {"work", work(i.counts.all)},
+                     {"wasted", work(i.counts.wasted)},
+                     {"wasted_by", wasted_by_json(report, [&](PassReason reason) {
+                          return work(i.counts.wasted_by(reason));
+                      })}});
+    return json;
+}
+
+Json frame_json(const InspectReport& report, const InspectedFrame& frame) {
+    Json json = {{"frame", frame.frame}};
+    if (report.header.kind == QueryKind::distance) {
+        json["distance"] = frame.distance < 0 ? Json() : Json(frame.distance);
+        if (!report.recording) json["certified"] = frame.certified;
+    }
+    json.update(inspection_json(report, frame.found));
+    return json;
 }
 
 Json pair_json(const InspectReport& report, const FalsePair& p) {
@@ -162,39 +228,46 @@ Json pair_json(const InspectReport& report, const FalsePair& p) {
                  {"nodes", {p.test.nodes.a, p.test.nodes.b}},
                  {"depths", {p.test.depth_a, p.test.depth_b}},
                  {"test", p.pair.test},
-                 {"reason", pass_reason_names[p.pair.reason]},
-                 {"exact", contact_names[p.pair.exact]},
-                 {p.pair.exact == Contact::disjoint ? "gap" : "depth", p.margin},
-                 {"leaves", p.pair.leaves},
-                 {"wasted", work_json(report, p.pair.below)}};
+                 {"reason", pass_reason_names[p.pair.reason]}};
+    if (is_of_distance(report.header.kind)) {
+        const bool is_beyond = p.pair.exact == Contact::disjoint;
+        json["beyond"] = is_beyond ? Json(p.pair.gap) : Json();
+    } else {
+        json["exact"] = contact_names[p.pair.exact];
+        json[p.pair.exact == Contact::disjoint ? "gap" : "depth"] = p.margin;
+    }
+    json["leaves"] = p.pair.leaves;
+    json["wasted"] = work_json(report, p.pair.below);
     if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
     return json;
 }
 
 /// Adds the findings on waste.
 void add_waste_json(Json& json, const InspectReport& report) {
-    json["frames"] = Json::array();
-    for (const InspectedFrame& frame : report.frames) {
-        Json entry = {{"frame", frame.frame}};
-        entry.update(inspection_json(report, frame.found));
-        json["frames"].push_back(std::move(entry));
+    if (!report.recording && report.header.kind == QueryKind::distance) {
+        const auto [distances, certified] = certified_count(report);
+        json["distances"] = distances;
+        json["certified"] = certified;
     }
+    json["frames"] = Json::array();
+    for (const InspectedFrame& frame : report.frames)
+        json["frames"].push_back(frame_json(report, frame));
     json["sum"] = inspection_json(report, report.sum);
     json["depths"] = Json::array();
     for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
         const DepthInspection& at = report.sum.depths[d];
-        json["depths"].push_back(
-            {{"depth", d},
-             {"n_v", at.tests},
-             {"passed", reasons_json(at.passed)},
-             {"wasted", at.wasted},
-             {"wasted_by",
-              {{"test", at.wasted_by_tests}, {"fit", at.wasted - at.wasted_by_tests}}}});
+        json["depths"].push_back({{"depth", d},
+                                  {"n_v", at.tests},
+                                  {"passed", reasons_json(report, at.passed)},
+                                  {"wasted", at.wasted},
+                                  {"wasted_by", wasted_by_json(report, [&at](PassReason reason) {
+                                       return at.wasted_by(reason);
+                                   })}});
     }
     json["triangles"] = triangles_table(report).json();
     json["worst"] = Json::array();
-    for (const auto* worst : {&report.loose_fits, &report.weak_tests})
-        for (const FalsePair& p : *worst) json["worst"].push_back(pair_json(report, p));
+    for (const WorstOfReason& worst : report.worst)
+        for (const FalsePair& p : worst.pairs) json["worst"].push_back(pair_json(report, p));
     json["worst_rejections"] = Json::array();
     for (const WronglyRejectedPair& w : report.wrong) {
         Json entry = {{"frame", w.frame},
@@ -205,6 +278,7 @@ void add_waste_json(Json& json, const InspectReport& report) {
         if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
         json["worst_rejections"].push_back(std::move(entry));
     }
+    if (is_of_distance(report.header.kind)) return;
     json["other_tests"] = Json::array();
     for (const AlternativeTest& other : report.others) {
         Json entry = {{"test", overlap_test_name(other.overlap.test)}};
@@ -218,7 +292,11 @@ void add_waste_json(Json& json, const InspectReport& report) {
 std::string title_text(const TraceHeader& header) {
     std::string title = printable(header.scene) + ": " + bodies_text(header) + ", " +
                         std::string(render::volume_title(header.volume));
-    if (header.volume == VolumeKind::scb)
+    if (header.kind == QueryKind::distance)
+        title += ", distance, order " + std::string(distance_order_name(header.distance.order));
+    else if (header.kind == QueryKind::within)
+        title += format(", pairs within %.6g", header.tolerance);
+    else if (header.volume == VolumeKind::scb)
         title += ", test " + overlap_title(header.options.overlap);
     return title + build_text(build_options(header)) + "\n\n";
 }
@@ -241,15 +319,22 @@ std::string first_words(const InspectReport& report) {
     return queries > report.frames.size() ? ", the first of each frame" : "";
 }
 
+std::string worst_pairs_text(const InspectReport& report) {
+    std::string text;
+    for (const WorstOfReason& worst : report.worst)
+        if (worst.reason != PassReason::unjudged || !worst.pairs.empty())
+            text += worst_text(report, worst);
+    return text;
+}
+
 std::string waste_text(const InspectReport& report) {
     std::string text;
     for (const std::string& sentence : inspect_findings(report)) text += sentence + "\n";
     // The judgement of a recording has a table of frames.
     return text + "\n" + (report.recording ? "" : inspect_frames_text(report, most_frame_rows)) +
-           reasons_text(report) + triangles_text(report) + depths_text(report.sum) +
-           worst_text(report, report.loose_fits, "fit too loose") +
-           worst_text(report, report.weak_tests, "test too weak") +
-           inspect_rejections_text(report, report.wrong.size()) + others_text(report);
+           reasons_text(report) + triangles_text(report) + depths_text(report) +
+           worst_pairs_text(report) + inspect_rejections_text(report, report.wrong.size()) +
+           others_text(report);
 }
 
 }  // namespace
@@ -272,8 +357,9 @@ std::string operations_text(const InspectReport& report, std::uint64_t operation
 std::string inspect_rejections_text(const InspectReport& report, std::size_t most) {
     most = std::min(most, report.wrong.size());
     if (report.wrong.empty()) return "";
-    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes meet\n",
-                              most, wide(report.sum.counts.wrongly_rejected));
+    std::string text = format("REJECTED WRONGLY: the worst %zu of %llu pairs whose volumes %s\n",
+                              most, wide(report.sum.counts.wrongly_rejected),
+                              is_of_distance(report.header.kind) ? "are near enough" : "meet");
     text += "frame          nodes     depths   missed  rejected at\n";
     for (const WronglyRejectedPair& w : std::span(report.wrong).first(most))
         text += format("%5d %8u %8u   %3d %3d %8llu  %s\n", w.frame, w.test.nodes.a, w.test.nodes.b,
@@ -284,18 +370,15 @@ std::string inspect_rejections_text(const InspectReport& report, std::size_t mos
 
 std::string inspect_frames_text(const InspectReport& report, std::size_t most) {
     std::string text = report.frames.size() == 1 ? "" : "frames, the most wasted N_v first\n";
-    text +=
-        "frame    pairs       N_v    passed     true      fit     test     wasted    share    "
-        "wasted    share\n"
-        "                                                                    N_v   of N_v       "
-        "N_p   of N_p\n";
+    text += frames_heading(report);
     const std::size_t rows = std::min(report.frames.size(), most);
     for (std::size_t i = 0; i < rows; ++i)
-        text += frame_row(std::to_string(report.frames[i].frame), report.frames[i].found);
+        text += frame_row(std::to_string(report.frames[i].frame), report, report.frames[i].found,
+                          report.frames[i].distance);
     if (report.frames.size() > rows)
         text += format("  ...  %zu more frames, which --json and the table of -o list\n",
                        report.frames.size() - rows);
-    if (report.frames.size() > 1) text += frame_row("sum", report.sum);
+    if (report.frames.size() > 1) text += frame_row("sum", report, report.sum, -1);
     return text + "\n";
 }
 
@@ -310,6 +393,11 @@ std::string inspect_text(const InspectReport& report, bool full) {
         text += full ? waste_text(report) : inspect_summary(report);
     }
     if (has_advice(report) && full) text += settings_text(*report.settings, report.frames.size());
+    if (report.distance_advice && full)
+        text += "what would have helped, by cost, the least first; sums over the frames\n" +
+                methods_table(*report.distance_advice, most_methods).text() +
+                "\nTo use it:  " + report.distance_advice->command +
+                "\nTo time it: " + report.distance_advice->timing + "\n";
     if (!report.recording || report.recording->pictures.empty()) return text;
     text += "\nPictures\n";
     for (const ProblemPicture& picture : report.recording->pictures)
@@ -326,6 +414,7 @@ Json inspect_json(const InspectReport& report) {
         json["waste"]["bodies"] = {report.header.bodies[0].name, report.header.bodies[1].name};
         add_waste_json(json["waste"], report);
     }
+    if (report.distance_advice) json["settings"] = advice_json(*report.distance_advice);
     if (report.settings) {
         json["settings"] = settings_json(*report.settings);
         if (has_advice(report) && report.settings->cuts)

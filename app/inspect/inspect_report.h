@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/inspect/distance_advice.h"
 #include "app/inspect/inspect_settings.h"
 #include "app/pictures/picture_name.h"
 #include "core/analysis/alternative_test.h"
@@ -32,6 +33,12 @@ struct InspectedRecording {
     std::vector<ProblemPicture> pictures;
 };
 
+/// The costliest pairs that passed for one reason.
+struct WorstOfReason {
+    PassReason reason{};
+    std::vector<FalsePair> pairs;  ///< the worst first
+};
+
 /// The triangles of a body that take part in the most tests.
 struct BodyTriangles {
     std::vector<CostlyTriangle> costly;
@@ -49,15 +56,16 @@ struct InspectReport {
     bool has_waste = true;
     std::vector<InspectedFrame> frames;  ///< the one with the most wasted tests first
     Inspection sum;
-    std::vector<FalsePair> weak_tests, loose_fits;  ///< the worst ones
-    std::vector<WronglyRejectedPair> wrong;         ///< the ones that miss the most
-    std::array<BodyTriangles, 2> triangles;         ///< of A and B; in a self query all of A
+    std::vector<WorstOfReason> worst;        ///< by waste_reasons
+    std::vector<WronglyRejectedPair> wrong;  ///< the ones that miss the most
+    std::array<BodyTriangles, 2> triangles;  ///< of A and B; in a self query all of A
     std::vector<AlternativeTest> others;
     WasteCauses causes;
     /// None for partial queries, and for recordings that cannot be compared.
     std::optional<InspectSettings> settings;
-    bool drawn = false;         ///< each pair has a picture
-    NamedOptions named;         ///< options in the names of pictures
+    std::optional<DistanceAdvice> distance_advice;  ///< of queries of distances
+    bool drawn = false;                             ///< each pair has a picture
+    NamedOptions named;                             ///< options in the names of pictures
     NamedOptions named_frames;  ///< frames in the name of the picture of all frames
     std::string files;          ///< names of page and tables, without their endings
 };

@@ -4,6 +4,7 @@
 
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
+#include "app/inspect/reason_words.h"
 #include "app/report/wrapped_text.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/text_format.h"
@@ -60,6 +61,9 @@ std::string advice_text(const InspectReport& report) {
                         : setting_code(tuning, tuning.rows[tuning.recommended()].setting)) +
                 "\n";
     }
+    if (report.distance_advice)
+        text += command_lines(report.distance_advice->command) +
+                command_lines(report.distance_advice->timing);
     text += sentences_text(mesh_sentences(report));
     for (const std::string& command : mesh_commands(report)) text += command_lines(command);
     return text.empty() ? text : text + "\n";
@@ -72,7 +76,8 @@ std::string costly_text(const InspectReport& report) {
 }
 
 std::string pairs_text(const InspectReport& report) {
-    Table table({{.title = "worst pairs", .width = 13, .align = Align::left},
+    const std::size_t width = is_of_distance(report.header.kind) ? 16 : 13;
+    Table table({{.title = "worst pairs", .width = width, .align = Align::left},
                  {.title = "frame", .width = 6, .before = 1},
                  {.title = "nodes", .width = 15, .before = 2},
                  {.title = "depths", .width = 7, .before = 2},
@@ -87,15 +92,16 @@ std::string pairs_text(const InspectReport& report) {
                        count_text(p.pair.below.triangle_tests)});
         }
     };
-    add("fit too loose", report.loose_fits);
-    add("test too weak", report.weak_tests);
+    for (const WorstOfReason& worst : report.worst)
+        add(words_of(worst.reason, report.header.kind).title, worst.pairs);
     return table.size() == 0 ? "" : table.text();
 }
 
 }  // namespace
 
 std::string inspect_summary(const InspectReport& report) {
-    std::string text = sentences_text(alarm_findings(report)) + advice_text(report) +
+    std::string text = sentences_text(alarm_findings(report)) +
+                       sentences_text(certified_findings(report)) + advice_text(report) +
                        sentences_text(waste_findings(report)) + "\n";
     text += inspect_rejections_text(report, most_pairs);
     // The judgement of a recording has a table of frames, and is long.

@@ -139,10 +139,8 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     for (const InspectedFrame& frame : found.frames) report.sum += frame.found;
     // An error may be the cause of the waste of a recording that is wrong.
     if (inspected.file)
-        // The causes and cures of waste are known for tests of overlap only.
         report.has_waste = source.recorded()->has_results() && !report.recording->judged.wrong() &&
-                           report.sum.counts.all.volume_tests > 0 &&
-                           !is_of_distance(source.header().kind);
+                           report.sum.counts.all.volume_tests > 0;
     if (!report.has_waste) return {};
     for (std::size_t side = 0; side < 2; ++side) {
         const Mesh& mesh = *source.body(side, found.frames.front().frame).mesh;
@@ -155,13 +153,23 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
     }
     report.others = found.others;
     report.wrong = found.wrong.pairs();
-    report.weak_tests = found.weak_tests.pairs();
-    report.loose_fits = found.loose_fits.pairs();
-    ExplainedPairs explained = explain_pairs(report, source);
+    for (const WorstPairs& worst : found.worst)
+        report.worst.push_back({worst.reason(), worst.pairs()});
+    // The steps of an overlap test explain no bound.
+    ExplainedPairs explained;
+    if (!is_of_distance(report.header.kind)) explained = explain_pairs(report, source);
     sort_by_waste(report.frames);
     if (!report.header.engine || !report.header.engine->objects)
         report.causes = causes_of(source, found.frames.front().frame, found);
     return explained;
+}
+
+bool can_compare_distances(const InspectedQueries& inspected) {
+    return !inspected.file && !inspected.sources.empty() &&
+           is_of_distance(inspected.report.header.kind) &&
+           inspected.sources.front().query().distance.has_value() &&
+           inspected.sources.front().query().mutation == Mutation::none &&
+           inspected.report.sum.counts.wrongly_rejected == 0;
 }
 
 bool can_compare(const InspectedQueries& inspected) {
@@ -170,6 +178,7 @@ bool can_compare(const InspectedQueries& inspected) {
         return !inspected.report.recording->judged.wrong() &&
                !is_of_distance(inspected.sources.front().header().kind);
     const SceneQuery& query = inspected.sources.front().query();
+    if (is_of_distance(inspected.report.header.kind)) return false;
     return inspected.found->complete && query.options.stop_level < 0 &&
            query.mutation == Mutation::none && inspected.report.sum.counts.missed == 0;
 }

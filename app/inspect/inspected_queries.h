@@ -47,5 +47,7 @@ ExplainedPairs report_waste(InspectedQueries& inspected);
 /// Whether other settings can be compared with the queries: not with partial queries, with
 /// deliberate errors, or with queries that miss contacts.
 bool can_compare(const InspectedQueries& inspected);
+/// Whether other methods can be compared with queries of distances.
+bool can_compare_distances(const InspectedQueries& inspected);
 
 }  // namespace scb::app

@@ -2,20 +2,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/proven_distance.h"
+
 namespace scb {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IndexPair, a, b)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Step, nodes, depth_a, depth_b, stage)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Work, volume_tests, triangle_tests, operations)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassCounts, inner, leaves, touching, wrongly_rejected, missed,
-                                   all, wasted, wasted_by_tests)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthInspection, tests, wasted, wasted_by_tests, passed)
+                                   all, wasted, wasted_by_tests, wasted_early, wasted_unjudged)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthInspection, tests, wasted, wasted_by_tests, wasted_early,
+                                   wasted_unjudged, passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Inspection, pairs, counts, depths)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InspectedFrame, frame, found)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InspectedFrame, frame, found, distance, certified)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VainTests, tests, parallel)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TestedTriangle, triangle, items, volumes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassedPair, test, reason, leaves, within_false_pair,
-                                   within_weak_test, exact, gap, below)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassedPair, test, reason, leaves, within, exact, gap, below)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FalsePair, frame, pair, test, margin)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WrongRejection, test, missed, exact)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WronglyRejectedPair, frame, rejection, test)
@@ -67,8 +69,8 @@ class Checks {
 
 }  // namespace
 
-FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top)
-    : weak_tests(PassReason::weak_test, top), loose_fits(PassReason::loose_fit, top), wrong(top) {
+FrameFindings::FrameFindings(const TraceHeader& header, std::size_t top) : wrong(top) {
+    for (const PassReason reason : waste_reasons(header.kind)) worst.emplace_back(reason, top);
     for (const OverlapOptions& other : alternative_tests(header))
         others.emplace_back().overlap = other;
 }
@@ -79,6 +81,8 @@ void FrameFindings::add(const QuerySource& source, const QueryTrace& frame,
     // Without results, tests are not attributed, but counted.
     Work& all = frames.back().found.counts.all;
     if (all.volume_tests == 0) all = {frame.found.n_v, frame.found.n_p, 0};
+    if (frame.nearest) frames.back().distance = frame.nearest->distance;
+    frames.back().certified = !source.is_recording() && is_certified(source.query(), frame);
     complete &= frame.found.complete;
     vain += vain_tests(*source.body(0, frame.frame).mesh, *source.body(1, frame.frame).mesh, frame);
     if (!source.header().engine || !source.header().engine->objects)
@@ -87,8 +91,7 @@ void FrameFindings::add(const QuerySource& source, const QueryTrace& frame,
                 tested[source.header().kind == QueryKind::self ? 0 : side],
                 tested_triangles(frame.steps, source.body(side, frame.frame).tree->shape(), side));
     wrong.add(frame, attribution);
-    weak_tests.add(frame, attribution);
-    loose_fits.add(frame, attribution);
+    for (WorstPairs& pairs : worst) pairs.add(frame, attribution);
     if (others.empty()) return;
     const SceneQuery& query = source.query();
     for (AlternativeTest& other : others)
@@ -103,8 +106,8 @@ FrameFindings& FrameFindings::operator+=(const FrameFindings& other) {
     vain += other.vain;
     for (std::size_t side = 0; side < 2; ++side) add_tests(tested[side], other.tested[side]);
     wrong.add(other.wrong.pairs());
-    weak_tests.add(other.weak_tests.outermost(), other.weak_tests.parts());
-    loose_fits.add(other.loose_fits.outermost(), other.loose_fits.parts());
+    for (std::size_t i = 0; i < worst.size(); ++i)
+        worst[i].add(other.worst[i].outermost(), other.worst[i].parts());
     for (std::size_t i = 0; i < others.size(); ++i) others[i].add(other.others[i]);
     return *this;
 }
@@ -113,15 +116,12 @@ nlohmann::ordered_json findings_json(const FrameFindings& findings) {
     MacroJson others = MacroJson::array();
     for (const AlternativeTest& other : findings.others)
         others.push_back({{"caught", other.caught}, {"pairs", other.pairs}, {"all", other.all}});
-    return MacroJson{{"frames", findings.frames},
-                     {"complete", findings.complete},
-                     {"vain", findings.vain},
-                     {"tested", findings.tested},
-                     {"weak_tests", findings.weak_tests.outermost()},
-                     {"weak_test_parts", findings.weak_tests.parts()},
-                     {"loose_fits", findings.loose_fits.outermost()},
-                     {"loose_fit_parts", findings.loose_fits.parts()},
-                     {"wrong", findings.wrong.pairs()},
+    MacroJson worst = MacroJson::array();
+    for (const WorstPairs& pairs : findings.worst)
+        worst.push_back({{"outermost", pairs.outermost()}, {"parts", pairs.parts()}});
+    return MacroJson{{"frames", findings.frames},  {"complete", findings.complete},
+                     {"vain", findings.vain},      {"tested", findings.tested},
+                     {"worst", std::move(worst)},  {"wrong", findings.wrong.pairs()},
                      {"others", std::move(others)}};
 }
 
@@ -138,17 +138,18 @@ FrameFindings findings_of_json(const nlohmann::ordered_json& json, const QuerySo
     for (std::size_t side = 0; side < 2; ++side)
         for (const TestedTriangle& one : findings.tested[side])
             check(one.triangle < source.body(side, frame).mesh->triangles.size());
-    const auto pairs_of = [&]<class P>(const char* name, std::vector<P> pairs) {
-        of_frame.at(name).get_to(pairs);
+    const auto pairs_of = [&]<class P>(const MacroJson& in, const char* name,
+                                       std::vector<P> pairs) {
+        in.at(name).get_to(pairs);
         for (const P& pair : pairs) check(pair);
         return pairs;
     };
-    const auto false_pairs = [&](const char* name) {
-        return pairs_of(name, std::vector<FalsePair>());
-    };
-    findings.weak_tests.add(false_pairs("weak_tests"), false_pairs("weak_test_parts"));
-    findings.loose_fits.add(false_pairs("loose_fits"), false_pairs("loose_fit_parts"));
-    findings.wrong.add(pairs_of("wrong", std::vector<WronglyRejectedPair>()));
+    const MacroJson& worst = of_frame.at("worst");
+    check(worst.size() == findings.worst.size());
+    for (std::size_t i = 0; i < worst.size(); ++i)
+        findings.worst[i].add(pairs_of(worst[i], "outermost", std::vector<FalsePair>()),
+                              pairs_of(worst[i], "parts", std::vector<FalsePair>()));
+    findings.wrong.add(pairs_of(of_frame, "wrong", std::vector<WronglyRejectedPair>()));
     const MacroJson& others = of_frame.at("others");
     check(others.size() == findings.others.size());
     for (std::size_t i = 0; i < findings.others.size(); ++i) {

@@ -20,7 +20,7 @@ struct FrameFindings {
     VainTests vain;
     /// Of A and of B; in a self query all of A. None for objects of another engine.
     std::array<std::vector<TestedTriangle>, 2> tested;
-    WorstPairs weak_tests, loose_fits;
+    std::vector<WorstPairs> worst;  ///< by waste_reasons
     WorstRejections wrong;
     std::vector<AlternativeTest> others;  ///< see alternative_tests
 

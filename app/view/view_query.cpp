@@ -124,6 +124,20 @@ struct Worst {
     }
 };
 
+/// The verdicts on the tests of a query of distances, as the page names them: pairs that passed
+/// early, and all others in vain.
+Attribution in_two_classes(Attribution attribution) {
+    const auto renamed = [](PassReason reason) {
+        if (reason == PassReason::triangles_meet) return reason;
+        return reason == PassReason::early ? PassReason::weak_test : PassReason::loose_fit;
+    };
+    for (PassedPair& pair : attribution.passed) {
+        pair.reason = renamed(pair.reason);
+        pair.within = renamed(pair.within);
+    }
+    return attribution;
+}
+
 /// Tests whose steps a reader looks for first: the worst of each kind, and all wrong rejections.
 std::vector<std::uint32_t> worst_tests(const Worst& worst, const Attribution& attribution) {
     std::vector<std::uint32_t> tests;
@@ -162,7 +176,11 @@ class PartMaker {
     FramePart part(const QueryTrace& frame) const {
         const TraceHeader& header = source_.header();
         const Outcomes outcomes = outcomes_of(header, frame);
-        const Attribution attribution = source_.attribution(frame);
+        std::optional<DistanceSteps> steps;
+        if (is_of_distance(header.kind)) steps = source_.query().distance_steps(header, frame);
+        const Attribution attribution =
+            steps ? in_two_classes(attribute(header, frame, tested_pairs(*steps, frame, outcomes)))
+                  : source_.attribution(frame);
         FramePart part;
         part.worst.add(frame, attribution);
         const render::QueryBlocks blocks =
@@ -177,8 +195,8 @@ class PartMaker {
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};
         if (blocks.nodes) part.entry["nodes"] = *blocks.nodes;
-        if (is_of_distance(header.kind)) {
-            add_distance(part, frame);
+        if (steps) {
+            add_distance(part, frame, *steps);
             return part;
         }
         if (!source_.is_recording() && most_steps_ > 0)
@@ -192,11 +210,10 @@ class PartMaker {
 
   private:
     /// The bounds of the tests, and the lines between the closest points.
-    void add_distance(FramePart& part, const QueryTrace& frame) const {
+    void add_distance(FramePart& part, const QueryTrace& frame, const DistanceSteps& steps) const {
         if (frame.nearest) part.entry["distance"] = frame.nearest->distance;
-        const std::vector<double> bounds =
-            source_.query().distance_steps(source_.header(), frame).bounds;
-        part.entry["bounds"] = part.blocks.add(std::vector<float>(bounds.begin(), bounds.end()));
+        part.entry["bounds"] =
+            part.blocks.add(std::vector<float>(steps.bounds.begin(), steps.bounds.end()));
         std::vector<double> lines;
         for (const auto& [of_a, of_b] : render::distance_lines(bodies_, frame))
             for (const Vec3& point : {of_a, of_b})

@@ -21,6 +21,13 @@ bool has_no_operations(const TraceHeader& header) {
     return header.engine || is_of_distance(header.kind);
 }
 
+Work work_of_test(const TraceHeader& header, const Step& test) {
+    return {1, 0,
+            has_no_operations(header)
+                ? 0
+                : operation_cost(header.volume, header.options.overlap, test.stage)};
+}
+
 /// For each test, the work below it.
 std::vector<Work> work_below(const TraceHeader& header, const QueryTrace& frame) {
     const std::vector<Step>& tests = frame.steps.volumes;
@@ -31,10 +38,7 @@ std::vector<Work> work_below(const TraceHeader& header, const QueryTrace& frame)
         if (tests[i].parent == none) continue;
         Work& parent = below[tests[i].parent];
         parent += below[i];
-        parent += {1, 0,
-                   has_no_operations(header)
-                       ? 0
-                       : operation_cost(header.volume, header.options.overlap, tests[i].stage)};
+        parent += work_of_test(header, tests[i]);
     }
     return below;
 }
@@ -82,21 +86,42 @@ std::vector<TestedPair> tested_pairs(const Hierarchy<V>& a, const Hierarchy<V>& 
     return pairs;
 }
 
-/// A passed pair, without `below` and the members that depend on other tests.
-PassedPair passed_pair(std::uint32_t test, const TestedPair& of, bool meets) {
-    PassedPair pair;
-    pair.test = test;
-    pair.exact = of.exact;
-    pair.leaves = of.leaves;
-    if (meets) {
-        pair.reason = PassReason::triangles_meet;
-    } else if (of.exact == Contact::disjoint) {
-        pair.reason = PassReason::weak_test;
-        pair.gap = of.gap;
-    } else {
-        pair.reason = PassReason::loose_fit;
-    }
-    return pair;
+PassReason reason_of(const TestedPair& pair, bool meets, QueryKind kind) {
+    if (meets) return PassReason::triangles_meet;
+    if (pair.early) return PassReason::early;
+    if (pair.exact == Contact::disjoint) return PassReason::weak_test;
+    // Volumes that touch may or may not be as near as the answer.
+    const bool is_open = is_of_distance(kind) && pair.exact == Contact::touching;
+    return is_open ? PassReason::unjudged : PassReason::loose_fit;
+}
+
+/// Of the reasons of two pairs above a test, the one that counts.
+PassReason first_of(PassReason x, PassReason y) {
+    const auto rank = [](PassReason reason) {
+        switch (reason) {
+            case PassReason::triangles_meet:
+                return 0;
+            case PassReason::loose_fit:
+                return 1;
+            case PassReason::unjudged:
+                return 2;
+            case PassReason::weak_test:
+                return 3;
+            case PassReason::early:
+                break;
+        }
+        return 4;
+    };
+    return rank(x) < rank(y) ? y : x;
+}
+
+/// Adds work to the wasted work of its reason.
+void add_waste(PassCounts& counts, PassReason reason, const Work& work) {
+    if (reason == PassReason::triangles_meet) return;
+    counts.wasted += work;
+    if (reason == PassReason::weak_test) counts.wasted_by_tests += work;
+    if (reason == PassReason::early) counts.wasted_early += work;
+    if (reason == PassReason::unjudged) counts.wasted_unjudged += work;
 }
 
 }  // namespace
@@ -111,12 +136,16 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
     counts.all = has_no_operations(header) ? Work{frame.found.n_v, frame.found.n_p}
                                            : work_of(header.volume, header.options.overlap,
                                                      header.options.descent, frame.found);
-    // Parents come before their children.
-    std::vector<char> weak_so_far(tests.size());
+    // Why tests that a pair leads to are wasted. Parents come before their children.
+    std::vector<PassReason> below_pair(tests.size(), PassReason::triangles_meet);
+    result.wasted_by = below_pair;
     const std::vector<char> neighbors = neighbors_below(frame);
-    const auto meets = [&](std::uint32_t i) { return pairs[i].contacts > 0 || neighbors[i] != 0; };
     for (std::uint32_t i = 0; i < tests.size(); ++i) {
         const TestedPair& of = pairs[i];
+        if (const std::uint32_t parent = tests[i].parent; parent != none) {
+            result.wasted_by[i] = below_pair[i] = below_pair[parent];
+            add_waste(counts, below_pair[i], work_of_test(header, tests[i]));
+        }
         if (!of.known) continue;
         if (tests[i].stage != Stage::overlapping) {
             if (of.exact != Contact::overlapping && of.contacts == 0) continue;
@@ -125,21 +154,23 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
             counts.missed += of.contacts;
             continue;
         }
-        PassedPair pair = passed_pair(i, of, meets(i));
+        const bool meets = of.contacts > 0 || neighbors[i] != 0;
+        PassedPair pair;
+        pair.test = i;
+        pair.reason = reason_of(of, meets, header.kind);
+        pair.leaves = of.leaves;
+        pair.exact = of.exact;
+        if (pair.reason == PassReason::weak_test || pair.reason == PassReason::early)
+            pair.gap = of.gap;
         pair.below = below[i];
-        if (const std::uint32_t parent = tests[i].parent; parent != none) {
-            pair.within_false_pair = pairs[parent].known && !meets(parent);
-            pair.within_weak_test = weak_so_far[parent] != 0;
-        }
-        const bool weak = pair.reason == PassReason::weak_test;
-        weak_so_far[i] = weak || pair.within_weak_test;
-        if (pair.reason != PassReason::triangles_meet && !pair.within_false_pair)
-            counts.wasted += pair.below;
-        if (weak && !pair.within_weak_test) counts.wasted_by_tests += pair.below;
+        pair.within = below_pair[i];
+        below_pair[i] = first_of(below_pair[i], pair.reason);
         counts.touching += pair.exact == Contact::touching;
         ++(pair.leaves ? counts.leaves : counts.inner)[static_cast<std::size_t>(pair.reason)];
         result.passed.push_back(pair);
     }
+    for (const ItemStep& test : frame.steps.items)
+        if (!test.neighbors) add_waste(counts, below_pair[test.step], {0, 1});
     return result;
 }
 

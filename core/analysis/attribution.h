@@ -16,9 +16,8 @@ struct PassedPair {
     std::uint32_t test = 0;  ///< index into Steps::volumes
     PassReason reason = PassReason::triangles_meet;
     bool leaves = false;  ///< both nodes are leaves
-    /// Whether the pair is below a false pair, at any depth; and whether it is below a pair that a
-    /// weak test passed.
-    bool within_false_pair = false, within_weak_test = false;
+    /// Why its own test was wasted, see Attribution::wasted_by.
+    PassReason within = PassReason::triangles_meet;
     Contact exact = Contact::overlapping;  ///< exact contact of the volumes
     double gap = 0;  ///< lower bound of the gap of disjoint volumes, in the scene's unit
     Work below;      ///< work below the pair; wasted if the pair is false
@@ -38,16 +37,22 @@ struct WrongRejection {
 struct Attribution {
     std::vector<PassedPair> passed;                ///< in the order of the tests
     std::vector<WrongRejection> wrongly_rejected;  ///< in the order of the tests
+    /// By test: why it was wasted; triangles_meet if it was not. Of the false pairs above it, early
+    /// ones count first, then weak tests, then pairs that are not judged.
+    std::vector<PassReason> wasted_by;
     PassCounts counts;
 };
 
 /// Facts about the two nodes of a volume test.
 struct TestedPair {
-    bool known = true;                  ///< false: nothing is claimed about the pair
-    Contact exact = Contact::touching;  ///< exact contact of the volumes; touching if unknown
-    double gap = 0;                     ///< lower bound of the gap of disjoint volumes
-    std::uint64_t contacts = 0;         ///< intersecting pairs of triangles below them
-    bool leaves = false;                ///< both nodes are leaves
+    bool known = true;  ///< false: nothing is claimed about the pair
+    /// Exact contact of the volumes; touching if unknown. In a query of distances, volumes that are
+    /// nearer than the answer overlap.
+    Contact exact = Contact::touching;
+    double gap = 0;              ///< lower bound of the gap of disjoint volumes
+    std::uint64_t contacts = 0;  ///< intersecting pairs of triangles below them
+    bool leaves = false;         ///< both nodes are leaves
+    bool early = false;          ///< in a query of distances: see PassReason::early
 };
 
 /// Attributes every volume test of a query. `pairs`: one for each test of the frame. Operations of

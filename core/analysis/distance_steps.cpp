@@ -1,22 +1,62 @@
 #include "core/analysis/distance_steps.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/analysis/contacts_below.h"
+#include "core/base/parallel_for.h"
 #include "core/collide/query_placement.h"
+#include "core/distance/distance_certificate.h"
 #include "core/distance/volume_gap.h"
+#include "core/explain/exact_overlap.h"
 #include "core/hierarchy/same_volumes.h"
+#include "core/model/node_volume.h"
+#include "core/volumes/shape.h"
 
 namespace scb {
 namespace {
 
-/// The pairs of triangles that are as near as the answer. A query may end before it has seen all.
+/// The pairs of triangles that are as near as the answer, up to rounding. Triangles with the closest
+/// vertex in common count, though each distance is rounded its own way. A query may end before it
+/// has seen all of these pairs.
 std::vector<IndexPair> nearest_pairs(const AnyHierarchy& a, const Mesh& mesh_a,
                                      const AnyHierarchy& b, const Mesh& mesh_b,
                                      const TraceHeader& header, const QueryTrace& frame) {
     if (header.kind != QueryKind::distance) return frame.found.pairs;
     if (!frame.nearest) return {};
-    return within(a, mesh_a, b, mesh_b, frame.b_to_a, frame.nearest->distance,
-                  header.distance.descent)
+    const double largest =
+        std::max(placed_corners({mesh_a, topology_of(a)}, nullptr).largest_coordinate,
+                 placed_corners({mesh_b, topology_of(b)}, &frame.b_to_a).largest_coordinate);
+    return within(a, mesh_a, b, mesh_b, frame.b_to_a,
+                  frame.nearest->distance + allowed_width(0, largest), header.distance.descent)
         .pairs;
+}
+
+/// The verdicts on volumes that are nearer than the reach, and that are not. Searches for closest
+/// points find them, and not the bounds that they judge.
+template <class V>
+void add_verdicts(DistanceSteps& steps, const Hierarchy<V>& a, const Hierarchy<V>& b,
+                  const QueryTrace& frame, const Placement& placed) {
+    constexpr std::size_t tests_in_block = 128;
+    const std::vector<Step>& tests = frame.steps.volumes;
+    steps.exact.assign(tests.size(), Contact::touching);
+    steps.gaps.assign(tests.size(), 0);
+    if (!std::isfinite(steps.reach)) return;
+    parallel_blocks(
+        processor_count(), tests.size(),
+        [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) {
+                const auto& of_a = shape_of(a.volumes[tests[i].nodes.a]);
+                const auto& of_b = shape_of(b.volumes[tests[i].nodes.b]);
+                const ContactCertificate found =
+                    steps.reach > 0 ? exact_verdict(exact_shape(of_a), exact_shape(of_b),
+                                                    frame.b_to_a, placed.margin, steps.reach)
+                                    : exact_verdict(of_a, of_b, placed);
+                steps.exact[i] = found.contact;
+                if (found.contact == Contact::disjoint) steps.gaps[i] = found.margin;
+            }
+        },
+        tests_in_block);
 }
 
 double answer_of(const TraceHeader& header, const QueryTrace& frame) {
@@ -31,12 +71,14 @@ DistanceSteps distance_steps(const AnyHierarchy& a, const Mesh& mesh_a, const An
                              const QueryTrace& frame) {
     DistanceSteps result;
     result.answer = answer_of(header, frame);
+    result.reach = result.answer / (1 + header.distance.relative_error);
     with_both(a, b, [&]<class V>(const Hierarchy<V>& of_a, const Hierarchy<V>& of_b) {
         const Placement placed = query_placement(of_a, of_b, frame.b_to_a);
         result.bounds.reserve(frame.steps.volumes.size());
         for (const Step& step : frame.steps.volumes)
             result.bounds.push_back(
                 volume_gap(of_a.volumes[step.nodes.a], of_b.volumes[step.nodes.b], placed).bound);
+        add_verdicts(result, of_a, of_b, frame, placed);
     });
     result.nearest = contacts_below(topology_of(a), topology_of(b), header.kind, frame.steps,
                                     nearest_pairs(a, mesh_a, b, mesh_b, header, frame));
@@ -47,14 +89,15 @@ std::vector<TestedPair> tested_pairs(const DistanceSteps& steps, const QueryTrac
                                      const Outcomes& outcomes) {
     std::vector<TestedPair> pairs(outcomes.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const bool is_left_out = is_rejection(frame.steps.volumes[i].stage),
-                   is_above = is_left_out ||
-                              (outcomes[i] != Stage::left_over && steps.bounds[i] > steps.answer);
-        pairs[i].exact = is_above ? Contact::disjoint : Contact::overlapping;
-        pairs[i].gap = is_above ? steps.bounds[i] - steps.answer : 0;
-        pairs[i].contacts = steps.nearest[i];
-        pairs[i].leaves =
-            outcomes[i] == Stage::triangles_apart || outcomes[i] == Stage::triangles_meet;
+        TestedPair& pair = pairs[i];
+        pair.exact = steps.exact[i];
+        pair.gap = steps.gaps[i];
+        // With a relative error, triangles as near as the answer may be left out.
+        const bool may_lack =
+            is_rejection(frame.steps.volumes[i].stage) && steps.reach < steps.answer;
+        pair.contacts = may_lack ? 0 : steps.nearest[i];
+        pair.early = pair.exact != Contact::overlapping && steps.bounds[i] > steps.reach;
+        pair.leaves = outcomes[i] == Stage::triangles_apart || outcomes[i] == Stage::triangles_meet;
     }
     return pairs;
 }

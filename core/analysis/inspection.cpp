@@ -4,6 +4,22 @@
 
 namespace scb {
 
+std::uint64_t DepthInspection::wasted_by(PassReason reason) const {
+    switch (reason) {
+        case PassReason::weak_test:
+            return wasted_by_tests;
+        case PassReason::loose_fit:
+            return wasted - wasted_by_tests - wasted_early - wasted_unjudged;
+        case PassReason::triangles_meet:
+            break;
+        case PassReason::early:
+            return wasted_early;
+        case PassReason::unjudged:
+            return wasted_unjudged;
+    }
+    return 0;
+}
+
 Inspection& Inspection::operator+=(const Inspection& other) {
     pairs += other.pairs;
     counts += other.counts;
@@ -12,6 +28,8 @@ Inspection& Inspection::operator+=(const Inspection& other) {
         depths[d].tests += other.depths[d].tests;
         depths[d].wasted += other.depths[d].wasted;
         depths[d].wasted_by_tests += other.depths[d].wasted_by_tests;
+        depths[d].wasted_early += other.depths[d].wasted_early;
+        depths[d].wasted_unjudged += other.depths[d].wasted_unjudged;
         for (std::size_t r = 0; r < pass_reason_count; ++r)
             depths[d].passed[r] += other.depths[d].passed[r];
     }
@@ -23,23 +41,25 @@ Inspection inspection(const QueryTrace& frame, const Attribution& attribution) {
     Inspection result;
     result.pairs = frame.found.pairs.size();
     result.counts = attribution.counts;
-    result.depths.resize(static_cast<std::size_t>(frame.found.depth) + 1);
+    // Queries of distances do not count their depth.
+    int deepest = frame.found.depth;
+    for (const Step& test : tests) deepest = std::max(deepest, test.depth_a + test.depth_b);
+    result.depths.resize(static_cast<std::size_t>(deepest) + 1);
     const auto depth_of = [&](std::size_t test) -> DepthInspection& {
         return result.depths[static_cast<std::size_t>(tests[test].depth_a + tests[test].depth_b)];
     };
-    std::vector<char> is_false(tests.size()), is_within_weak_test(tests.size());
-    for (const PassedPair& pair : attribution.passed) {
+    for (const PassedPair& pair : attribution.passed)
         ++depth_of(pair.test).passed[static_cast<std::size_t>(pair.reason)];
-        is_false[pair.test] = pair.reason != PassReason::triangles_meet;
-        is_within_weak_test[pair.test] =
-            pair.within_weak_test || pair.reason == PassReason::weak_test;
-    }
     for (std::size_t i = 0; i < tests.size(); ++i) {
-        ++depth_of(i).tests;
-        const std::uint32_t parent = tests[i].parent;
-        if (parent == no_step) continue;
-        depth_of(i).wasted += static_cast<std::uint64_t>(is_false[parent]);
-        depth_of(i).wasted_by_tests += static_cast<std::uint64_t>(is_within_weak_test[parent]);
+        DepthInspection& at = depth_of(i);
+        ++at.tests;
+        // Without results, tests are not attributed.
+        if (attribution.wasted_by.empty()) continue;
+        const PassReason reason = attribution.wasted_by[i];
+        at.wasted += reason != PassReason::triangles_meet ? 1 : 0;
+        at.wasted_by_tests += reason == PassReason::weak_test ? 1 : 0;
+        at.wasted_early += reason == PassReason::early ? 1 : 0;
+        at.wasted_unjudged += reason == PassReason::unjudged ? 1 : 0;
     }
     return result;
 }

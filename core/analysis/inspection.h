@@ -9,7 +9,12 @@ struct DepthInspection {
     std::uint64_t tests = 0;
     std::uint64_t wasted = 0;           ///< of these, tests below a false pair
     std::uint64_t wasted_by_tests = 0;  ///< of these, tests that an exact test would save
+    std::uint64_t wasted_early = 0;     ///< of these, tests that a known answer would save
+    std::uint64_t wasted_unjudged = 0;  ///< of these, tests wasted for an unknown reason
     std::array<std::uint64_t, pass_reason_count> passed{};  ///< passed pairs by reason
+
+    /// The wasted tests by their reason; none for triangles_meet.
+    std::uint64_t wasted_by(PassReason reason) const;
 };
 
 /// The passed pairs and the wasted work of a query, or of several together.
@@ -28,6 +33,9 @@ Inspection inspection(const QueryTrace& frame, const Attribution& attribution);
 struct InspectedFrame {
     int frame = 0;
     Inspection found;
+    /// Of a query for the smallest distance: the distance that it found, or a negative number.
+    double distance = -1;
+    bool certified = false;  ///< whether a certificate proves the distance
 };
 
 /// Puts the frame with the most wasted volume tests first; equal frames by number.

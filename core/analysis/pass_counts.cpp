@@ -4,6 +4,14 @@
 
 namespace scb {
 
+std::vector<PassReason> waste_reasons(QueryKind kind) {
+    std::vector<PassReason> reasons = {PassReason::loose_fit, PassReason::weak_test};
+    if (kind == QueryKind::distance) reasons.push_back(PassReason::early);
+    if (kind == QueryKind::distance || kind == QueryKind::within)
+        reasons.push_back(PassReason::unjudged);
+    return reasons;
+}
+
 Work& Work::operator+=(const Work& other) {
     volume_tests += other.volume_tests;
     triangle_tests += other.triangle_tests;
@@ -32,7 +40,25 @@ std::uint64_t PassCounts::passed(PassReason reason) const {
 
 Work PassCounts::wasted_by_fit() const {
     Work rest = wasted;
-    return rest -= wasted_by_tests;
+    rest -= wasted_by_tests;
+    rest -= wasted_early;
+    return rest -= wasted_unjudged;
+}
+
+Work PassCounts::wasted_by(PassReason reason) const {
+    switch (reason) {
+        case PassReason::weak_test:
+            return wasted_by_tests;
+        case PassReason::loose_fit:
+            return wasted_by_fit();
+        case PassReason::triangles_meet:
+            break;
+        case PassReason::early:
+            return wasted_early;
+        case PassReason::unjudged:
+            return wasted_unjudged;
+    }
+    return {};
 }
 
 PassCounts& PassCounts::operator+=(const PassCounts& other) {
@@ -46,6 +72,8 @@ PassCounts& PassCounts::operator+=(const PassCounts& other) {
     all += other.all;
     wasted += other.wasted;
     wasted_by_tests += other.wasted_by_tests;
+    wasted_early += other.wasted_early;
+    wasted_unjudged += other.wasted_unjudged;
     return *this;
 }
 

@@ -4,21 +4,30 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/base/enum_names.h"
+#include "scb/collide.h"
 
 namespace scb {
 
-/// Why a test let a pair of nodes pass.
+/// Why a test let a pair of nodes pass. In a query of distances, volumes meet if they are nearer
+/// than the answer, which is the smallest distance or the tolerance; triangles, if they are as
+/// near.
 enum class PassReason : std::uint8_t {
-    weak_test,       ///< the volumes are disjoint: the test is conservative
+    weak_test,       ///< the volumes are disjoint: the test, or the bound, is conservative
     loose_fit,       ///< the volumes meet, but no triangles below them do
     triangles_meet,  ///< triangles below them intersect
+    early,           ///< of distances: the bound is above the answer, which was not known yet
+    unjudged,        ///< of distances: nothing below meets, and no proof says if the volumes do
 };
-inline constexpr std::size_t pass_reason_count = 3;
+inline constexpr std::size_t pass_reason_count = 5;
 
-inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {"test", "fit",
-                                                                               "true"};
+inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {
+    "test", "fit", "true", "early", "not_judged"};
+
+/// The reasons for which a query of this kind can waste tests, in the order of reports.
+std::vector<PassReason> waste_reasons(QueryKind kind);
 
 /// The work of a query, or of a part of it.
 struct Work {
@@ -40,8 +49,9 @@ inline constexpr const char* cost_words = "assumed time of the tests, the same o
 ///
 /// A pair is false if it passed although no triangles below it intersect. A test is wasted if the
 /// pair whose division led to it is false; so is the test of two triangles after a false pair of
-/// leaves. The wasted work is the work below the outermost false pairs. An exact overlap test would
-/// save the wasted work below pairs that a weak test passed; the rest is due to the fit.
+/// leaves. The wasted work is the work below the outermost false pairs. An answer known from the
+/// start would save the work below early pairs. An exact test would save the work below pairs that
+/// a weak test passed. Of the rest, the fit is the reason, unless the pair above is not judged.
 struct PassCounts {
     std::array<std::uint64_t, pass_reason_count> inner{}, leaves{};  ///< passed pairs by reason
     std::uint64_t touching = 0;  ///< passed pairs whose volumes only touch
@@ -50,11 +60,15 @@ struct PassCounts {
     std::uint64_t missed = 0;  ///< intersecting pairs of triangles below these tests
     Work all, wasted;
     Work wasted_by_tests;  ///< wasted work that an exact test would save
+    Work wasted_early;     ///< wasted work that a known answer would save
+    Work wasted_unjudged;  ///< wasted work for an unknown reason
 
     std::uint64_t passed() const;
     std::uint64_t passed(PassReason reason) const;
     /// The wasted work that is due to the fit.
     Work wasted_by_fit() const;
+    /// The wasted work by its reason; none for triangles_meet.
+    Work wasted_by(PassReason reason) const;
     PassCounts& operator+=(const PassCounts& other);
 };
 

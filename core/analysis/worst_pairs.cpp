@@ -7,9 +7,11 @@
 namespace scb {
 namespace {
 
-std::uint64_t tests_below(const FalsePair& p) {
-    return p.pair.below.volume_tests + p.pair.below.triangle_tests;
+std::uint64_t tests_below(const PassedPair& pair) {
+    return pair.below.volume_tests + pair.below.triangle_tests;
 }
+
+std::uint64_t tests_below(const FalsePair& p) { return tests_below(p.pair); }
 
 bool is_worse(const FalsePair& x, const FalsePair& y) {
     const std::uint64_t of_x = tests_below(x), of_y = tests_below(y);
@@ -45,21 +47,22 @@ Step numbered(const QueryTrace& frame, std::uint32_t test) {
 }  // namespace
 
 void WorstPairs::add(const QueryTrace& frame, const Attribution& attribution) {
-    const bool weak = reason_ == PassReason::weak_test;
     // Per test, the cost of the listed pair that it is a part of; parents come first.
     std::vector<std::uint64_t> listed(frame.steps.volumes.size());
     for (const PassedPair& pair : attribution.passed) {
         const std::uint32_t parent = frame.steps.volumes[pair.test].parent;
         const std::uint64_t around = parent == no_step ? 0 : listed[parent];
         listed[pair.test] = around;
-        if (pair.reason != reason_) continue;
+        if (pair.reason != reason_ || tests_below(pair) == 0) continue;
         const Step& test = frame.steps.volumes[pair.test];
         if (parent == no_step && test.depth_a == 0 && test.depth_b == 0) {
-            listed[pair.test] = pair.below.volume_tests + pair.below.triangle_tests;
+            listed[pair.test] = tests_below(pair);
             continue;
         }
         const FalsePair found{frame.frame, pair, numbered(frame, pair.test)};
-        const bool outermost = !(weak ? pair.within_weak_test : pair.within_false_pair);
+        const bool outermost = reason_ == PassReason::loose_fit
+                                   ? pair.within == PassReason::triangles_meet
+                                   : pair.within != reason_;
         if (!outermost && (around == 0 || 4 * tests_below(found) > around)) continue;
         (outermost ? outermost_ : parts_).push_back(found);
         listed[pair.test] = tests_below(found);

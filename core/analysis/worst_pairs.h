@@ -4,7 +4,7 @@
 
 namespace scb {
 
-/// A pair that passed although no triangles below it intersect.
+/// A pair that passed although no triangles below it intersect, or are as near as the answer.
 struct FalsePair {
     int frame = 0;
     PassedPair pair;
@@ -24,14 +24,16 @@ struct WronglyRejectedPair {
 /// and triangle tests below the pair; equal costs go by frame, then by test. Each pair of nodes
 /// appears once, at its worst frame: some are in the way at every frame.
 ///
-/// Weak tests are listed if they are not below another weak test, loose fits if they are not below
-/// any false pair. If these are too few, parts of them follow, each with at most a quarter of the
-/// cost of the pair around it. The pair of the two roots is not listed, since no other hierarchy
-/// avoids its test: without contact, parts of that pair are.
+/// Weak tests and early pairs are listed if they are not below another of the same reason, loose
+/// fits if they are not below any false pair. A pair without tests below it is not listed. If these
+/// are too few, parts of them follow, each with at most a quarter of the cost of the pair around
+/// it. The pair of the two roots is not listed, since no other hierarchy avoids its test: without
+/// contact, parts of that pair are.
 class WorstPairs {
   public:
     WorstPairs(PassReason reason, std::size_t most) : reason_(reason), most_(most) {}
 
+    PassReason reason() const { return reason_; }
     void add(const QueryTrace& frame, const Attribution& attribution);
     /// Adds the pairs that another object kept of other frames.
     void add(const std::vector<FalsePair>& outermost, const std::vector<FalsePair>& parts);

@@ -14,7 +14,7 @@ struct QueryTruth {
     QueryTruth(std::vector<IndexPair> found) : pairs(std::move(found)) {}
 
     /// All intersecting pairs of finite triangles or, in a query within a tolerance, all pairs
-    /// within it; sorted. In a self query the pairs of SelfPairs; for objects the pairs of
+    /// within it, and in a distance query all pairs as near as the closest; sorted. In a self query the pairs of SelfPairs; for objects the pairs of
     /// object_contacts; empty if only one side has a mesh.
     std::vector<IndexPair> pairs;
     /// Of a distance query: the smallest distance, and two triangles that have it.

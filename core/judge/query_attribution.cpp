@@ -27,13 +27,17 @@ Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
         const JudgedTest& test = judged.tests[i];
         if (test.nodes.a == no_index || test.nodes.b == no_index) continue;
         TestedPair pair;
-        pair.known = test.verdict != TestVerdict::unjudged;
+        const bool is_judged = test.verdict != TestVerdict::unjudged;
+        pair.known = is_judged || is_of_distance(header.kind);
         const bool passed = frame.steps.volumes[pairs.size()].stage == Stage::overlapping;
-        if (pair.known)
+        pair.early = test.early;
+        // A verdict without a margin is that the volumes touch.
+        if (is_judged && !(is_of_distance(header.kind) && !(test.margin > 0)))
             pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
                                                                         : Contact::disjoint;
         pair.gap = pair.exact == Contact::disjoint ? test.margin : 0;
-        pair.contacts = contacts[i];
+        // Of several nearest pairs, a query may leave out all but one.
+        pair.contacts = passed || !is_of_distance(header.kind) ? contacts[i] : 0;
         pair.leaves = query.sides[0].shape->is_leaf(test.nodes.a) &&
                       query.sides[1].shape->is_leaf(test.nodes.b);
         pairs.push_back(pair);

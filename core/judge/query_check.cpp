@@ -88,6 +88,7 @@ class Judge {
             take(i);
             if (is_interrupted(i)) return std::move(result_);
         }
+        mark_nearest();
         count_waste();
         count_objects();
         if (query_.complete) result_.divisions = check_divisions(query_, result_.tests, reach_);
@@ -293,6 +294,14 @@ class Judge {
         order_.push_back(i);
     }
 
+    /// In a query of distances, marks the tests above all pairs that are as near as the closest: an
+    /// engine finds one of them.
+    void mark_nearest() {
+        if (query_.kind != QueryKind::distance) return;
+        for (const IndexPair pair : contacts_)
+            if (links_.tested_nodes_of(pair)) mark_above(links_.led_to_items(pair));
+    }
+
     void count_waste() {
         // 0: not wasted; 1: below a pair that a weak test passed; 2: below a pair of loose volumes;
         // 3: below a pair that was passed early.
@@ -300,6 +309,7 @@ class Judge {
         const auto of = [&](std::uint32_t led) -> std::uint8_t {
             if (led == no_index) return 0;
             const JudgedTest& test = result_.tests[led];
+            if (within[led] == 3) return 3;
             if (test.verdict == TestVerdict::false_positive) return test.early ? 3 : 1;
             if (within[led] != 0) return within[led];
             return test.meets ? 0 : 2;

@@ -24,7 +24,9 @@ struct JudgedTest {
     std::uint32_t parent = no_index;  ///< the judged test that led to it, recorded or inferred
     TestVerdict verdict = TestVerdict::unjudged;
     bool repeated = false;  ///< the query had made the test before
-    bool meets = false;     ///< the query found items that meet below it
+    /// The query found items that meet below it or, in a query of distances, items below it are as
+    /// near as the closest.
+    bool meets = false;
     /// In a query of distances: no test followed, and the recorded bound explains why.
     bool left_out = false;
     /// A false positive whose recorded bound is above the answer, which was not known yet.

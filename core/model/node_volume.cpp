@@ -99,6 +99,54 @@ ConvexShape shape(const Scb& scb) {
 
 ConvexShape shape(const Scb2& scb) { return shape(Ball{scb.c, scb.r}); }
 
+/// The farthest point of a ball cut by two slabs, from its center. `frame`: both normals and their
+/// product, as columns. The point is on no plane, on one or on two: of these points, it is the
+/// farthest one that is in both slabs.
+Vec3 farthest_point(const Scb2& scb, const Mat3& frame, const Vec3& direction) {
+    constexpr int beside = -1;  // on neither plane of the slab
+    const Vec3 d(dot(frame.col(0), direction), dot(frame.col(1), direction),
+                 dot(frame.col(2), direction));
+    const std::array<std::array<double, 2>, 2> planes = {
+        {{scb.slabs[0].f, scb.slabs[0].e}, {scb.slabs[1].f, scb.slabs[1].e}}};
+    Vec3 best = Vec3::Zero();
+    double most = -HUGE_VAL;
+    const auto try_planes = [&](const std::array<int, 2>& chosen) {
+        Vec3 point = Vec3::Zero(), along = d;
+        for (int i = 0; i < 2; ++i) {
+            if (chosen[static_cast<std::size_t>(i)] == beside) continue;
+            along[i] = 0;
+            point[i] = planes[static_cast<std::size_t>(i)]
+                             [static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)])];
+        }
+        const double squared = scb.r * scb.r - squared_norm(point);
+        if (squared < 0) return;
+        const double length = std::sqrt(squared_norm(along));
+        if (length > 0) point += along * (std::sqrt(squared) / length);
+        for (int i = 0; i < 2; ++i) {
+            const auto& [lower, upper] = planes[static_cast<std::size_t>(i)];
+            if (point[i] < lower || point[i] > upper) return;
+        }
+        if (const double reached = dot(point, d); reached > most) {
+            most = reached;
+            best = point;
+        }
+    };
+    for (const int first : {beside, 0, 1})
+        for (const int second : {beside, 0, 1}) try_planes({first, second});
+    return frame * best;
+}
+
+/// Exact. The center of the ball is in both slabs.
+ConvexShape cut_ball_shape(const Scb2& scb) {
+    Mat3 frame;
+    frame.col(0) = scb.slabs[0].n;
+    frame.col(1) = scb.slabs[1].n - dot(scb.slabs[0].n, scb.slabs[1].n) * scb.slabs[0].n;
+    for (int i = 0; i < 2; ++i) frame.col(i) /= std::sqrt(squared_norm(Vec3(frame.col(i))));
+    frame.col(2) = cross(Vec3(frame.col(0)), Vec3(frame.col(1)));
+    return {
+        scb.c, 0, frame, [scb, frame](const Vec3& d) { return farthest_point(scb, frame, d); }, {}};
+}
+
 ConvexShape shape(const SharedPolytope& polytope) {
     return {polytope->center, 0, Mat3::Identity(),
             [polytope](const Vec3& d) {
@@ -271,6 +319,19 @@ ConvexShape convex_shape(const NodeVolume& volume) {
     return std::visit([](const auto& v) { return shape(v); }, volume);
 }
 
+ConvexShape exact_shape(const AnyVolume& volume) {
+    return std::visit(
+        []<class V>(const V& v) {
+            if constexpr (std::is_same_v<V, ConvexShape>)
+                return v;
+            else if constexpr (std::is_same_v<V, Scb2>)
+                return cut_ball_shape(v);
+            else
+                return shape(v);
+        },
+        volume);
+}
+
 Box box_about(const ConvexShape& shape) {
     Box box;
     for (int i = 0; i < 3; ++i) {
@@ -329,6 +390,13 @@ bool has_verdict(const NodeVolume& a, const NodeVolume& b) {
 
 }  // namespace
 
+ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b, const Pose& b_to_a,
+                                 double tolerance, double reach) {
+    ConvexShape grown = a;
+    grown.rounding += reach;
+    return verdict(grown, b, b_to_a, tolerance);
+}
+
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance, double reach) {
     return proven_verdict(a, b, b_to_a, tolerance, reach).value_or(ContactCertificate{});
@@ -338,8 +406,6 @@ std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const Node
                                                  const Pose& b_to_a, double tolerance,
                                                  double reach) {
     if (!has_verdict(a, b)) return std::nullopt;
-    // The convex shape of a ball cut by two slabs is its ball, which proves no overlap.
-    if (reach > 0 && std::holds_alternative<Scb2>(a)) return std::nullopt;
     const auto *open_a = std::get_if<OpenBox>(&a), *open_b = std::get_if<OpenBox>(&b);
     if (open_a && open_b && reach > 0) return std::nullopt;
     if (open_a && open_b) return open_verdict(*open_a, *open_b, b_to_a, tolerance);
@@ -350,9 +416,11 @@ std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const Node
         return proven_verdict(a, cut_about(*open_b, convex_shape(a), inverse(b_to_a), reach),
                               b_to_a, tolerance, reach);
     if (reach > 0) {
-        ConvexShape grown = convex_shape(a);
-        grown.rounding += reach;
-        return verdict(grown, convex_shape(b), b_to_a, tolerance);
+        const auto exact = [](const NodeVolume& volume) {
+            const auto* scb = std::get_if<Scb2>(&volume);
+            return scb ? cut_ball_shape(*scb) : convex_shape(volume);
+        };
+        return exact_verdict(exact(a), exact(b), b_to_a, tolerance, reach);
     }
     return std::visit(
         [&]<class V>(const V& va) -> std::optional<ContactCertificate> {

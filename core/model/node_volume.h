@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/explain/contact_certificate.h"
+#include "core/volumes/any_volume.h"
 #include "core/volumes/convex_shape.h"
 #include "scb/capsule.h"
 #include "scb/mesh.h"
@@ -56,18 +57,25 @@ double excess(const NodeVolume& volume, const Vec3& point);
 /// finite sides.
 ConvexShape convex_shape(const NodeVolume& volume);
 
+/// The volume of a node of this project, by its support points. Exact, also for a ball cut by two
+/// slabs: convex_shape of a NodeVolume has its whole ball.
+ConvexShape exact_shape(const AnyVolume& volume);
+
 /// The box along the axes about the shape.
 Box box_about(const ConvexShape& shape);
 
 /// The exact verdict on two volumes in A's frame. A is grown by `reach`, so volumes nearer than
 /// `reach` overlap. They touch if the gap or depth is within
 /// `tolerance`, a length. There is no verdict if one has no volume. There is none for a ball cut by
-/// two slabs with a volume of another type, with its center outside of a slab, or with a reach.
+/// two slabs with a volume of another type, or with its center outside of a slab.
 /// There is none for two open boxes that are turned against each other and do not meet near their
 /// finite sides, or with a reach.
 std::optional<ContactCertificate> proven_verdict(const NodeVolume& a, const NodeVolume& b,
                                                  const Pose& b_to_a, double tolerance,
                                                  double reach = 0);
+/// The same for shapes that are exact; there is always a verdict.
+ContactCertificate exact_verdict(const ConvexShape& a, const ConvexShape& b, const Pose& b_to_a,
+                                 double tolerance, double reach);
 /// The same; without a verdict the contact is touching, which claims nothing.
 ContactCertificate exact_verdict(const NodeVolume& a, const NodeVolume& b, const Pose& b_to_a,
                                  double tolerance, double reach = 0);

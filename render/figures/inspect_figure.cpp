@@ -13,63 +13,90 @@
 namespace scb::render {
 namespace {
 
-constexpr PassReason reasons[] = {PassReason::triangles_meet, PassReason::loose_fit,
-                                  PassReason::weak_test};
+/// A reason with its words, and the tests that it wasted; first the tests that were not wasted.
+struct Part {
+    PassReason reason{};
+    const char* wasted = "";
+    const char* passed = "";
+};
 
-/// Not wasted, wasted by the fit, wasted by the test: as `reasons`.
-using Split = std::array<std::uint64_t, std::size(reasons)>;
-
-Split split_of(std::uint64_t all, std::uint64_t wasted, std::uint64_t by_tests) {
-    return {all - wasted, wasted - by_tests, by_tests};
+/// Pairs that are not judged have a part only if there are some.
+std::vector<Part> parts_of(const InspectFigure& figure) {
+    const bool is_distance = is_of_distance(figure.kind);
+    std::vector<Part> parts = {{PassReason::triangles_meet, "not wasted",
+                                is_distance ? "led to the answer" : "true contact"}};
+    for (const PassReason reason : waste_reasons(figure.kind)) {
+        const char* words = "not judged";
+        if (reason == PassReason::loose_fit) words = "fit too loose";
+        if (reason == PassReason::weak_test)
+            words = is_distance ? "bound too weak" : "test too weak";
+        if (reason == PassReason::early) words = "passed too early";
+        if (reason != PassReason::unjudged || figure.sum.counts.passed(reason) > 0)
+            parts.push_back({reason, words, words});
+    }
+    return parts;
 }
 
-Split split_of(const PassCounts& counts) {
-    return split_of(counts.all.volume_tests, counts.wasted.volume_tests,
-                    counts.wasted_by_tests.volume_tests);
-}
-
-StackedBarsPlot empty_plot(const char* title, const char* x_label, const Theme& theme) {
+StackedBarsPlot empty_plot(const char* title, const char* x_label, const InspectFigure& figure) {
     StackedBarsPlot plot;
     plot.title = title;
     plot.y_label = "volume tests";
     plot.x_label = x_label;
-    for (const PassReason reason : reasons) plot.colors.push_back(pass_reason_color(reason, theme));
+    for (const Part& part : parts_of(figure))
+        plot.colors.push_back(pass_reason_color(part.reason, *figure.theme));
     return plot;
 }
 
-void add(StackedBarsPlot& plot, int number, const Split& split) {
+/// Adds a bar. `wasted_by` gives the wasted tests by their reason.
+template <class WastedBy>
+void add(StackedBarsPlot& plot, int number, const InspectFigure& figure, std::uint64_t useful,
+         const WastedBy& wasted_by) {
     plot.numbers.push_back(number);
-    plot.amounts.emplace_back(split.begin(), split.end());
+    auto& amounts = plot.amounts.emplace_back();
+    for (const Part& part : parts_of(figure))
+        amounts.push_back(static_cast<double>(
+            part.reason == PassReason::triangles_meet ? useful : wasted_by(part.reason)));
 }
 
 StackedBarsPlot frames_plot(const InspectFigure& figure) {
-    StackedBarsPlot plot = empty_plot("by frame", "frame", *figure.theme);
+    StackedBarsPlot plot = empty_plot("by frame", "frame", figure);
     std::vector<const InspectedFrame*> frames;
     for (const InspectedFrame& frame : figure.frames) frames.push_back(&frame);
     std::sort(frames.begin(), frames.end(),
               [](const auto* x, const auto* y) { return x->frame < y->frame; });
-    for (const InspectedFrame* frame : frames)
-        add(plot, frame->frame, split_of(frame->found.counts));
+    for (const InspectedFrame* frame : frames) {
+        const PassCounts& counts = frame->found.counts;
+        add(plot, frame->frame, figure, counts.all.volume_tests - counts.wasted.volume_tests,
+            [&counts](PassReason reason) { return counts.wasted_by(reason).volume_tests; });
+    }
     return plot;
 }
 
 StackedBarsPlot depths_plot(const InspectFigure& figure) {
     StackedBarsPlot plot =
-        empty_plot("by depth", "depth of the pair: of both nodes together", *figure.theme);
+        empty_plot("by depth", "depth of the pair: of both nodes together", figure);
     for (std::size_t d = 0; d < figure.sum.depths.size(); ++d) {
         const DepthInspection& at = figure.sum.depths[d];
-        add(plot, static_cast<int>(d), split_of(at.tests, at.wasted, at.wasted_by_tests));
+        add(plot, static_cast<int>(d), figure, at.tests - at.wasted,
+            [&at](PassReason reason) { return at.wasted_by(reason); });
     }
     return plot;
 }
 
-void add_legend(std::vector<PanelItem>& items, const std::array<const char*, 3>& words,
-                const Split& split, const Theme& theme) {
-    const std::uint64_t all = split[0] + split[1] + split[2];
-    for (std::size_t r = 0; r < split.size(); ++r)
-        items.emplace_back(
-            PanelLegendRow{pass_reason_color(reasons[r], theme), words[r], count_text(split[r]),
-                           share_text(static_cast<double>(split[r]), static_cast<double>(all))});
+struct LegendEntry {
+    PassReason reason{};
+    const char* words = "";
+    std::uint64_t count = 0;
+};
+
+void add_legend(std::vector<PanelItem>& items, const std::vector<LegendEntry>& entries,
+                const Theme& theme) {
+    std::uint64_t all = 0;
+    for (const LegendEntry& entry : entries) all += entry.count;
+    for (const LegendEntry& entry : entries)
+        items.emplace_back(PanelLegendRow{
+            pass_reason_color(entry.reason, theme), entry.words, count_text(entry.count),
+            share_text(static_cast<double>(entry.count), static_cast<double>(all))});
     items.emplace_back(PanelRow{"all", {count_text(all)}, {}, true});
 }
 
@@ -104,12 +131,17 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
         items.emplace_back(PanelLegendRow{alarm, "contacts missed", count_text(counts.missed), ""});
     }
     items.emplace_back(PanelHeading{"volume tests"});
-    add_legend(items, {"not wasted", "fit too loose", "test too weak"}, split_of(counts),
-               *figure.theme);
+    std::vector<LegendEntry> tests, passed;
+    for (const auto& [reason, wasted, of_pairs] : parts_of(figure)) {
+        tests.push_back({reason, wasted,
+                         reason == PassReason::triangles_meet
+                             ? counts.all.volume_tests - counts.wasted.volume_tests
+                             : counts.wasted_by(reason).volume_tests});
+        passed.push_back({reason, of_pairs, counts.passed(reason)});
+    }
+    add_legend(items, tests, *figure.theme);
     items.emplace_back(PanelHeading{"pairs that passed"});
-    add_legend(items, {"true contact", "fit too loose", "test too weak"},
-               {counts.passed(reasons[0]), counts.passed(reasons[1]), counts.passed(reasons[2])},
-               *figure.theme);
+    add_legend(items, passed, *figure.theme);
     if (!figure.settings.empty()) {
         add_changes_heading(items, "what would have helped");
         for (const InspectedSetting& setting : figure.settings)
@@ -140,9 +172,13 @@ Rgba8 pass_reason_color(PassReason reason, const Theme& theme) {
         case PassReason::loose_fit:
             return ending_color(Stage::triangles_apart, theme);
         case PassReason::weak_test:
+            return theme.accent;
+        case PassReason::early:
+            return body_b_color;
+        case PassReason::unjudged:
             break;
     }
-    return theme.accent;
+    return mix(theme.mesh, theme.text, 0.5);
 }
 
 Rgba8 wrong_rejection_color(const Theme& theme) {

@@ -23,6 +23,7 @@ struct InspectedSetting {
 struct InspectFigure {
     std::string title;
     std::string subtitle;
+    QueryKind kind = QueryKind::collide;
     std::vector<InspectedFrame> frames;  ///< in any order
     Inspection sum;
     Work settings_from;                      ///< the base that settings are compared with

@@ -163,8 +163,8 @@ BoundTests bound_tests(const TraceHeader& header, const QueryTrace& frame,
     for (const PassedPair& pair : verdicts.passed)
         if (is_divided(outcomes[pair.test]))
             key_of[pair.test] = pair.reason == PassReason::triangles_meet ? 0
-                                : pair.reason == PassReason::loose_fit    ? 1
-                                                                          : 2;
+                                : pair.reason == PassReason::early        ? 2
+                                                                          : 1;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         ++result.keys[key_of[i]].count;
         const Step& step = frame.steps.volumes[i];

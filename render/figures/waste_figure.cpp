@@ -5,6 +5,7 @@
 
 #include "core/analysis/triangle_heat.h"
 #include "core/base/text_format.h"
+#include "render/figures/distance_figure.h"
 #include "render/figures/figure_words.h"
 #include "scb/triangle_overlap.h"
 
@@ -141,7 +142,11 @@ std::vector<SceneLabel> waste_labels(const QueryBodies& bodies, const Waste& was
 std::vector<PanelItem> waste_panel(const QueryBodies& bodies, const QueryTrace& frame,
                                    const Waste& waste, const Theme& theme) {
     std::vector<PanelItem> items;
-    items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
+    if (frame.nearest)
+        items.emplace_back(
+            PanelRow{"distance", {distance_text(frame.nearest->distance)}, {}, true});
+    else
+        items.emplace_back(PanelRow{"pairs", {count_text(frame.found.pairs.size())}, {}, true});
     items.emplace_back(PanelRow{"N_v", {count_text(frame.found.n_v)}});
     items.emplace_back(PanelRow{"N_p", {count_text(frame.found.n_p)}});
     items.emplace_back(PanelRow{"wasted cost", {share_text(waste.sum, 1)}, {}, true});

@@ -44,6 +44,7 @@ QueryTruth OwnContacts::nearest(const EngineQuery& query, const Meshes& meshes) 
     const Distance found = distance(a, b, query.b_to_a);
     truth.distance = found.found.distance;
     truth.closest = found.triangles;
+    truth.pairs = within(a, b, query.b_to_a, truth.distance + query.triangle_tolerance).pairs;
     // A triangle that is not finite is a point here, and has no distance.
     if (!found.triangles || !has_finite_corners(*query.sides[0].mesh, found.triangles->a) ||
         !has_finite_corners(*query.sides[1].mesh, found.triangles->b))

@@ -52,11 +52,11 @@ TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
     EXPECT_EQ(first.reason, PassReason::weak_test);
     EXPECT_EQ(first.gap, 0.5);
     EXPECT_EQ(first.below, (Work{3, 1, 0}));
-    EXPECT_FALSE(first.within_false_pair || first.within_weak_test);
+    EXPECT_EQ(first.within, PassReason::triangles_meet);
     EXPECT_EQ(second.reason, PassReason::loose_fit);
     EXPECT_EQ(second.gap, 0);
-    EXPECT_TRUE(second.within_false_pair && second.within_weak_test);
-    EXPECT_TRUE(leaves.within_weak_test) << "at any distance";
+    EXPECT_EQ(second.within, PassReason::weak_test);
+    EXPECT_EQ(leaves.within, PassReason::weak_test) << "at any distance";
     EXPECT_EQ(leaves.below, (Work{0, 1, 0}));
     ASSERT_EQ(found.wrongly_rejected.size(), 1u);
     EXPECT_EQ(found.wrongly_rejected[0], (WrongRejection{2, 0, Contact::overlapping}));
@@ -68,8 +68,8 @@ TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
     EXPECT_EQ(counts.touching, 1u);
     EXPECT_EQ(counts.wrongly_rejected, 1u);
     EXPECT_EQ(counts.missed, 0u);
-    EXPECT_EQ(counts.inner, (std::array<std::uint64_t, 3>{1, 1, 1}));
-    EXPECT_EQ(counts.leaves, (std::array<std::uint64_t, 3>{0, 1, 0}));
+    EXPECT_EQ(counts.inner, (std::array<std::uint64_t, 5>{1, 1, 1, 0, 0}));
+    EXPECT_EQ(counts.leaves, (std::array<std::uint64_t, 5>{0, 1, 0, 0, 0}));
     EXPECT_EQ(counts.passed(PassReason::loose_fit), 2u);
     EXPECT_EQ(counts.passed(), 4u);
 }
@@ -81,6 +81,48 @@ TEST(Attribution, WorkBelowAFalsePairIsWastedOnce) {
     EXPECT_EQ(counts.wasted, (Work{5, 1, 0}));
     EXPECT_EQ(counts.wasted_by_tests, (Work{1, 1, 0}));
     EXPECT_EQ(counts.wasted_by_fit(), (Work{4, 0, 0}));
+}
+
+TEST(Attribution, OfDistancesTakesTheReasonThatIsCuredMostEasily) {
+    MadeQuery query;
+    query.header.kind = QueryKind::distance;
+    query.test(MadeQuery::none, {0, 0});
+    for (std::uint32_t i = 0; i < 5; ++i) query.test(i, {i + 1, i + 1});
+    query.triangles({0, 0}, false);
+    const TestedPair open = pair_of(Contact::touching);
+    TestedPair early = weak;
+    early.early = true;
+    // Each pair leads to the next, and the last one to the test of triangles.
+    const Attribution found = attributed(query, {meeting, loose, open, weak, early, loose});
+    const auto reasons_are = [&](const std::vector<PassReason>& reasons) {
+        for (std::size_t i = 0; i < reasons.size(); ++i)
+            EXPECT_EQ(found.passed[i].reason, reasons[i]) << i;
+    };
+    reasons_are({PassReason::triangles_meet, PassReason::loose_fit, PassReason::unjudged,
+                 PassReason::weak_test, PassReason::early, PassReason::loose_fit});
+    EXPECT_EQ(found.passed[3].gap, 0.5);
+    EXPECT_EQ(found.passed[4].gap, 0.5);
+    EXPECT_EQ(found.wasted_by,
+              (std::vector<PassReason>{PassReason::triangles_meet, PassReason::triangles_meet,
+                                       PassReason::loose_fit, PassReason::unjudged,
+                                       PassReason::weak_test, PassReason::early}));
+    const PassCounts& counts = found.counts;
+    EXPECT_EQ(counts.wasted, (Work{4, 1}));
+    EXPECT_EQ(counts.wasted_by(PassReason::loose_fit), (Work{1, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::unjudged), (Work{1, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::weak_test), (Work{1, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::early), (Work{1, 1}));
+    EXPECT_EQ(counts.wasted_by(PassReason::triangles_meet), Work{});
+    // All tests below an early pair are wasted by it.
+    const PassCounts around = attributed(query, {meeting, early, weak, loose, open, loose}).counts;
+    EXPECT_EQ(around.wasted_early, around.wasted);
+    EXPECT_EQ(around.wasted, (Work{4, 1}));
+    const Inspection by_depth = inspection(query.frame, found);
+    for (const PassReason reason : waste_reasons(QueryKind::distance)) {
+        std::uint64_t sum = 0;
+        for (const DepthInspection& depth : by_depth.depths) sum += depth.wasted_by(reason);
+        EXPECT_EQ(sum, counts.wasted_by(reason).volume_tests);
+    }
 }
 
 TEST(Attribution, ARejectionIsWrongWhereVolumesOverlapOrTrianglesMeet) {
@@ -105,7 +147,8 @@ TEST(Attribution, NothingIsClaimedOfAPairThatIsNotKnown) {
         attributed(some_query(), {meeting, unknown, unknown, loose, unknown, loose});
     ASSERT_EQ(found.passed.size(), 3u);
     EXPECT_EQ(found.passed[1].test, 3u);
-    EXPECT_FALSE(found.passed[1].within_false_pair) << "it is the outermost that is known";
+    EXPECT_EQ(found.passed[1].within, PassReason::triangles_meet)
+        << "it is the outermost that is known";
     EXPECT_EQ(found.counts.wasted, (Work{1, 1, 0}));
     EXPECT_TRUE(found.wrongly_rejected.empty());
 }
@@ -173,7 +216,7 @@ TEST(Inspection, CountsTestsByDepth) {
     EXPECT_EQ(counts(found, &DepthInspection::wasted), (Counts{0, 0, 2, 1}));
     EXPECT_EQ(counts(found, &DepthInspection::wasted_by_tests), (Counts{0, 0, 0, 1}));
     EXPECT_EQ(counts(below_weak, &DepthInspection::wasted_by_tests), (Counts{0, 0, 2, 1}));
-    EXPECT_EQ(found.depths[2].passed, (std::array<std::uint64_t, 3>{1, 0, 0}));
+    EXPECT_EQ(found.depths[2].passed, (std::array<std::uint64_t, 5>{1, 0, 0, 0, 0}));
     Inspection sum = found;
     Inspection shallow;
     shallow.depths.resize(2);

@@ -29,8 +29,7 @@ void add(WorstPairs& worst, int frame, const std::vector<Passed>& chain) {
         PassedPair pair;
         pair.test = i + 1;
         pair.reason = chain[i].reason;
-        (pair.reason == weak_test_reason ? pair.within_weak_test : pair.within_false_pair) =
-            chain[i].within;
+        if (chain[i].within) pair.within = pair.reason;
         pair.below.volume_tests = chain[i].below;
         found.passed.push_back(pair);
     }
@@ -68,7 +67,7 @@ TEST(WorstPairs, TheRootsAreNotListedButTheirParts) {
         PassedPair& pair = found.passed.emplace_back();
         pair.test = i;
         pair.reason = loose_fit_reason;
-        pair.within_false_pair = i > 0;
+        if (i > 0) pair.within = loose_fit_reason;
         pair.below.volume_tests = i == 0 ? 100 : 20;
     }
     WorstPairs worst(loose_fit_reason, 3);

@@ -46,7 +46,7 @@ TEST(QueryAttribution, SaysOfEachTestThatPassedWhatCameOfIt) {
     EXPECT_EQ(weak.below.volume_tests, 2u);
     EXPECT_EQ(loose.reason, PassReason::loose_fit);
     EXPECT_EQ(loose.gap, 0);
-    EXPECT_TRUE(loose.within_weak_test);
+    EXPECT_EQ(loose.within, PassReason::weak_test);
     ASSERT_EQ(found.wrongly_rejected.size(), 1u);
     EXPECT_EQ(found.wrongly_rejected[0].test, 5u);
     EXPECT_EQ(found.wrongly_rejected[0].exact, Contact::overlapping);

@@ -8,6 +8,8 @@
 #include "core/judge/tree_check.h"
 #include "scb/error.h"
 #include "scb/kdop.h"
+#include "tests/core/fit/point_sets.h"
+#include "tests/core/overlap/volume_pairs.h"
 
 namespace scb {
 namespace {
@@ -262,6 +264,72 @@ TEST(NodeVolume, WhereThereIsNoExactTestThereIsNoVerdict) {
     leaning.rotation << cosine, 0, sine, 0, 1, 0, -sine, 0, cosine;
     EXPECT_FALSE(proven_verdict(below, above, leaning, 0));
     EXPECT_EQ(proven_verdict(below, above, Pose{}, 0)->contact, Contact::disjoint);
+}
+
+/// A random ball cut by two slabs, often by one or none.
+Scb2 random_cut_ball(Random& random) {
+    Scb2 scb;
+    scb.c = random_point(random);
+    scb.r = 0.1 + random.uniform();
+    const Mat3 axes = random_pose(random).rotation;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto end = [&] { return random.below(4) == 0 ? scb.r : scb.r * random.uniform(); };
+        scb.slabs[i] = {axes.col(static_cast<int>(i)), end(), -end()};
+    }
+    return scb;
+}
+
+TEST(NodeVolume, TheExactShapeOfACutBallReachesAsFarAsTheBall) {
+    Random random(31);
+    for (int i = 0; i < 2000; ++i) {
+        const Scb2 scb = random_cut_ball(random);
+        const ConvexShape shape = exact_shape(AnyVolume(scb));
+        for (int k = 0; k < 8; ++k) {
+            // Along a normal and an axis, too.
+            const Vec3 d = k == 0   ? scb.slabs[0].n
+                           : k == 1 ? long_axis(scb)
+                                    : Vec3(random_pose(random).rotation.col(0));
+            const Vec3 point = shape.support_point(d);
+            EXPECT_NEAR(dot(point, d), support(scb, d), 1e-14 * scb.r);
+            EXPECT_LE(excess(scb, scb.c + point), 1e-14);
+        }
+    }
+}
+
+TEST(NodeVolume, CutBallsAreJudgedByTheirDistance) {
+    Random random(32);
+    int near = 0, far = 0;
+    for (int i = 0; i < 500; ++i) {
+        const NodeVolume a = random_cut_ball(random), b = random_cut_ball(random);
+        Pose pose = random_pose(random);
+        pose.translation *= 3;
+        // The least distance of points of both is above their distance.
+        double least = HUGE_VAL;
+        const ConvexShape of_a = exact_shape(AnyVolume(std::get<Scb2>(a))),
+                          of_b = placed(exact_shape(AnyVolume(std::get<Scb2>(b))), pose);
+        for (int k = 0; k < 200; ++k) {
+            const Vec3 d = random_pose(random).rotation.col(0);
+            least =
+                std::min(least, std::sqrt(squared_norm(Vec3(of_b.center + of_b.support_point(-d) -
+                                                            of_a.center - of_a.support_point(d)))));
+        }
+        // The bound along the same directions is below it.
+        double bound = 0;
+        for (int k = 0; k < 200; ++k)
+            bound =
+                std::max(bound, proven_gap(of_a, of_b, Vec3(random_pose(random).rotation.col(0))));
+        const auto above = proven_verdict(a, b, pose, 0, 1.01 * least);
+        ASSERT_TRUE(above);
+        EXPECT_EQ(above->contact, Contact::overlapping);
+        ++near;
+        if (bound == 0) continue;
+        const auto below = proven_verdict(a, b, pose, 0, 0.99 * bound);
+        ASSERT_TRUE(below);
+        EXPECT_EQ(below->contact, Contact::disjoint);
+        ++far;
+    }
+    EXPECT_GT(near, 100);
+    EXPECT_GT(far, 100);
 }
 
 }  // namespace

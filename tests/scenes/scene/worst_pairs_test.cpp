@@ -69,7 +69,7 @@ TEST(WorstPairs, AreEachListedOnceAtTheirWorstFrame) {
         for (const WrongRejection& rejection : query.result.wrongly_rejected)
             raise(missed, rejection.test, rejection.missed);
         for (const PassedPair& pair : query.result.passed)
-            if (pair.reason == PassReason::weak_test && !pair.within_weak_test)
+            if (pair.reason == PassReason::weak_test && pair.within != PassReason::weak_test)
                 raise(wasted, pair.test, pair.below.volume_tests + pair.below.triangle_tests);
     }
     EXPECT_GT(ranked(missed)[4], 0u);

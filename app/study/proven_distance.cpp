@@ -1,0 +1,26 @@
+#include "app/study/proven_distance.h"
+
+namespace scb::app {
+
+MeshTree mesh_tree(const SceneQuery& query, std::size_t body) {
+    return {query.mesh(body), topology_of(query.hierarchy(body))};
+}
+
+CertifiedDistance certified_distance(const SceneQuery& query, const Pose& b_to_a,
+                                     const IndexPair& closest, double distance) {
+    const MeshTree a = mesh_tree(query, query.a), b = mesh_tree(query, query.b);
+    const DistanceCertificate certificate = make_certificate(a, b, b_to_a, closest);
+    CertifiedDistance result{check_distance(a, b, b_to_a, certificate),
+                             certificate.directions.size()};
+    result.certified = certifies(result.proven, distance);
+    return result;
+}
+
+bool is_certified(const SceneQuery& query, const QueryTrace& frame) {
+    if (!frame.nearest || frame.found.pairs.empty()) return false;
+    return certified_distance(query, frame.b_to_a, frame.found.pairs.front(),
+                              frame.nearest->distance)
+        .certified;
+}
+
+}  // namespace scb::app

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/app/inspect/inspect_run.h"
+
+namespace scb::app {
+namespace {
+
+using nlohmann::json;
+
+std::uint64_t sum_of(const json& by_reason) {
+    std::uint64_t sum = 0;
+    for (const json& one : by_reason)
+        sum += one.is_number() ? one.get<std::uint64_t>() : one["n_v"].get<std::uint64_t>();
+    return sum;
+}
+
+TEST(InspectDistance, AddsUpToWhatDistanceCounts) {
+    for (const char* options :
+         {"", "--volume ball --order depth-first", "--volume obb --relative-error 0.1",
+          "--within 0.1", "--volume rss --split paper --limit 0.2"}) {
+        const std::string arguments = "spheres-l1 --frames 0,10 " + std::string(options);
+        SCOPED_TRACE(arguments);
+        const json found = inspect("--no-advice --kind distance " + arguments),
+                   live = json::parse(run_scb("distance --json " + arguments).out);
+        ASSERT_EQ(found["frames"].size(), 2u);
+        const bool is_within = found["query"] == "within";
+        std::vector<std::string> reasons = {"test", "fit", "true"};
+        if (!is_within) reasons.emplace_back("early");
+        reasons.emplace_back("not_judged");
+        for (const json& frame : found["frames"]) {
+            json counts;
+            for (const json& other : live["frames"])
+                if (other["frame"] == frame["frame"]) counts = other;
+            for (const char* key : {"n_v", "n_p", is_within ? "pairs" : "distance"})
+                EXPECT_EQ(frame[key], counts[key]) << key;
+            EXPECT_EQ(frame["passed"], counts["stages"]["overlapping"]);
+            std::uint64_t passed = 0;
+            for (const std::string& reason : reasons) passed += count(frame, reason);
+            EXPECT_EQ(frame["passed"], passed);
+            EXPECT_EQ(frame["inner"].size(), reasons.size());
+            EXPECT_EQ(frame["wasted"]["n_v"], sum_of(frame["wasted_by"]));
+            EXPECT_EQ(frame["wasted_by"].size(), reasons.size() - 1);
+            EXPECT_EQ(frame["wrongly_rejected"], 0);
+            EXPECT_GT(frame["wasted"]["n_v"], 0);
+            // What does not apply to distances is not there.
+            for (const char* key : {"touching", is_within ? "distance" : "pairs"})
+                EXPECT_FALSE(frame.contains(key)) << key;
+            EXPECT_FALSE(frame["work"].contains("operations"));
+        }
+        std::uint64_t tests = 0, wasted = 0;
+        for (const json& depth : found["depths"]) {
+            tests += depth["n_v"].get<std::uint64_t>();
+            wasted += sum_of(depth["wasted_by"]);
+        }
+        EXPECT_EQ(found["sum"]["n_v"], tests);
+        EXPECT_EQ(found["sum"]["wasted"]["n_v"], wasted);
+        EXPECT_FALSE(found.contains("other_tests"));
+        if (is_within) continue;
+        const bool is_proven = arguments.find("error") == std::string::npos;
+        EXPECT_EQ(found["distances"], 2);
+        if (is_proven) EXPECT_EQ(found["certified"], 2);
+    }
+}
+
+TEST(InspectDistance, SaysWhatWasWastedAndWhatWouldHelp) {
+    const ProgramRun run =
+        run_scb("inspect spheres-l1 --frames 0,10 --kind distance --volume ball --full");
+    EXPECT_EQ(run.status, 0) << run.err;
+    for (const char* words :
+         {"A and B, ball", "2 of 2 distances certified.", "since bounds are too weak",
+          "before the distance was known", "led to the answer", "passed too early",
+          "what would have helped", "To use it:  scb distance spheres-l1 --frames 0,10"})
+        EXPECT_NE(run.out.find(words), std::string::npos) << words << run.out;
+    for (const char* words : {"operations", "overlap test", "true contact", "intersect"})
+        EXPECT_EQ(run.out.find(words), std::string::npos) << words;
+}
+
+TEST(InspectDistance, ItsCommandCountsWhatTheReportSays) {
+    for (const char* options : {"", "--within 0.1"}) {
+        const json settings = inspect("spheres-l1 --frames 0:20:10 --kind distance --volume ball " +
+                                      std::string(options))["settings"];
+        const json& best = settings["settings"][settings["best"].get<std::size_t>()];
+        const std::string command = settings["command"];
+        const json counted = json::parse(run_scb(command.substr(4) + " --json").out);
+        std::uint64_t n_v = 0, n_p = 0;
+        for (const json& frame : counted["frames"]) {
+            n_v += frame["n_v"].get<std::uint64_t>();
+            n_p += frame["n_p"].get<std::uint64_t>();
+        }
+        EXPECT_EQ(best["n_v"], n_v) << command;
+        EXPECT_EQ(best["n_p"], n_p) << command;
+        EXPECT_LT(best["cost"], settings["settings"][0]["cost"]);
+        const std::string timing = settings["timing"];
+        EXPECT_EQ(run_scb(timing.substr(4) + " --repeat 1").status, 0) << timing;
+    }
+}
+
+TEST(InspectDistance, BallsAreLooseAndBoundsOfBallsAreExact) {
+    const auto wasted = [](const std::string& volume) {
+        return inspect("spheres-l1 --frames 0 --kind distance --no-advice --volume " +
+                       volume)["sum"]["wasted_by"];
+    };
+    const json ball = wasted("ball"), scb2 = wasted("scb2");
+    EXPECT_EQ(ball["test"]["n_v"], 0) << "the bound of two balls is their distance";
+    EXPECT_GT(ball["fit"]["n_v"], 4 * scb2["fit"]["n_v"].get<std::uint64_t>());
+}
+
+TEST(InspectDistance, WritesAPageWithoutWhatDoesNotApply) {
+    const TemporaryFolder folder;
+    const ProgramRun run =
+        run_scb("inspect spheres-l1 --frames 0 --kind distance -o " + folder / "");
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::string page, frames, pairs;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path)) {
+        const std::string name = entry.path().filename().string();
+        std::stringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        if (name.ends_with(".html") && !name.ends_with("_view.html")) page = text.str();
+        if (name.ends_with("_frames.csv")) frames = text.str();
+        if (name.ends_with("_pairs.csv")) pairs = text.str();
+    }
+    for (const char* words : {"1 of 1 distance certified.", "bound too weak", "passed too early",
+                              "beyond the answer by", "_view.html#frame=0&amp;nodes="})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    for (const char* words : {"operations", "test too weak", "true contact", "scb explain"})
+        EXPECT_EQ(page.find(words), std::string::npos) << words;
+    EXPECT_TRUE(frames.starts_with("frame,distance,certified,n_v,n_p,passed,true,fit,test,early,"));
+    EXPECT_TRUE(pairs.starts_with("frame,node_a,node_b,depth_a,depth_b,reason,beyond,leaves,"));
+}
+
+TEST(InspectDistance, RefusesOptionsOfOverlap) {
+    for (const char* option : {"--test printed", "--max-pairs 5", "--layout quantized8"}) {
+        const ProgramRun run = run_scb("inspect spheres-l1 --kind distance " + std::string(option));
+        EXPECT_NE(run.status, 0) << option;
+        EXPECT_NE(run.err.find("it is for queries of overlap"), std::string::npos) << run.err;
+    }
+    EXPECT_NE(run_scb("inspect spheres-l1 --order nearest").status, 0);
+}
+
+}  // namespace
+}  // namespace scb::app
