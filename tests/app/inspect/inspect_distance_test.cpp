@@ -39,7 +39,7 @@ TEST(InspectDistance, AddsUpToWhatDistanceCounts) {
                 if (other["frame"] == frame["frame"]) counts = other;
             for (const char* key : {"n_v", "n_p", is_within ? "pairs" : "distance"})
                 EXPECT_EQ(frame[key], counts[key]) << key;
-            EXPECT_EQ(frame["passed"], counts["stages"]["overlapping"]);
+            EXPECT_EQ(frame["passed"], counts["stages"]["near"]);
             std::uint64_t passed = 0;
             for (const std::string& reason : reasons) passed += count(frame, reason);
             EXPECT_EQ(frame["passed"], passed);
@@ -64,7 +64,9 @@ TEST(InspectDistance, AddsUpToWhatDistanceCounts) {
         if (is_within) continue;
         const bool is_proven = arguments.find("error") == std::string::npos;
         EXPECT_EQ(found["distances"], 2);
-        if (is_proven) EXPECT_EQ(found["certified"], 2);
+        if (is_proven) {
+            EXPECT_EQ(found["certified"], 2);
+        }
     }
 }
 
