@@ -98,17 +98,17 @@ class DistanceRun {
     }
 
     /// Times the base and the quickest settings; `frames` are set to indices.
-    std::optional<std::vector<DistanceRow>> time(std::vector<std::size_t>& frames) {
+    std::optional<std::vector<TimedSetting>> time(std::vector<std::size_t>& frames) {
         const std::vector<Trial> timed = timed_trials();
         double ms = 0;
         for (const Trial& trial : timed) ms += trial.ms;
         // Each timed query follows an untimed one.
         frames = spread(subject_.frames(), most_timed_ms / (2 * options_.repeats * ms));
         BuiltSettings built(subject_);
-        std::vector<DistanceRow> rows;
+        std::vector<TimedSetting> rows;
         for (const Trial& trial : timed) {
             built.add(trial.setting);
-            DistanceRow& row = rows.emplace_back();
+            TimedSetting& row = rows.emplace_back();
             row.setting = trial.setting;
             built.with(rows.size() - 1, [&](const auto& of) {
                 row.bytes_per_triangle = subject_.bytes_per_triangle(of);

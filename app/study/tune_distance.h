@@ -12,7 +12,7 @@ struct DistanceSetting {
 };
 
 /// A setting that was timed.
-struct DistanceRow {
+struct TimedSetting {
     DistanceSetting setting;
     std::uint64_t n_v = 0, n_p = 0;  ///< over the timed frames
     double bytes_per_triangle = 0;   ///< of the hierarchies of both bodies, topology included
@@ -28,12 +28,12 @@ struct DistanceTuning {
     std::vector<int> frames;             ///< that were timed
     BuildOptions build;                  ///< without split and growth, which settings have
     DistanceQuery asked;
-    std::size_t tried = 0;          ///< settings
-    std::vector<DistanceRow> rows;  ///< the base first, then the quickest first by the median
-    int runs = 0;                   ///< of each timed query
-    std::string no_layouts;         ///< a sentence: why no layout was tried
+    std::size_t tried = 0;           ///< settings
+    std::vector<TimedSetting> rows;  ///< the base first, then the quickest first by the median
+    int runs = 0;                    ///< of each timed query
+    std::string no_layouts;          ///< a sentence: why no layout was tried
 
-    const DistanceRow& base() const { return rows[0]; }
+    const TimedSetting& base() const { return rows[0]; }
     /// The quickest row whose runs were all quicker than all runs of the base; the base if there is
     /// none.
     std::size_t best() const;

@@ -43,11 +43,11 @@ std::string ms_text(const DistanceTuning& tuning, const TimeInterval& ms) {
                             : format("%.4f [%.4f, %.4f]", ms.median, ms.low, ms.high);
 }
 
-double time_of_base(const DistanceTuning& tuning, const DistanceRow& row) {
+double time_of_base(const DistanceTuning& tuning, const TimedSetting& row) {
     return ratio(row.ms.median, tuning.base().ms.median, 1);
 }
 
-std::string row_text(const DistanceTuning& tuning, const DistanceRow& row) {
+std::string row_text(const DistanceTuning& tuning, const TimedSetting& row) {
     const DistanceSetting& s = row.setting;
     const auto mean = [&](std::uint64_t sum) {
         return right_aligned(render::mean_text(sum, tuning.frames.size()), 12);
@@ -66,11 +66,11 @@ std::string row_text(const DistanceTuning& tuning, const DistanceRow& row) {
 }
 
 /// Counts the timed settings without a measurable difference from the row.
-std::string alike_text(const DistanceTuning& tuning, const DistanceRow& row) {
+std::string alike_text(const DistanceTuning& tuning, const TimedSetting& row) {
     if (tuning.runs == 1)
         return "; one run, which cannot tell small differences from none: --repeat 5 can";
     std::size_t alike = 0;
-    for (const DistanceRow& other : tuning.rows)
+    for (const TimedSetting& other : tuning.rows)
         alike += &other != &row && !apart(other.ms, row.ms);
     if (alike == 0) return "";
     return format("; no measurable difference from %zu other%s of those timed", alike,
@@ -78,7 +78,7 @@ std::string alike_text(const DistanceTuning& tuning, const DistanceRow& row) {
 }
 
 std::string best_text(const DistanceTuning& tuning) {
-    const DistanceRow& best = tuning.rows[tuning.best()];
+    const TimedSetting& best = tuning.rows[tuning.best()];
     std::string text = format("Best of %zu settings: ", tuning.tried);
     if (tuning.best() == 0)
         return text + "the base, " + setting_words(tuning, best.setting) +
@@ -169,7 +169,7 @@ std::string distance_tune_table(const DistanceTuning& tuning) {
         "  volume      split      order        layout      leaf         N_v         N_p   B/tri  "
         "build ms    /base  " +
         (tuning.runs == 1 ? "ms, one run" : "ms [least, most]") + "\n";
-    for (const DistanceRow& row : tuning.rows) text += row_text(tuning, row);
+    for (const TimedSetting& row : tuning.rows) text += row_text(tuning, row);
     text += "\n" + best_text(tuning);
     return text + (tuning.no_layouts.empty() ? "" : tuning.no_layouts + "\n");
 }
@@ -179,7 +179,7 @@ Json distance_tune_json(const DistanceTuning& tuning) {
         return static_cast<double>(sum) / static_cast<double>(tuning.frames.size());
     };
     Json settings = Json::array();
-    for (const DistanceRow& row : tuning.rows) {
+    for (const TimedSetting& row : tuning.rows) {
         const DistanceSetting& setting = row.setting;
         const TuneSetting& hierarchy = setting.hierarchy;
         Json entry = {{"volume", volume_kind_name(hierarchy.volume)},

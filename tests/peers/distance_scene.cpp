@@ -18,16 +18,6 @@ double distance_at(const DistanceBodies& bodies, const Pose& b_to_a) {
         .found.distance;
 }
 
-/// The mesh, scaled and moved so that its box is centered and its longest side is 1.
-Mesh normalized(const Mesh& mesh) {
-    const Box box = bounding_box(mesh);
-    const double scale = 1 / (box.upper - box.lower).maxCoeff();
-    const Vec3 middle = (box.lower + box.upper) / 2;
-    Mesh result = mesh;
-    for (Vec3& vertex : result.vertices) vertex = scale * (vertex - middle);
-    return result;
-}
-
 /// Random poses of B in which the bodies are this far apart.
 std::vector<PeerPoses> poses_at_gap(const DistanceBodies& bodies, double gap, std::size_t count) {
     Random random(7);
@@ -55,6 +45,15 @@ std::vector<PeerPoses> poses_at_gap(const DistanceBodies& bodies, double gap, st
 }
 
 }  // namespace
+
+Mesh normalized(const Mesh& mesh) {
+    const Box box = bounding_box(mesh);
+    const double scale = 1 / (box.upper - box.lower).maxCoeff();
+    const Vec3 middle = (box.lower + box.upper) / 2;
+    Mesh result = mesh;
+    for (Vec3& vertex : result.vertices) vertex = scale * (vertex - middle);
+    return result;
+}
 
 DistanceScene scene_of_gaps(const Mesh& mesh, const std::vector<double>& gaps, std::size_t poses) {
     const Mesh scaled = normalized(mesh);

@@ -21,6 +21,9 @@ struct DistanceScene {
     std::vector<Row> rows;
 };
 
+/// The mesh, scaled and moved so that its box is centered and its longest side is 1.
+Mesh normalized(const Mesh& mesh);
+
 /// Two copies of a mesh whose longest side is scaled to 1: for each gap, in these units, random
 /// poses of B with this distance, to 1e-6 of the gap. The same on every machine.
 DistanceScene scene_of_gaps(const Mesh& mesh, const std::vector<double>& gaps, std::size_t poses);
