@@ -47,7 +47,7 @@ render::SceneFigure heat_figure(const QueryView& view, const QuerySource& source
     std::vector<bool> wasted;
     if (options.of == HeatOf::wasted)
         wasted = is_of_distance(source.header().kind)
-                     ? wasted_tests(frame.steps, source.attribution(frame))
+                     ? wasted_tests(source.attribution(frame))
                      : wasted_tests(frame.steps, outcomes_of(source.header(), frame));
     const render::Heat heat =
         render::heat_of(bodies, frame, *options.of, options.scale_end(), wasted);

@@ -1,5 +1,7 @@
 #include "app/study/near_query.h"
 
+#include "scb/any_distance.h"
+
 namespace scb::app {
 namespace {
 

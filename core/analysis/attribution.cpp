@@ -170,7 +170,8 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
         result.passed.push_back(pair);
     }
     for (const ItemStep& test : frame.steps.items)
-        if (!test.neighbors) add_waste(counts, below_pair[test.step], {0, 1});
+        if (!test.neighbors && test.step != no_step)
+            add_waste(counts, below_pair[test.step], {0, 1});
     return result;
 }
 

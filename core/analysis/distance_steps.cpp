@@ -16,9 +16,9 @@
 namespace scb {
 namespace {
 
-/// The pairs of triangles that are as near as the answer, up to rounding. Triangles with the closest
-/// vertex in common count, though each distance is rounded its own way. A query may end before it
-/// has seen all of these pairs.
+/// The pairs of triangles that are as near as the answer, up to rounding. Triangles with the
+/// closest vertex in common count, though each distance is rounded its own way. A query may end
+/// before it has seen all of these pairs.
 std::vector<IndexPair> nearest_pairs(const AnyHierarchy& a, const Mesh& mesh_a,
                                      const AnyHierarchy& b, const Mesh& mesh_b,
                                      const TraceHeader& header, const QueryTrace& frame) {

@@ -3,25 +3,12 @@
 #include <cassert>
 
 namespace scb {
-namespace {
-
-/// Whether a test that is not one of these led to the test.
-std::vector<bool> led_to_by_others(const Steps& steps, const std::vector<bool>& these) {
-    std::vector<bool> result(these.size());
-    for (std::size_t i = 0; i < these.size(); ++i) {
-        const std::uint32_t parent = steps.volumes[i].parent;
-        result[i] = parent != no_step && !these[parent];
-    }
-    return result;
-}
-
-}  // namespace
 
 std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes) {
     const auto is_true = [](Stage outcome) {
         return outcome == Stage::triangles_meet || outcome == Stage::found;
     };
-    std::vector<bool> meets(outcomes.size());
+    std::vector<bool> meets(outcomes.size()), wasted(outcomes.size());
     // A self query must reach neighbors, as it must reach triangles that meet.
     for (const ItemStep& test : steps.items)
         if ((test.hit || test.neighbors) && test.step != no_step) meets[test.step] = true;
@@ -31,14 +18,18 @@ std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes) {
         if (const std::uint32_t parent = steps.volumes[i].parent; meets[i] && parent != no_step)
             meets[parent] = true;
     }
-    return led_to_by_others(steps, meets);
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+        const std::uint32_t parent = steps.volumes[i].parent;
+        wasted[i] = parent != no_step && !meets[parent];
+    }
+    return wasted;
 }
 
-std::vector<bool> wasted_tests(const Steps& steps, const Attribution& verdicts) {
-    std::vector<bool> useful(steps.volumes.size());
-    for (const PassedPair& pair : verdicts.passed)
-        useful[pair.test] = pair.reason == PassReason::triangles_meet;
-    return led_to_by_others(steps, useful);
+std::vector<bool> wasted_tests(const Attribution& verdicts) {
+    std::vector<bool> wasted;
+    for (const PassReason reason : verdicts.wasted_by)
+        wasted.push_back(reason != PassReason::triangles_meet);
+    return wasted;
 }
 
 std::vector<std::uint32_t> triangle_heat(const Steps& steps, const TreeShape& shape,

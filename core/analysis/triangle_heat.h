@@ -19,9 +19,8 @@ enum class HeatOf {
 /// For each volume test of a query, whether it is wasted: no triangles intersect below the pair
 /// that led to it.
 std::vector<bool> wasted_tests(const Steps& steps, const Outcomes& outcomes);
-/// The same for a query of distances, by the verdicts of distance_steps.h: no triangles below the
-/// pair are as near as the answer.
-std::vector<bool> wasted_tests(const Steps& steps, const Attribution& verdicts);
+/// The same by the verdicts on the query's tests, see Attribution::wasted_by.
+std::vector<bool> wasted_tests(const Attribution& verdicts);
 
 /// For each triangle of A (`side` 0) or B (1), the number of tests of the query in which it took
 /// part. `shape`: of the body's tree. `wasted`: wasted_tests, needed for HeatOf::wasted only.

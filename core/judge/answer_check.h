@@ -14,8 +14,9 @@ struct QueryTruth {
     QueryTruth(std::vector<IndexPair> found) : pairs(std::move(found)) {}
 
     /// All intersecting pairs of finite triangles or, in a query within a tolerance, all pairs
-    /// within it, and in a distance query all pairs as near as the closest; sorted. In a self query the pairs of SelfPairs; for objects the pairs of
-    /// object_contacts; empty if only one side has a mesh.
+    /// within it, and in a distance query all pairs as near as the closest; sorted. In a self query
+    /// the pairs of SelfPairs; for objects the pairs of object_contacts; empty if only one side has
+    /// a mesh.
     std::vector<IndexPair> pairs;
     /// Of a distance query: the smallest distance, and two triangles that have it.
     double distance = HUGE_VAL;

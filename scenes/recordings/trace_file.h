@@ -59,8 +59,8 @@ class TraceWriter {
     explicit TraceWriter(const TraceHeader& header);
 
     /// Frames must be added ascending by number, each once, as recorded by collide, distance or
-    /// within: counts other than N_u are not stored, since they follow from the tests. Throws InputError if the frame
-    /// has more than 2^31 volume tests, or takes more than 2^31 bytes.
+    /// within: counts other than N_u are not stored, since they follow from the tests. Throws
+    /// InputError if the frame has more than 2^31 volume tests, or takes more than 2^31 bytes.
     void add(const QueryTrace& frame);
     /// The whole file. Nothing may be added after it.
     std::vector<std::uint8_t> finish();

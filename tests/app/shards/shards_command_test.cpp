@@ -340,8 +340,9 @@ TEST_F(BadShards, NumbersOfAnotherQueryAreRefused) {
     make_shards(inspect, 2);
     const std::string file = parts + "/shards/1-of-2.json", good = file_text(file);
     for (const char* place :
-         {"/loose_fits/0/test/nodes/a", "/loose_fits/0/test/stage", "/loose_fits/0/pair/exact",
-          "/loose_fits/0/pair/reason", "/loose_fits/0/frame", "/frames/0/frame"}) {
+         {"/worst/0/outermost/0/test/nodes/a", "/worst/0/outermost/0/test/stage",
+          "/worst/0/outermost/0/pair/exact", "/worst/0/outermost/0/pair/reason",
+          "/worst/0/outermost/0/frame", "/frames/0/frame"}) {
         write_text(file, good);
         change("1-of-2.json", [&](json& shard) {
             json& number = shard["parts"][0]["made"][json::json_pointer(place)];

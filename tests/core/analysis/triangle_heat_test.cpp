@@ -63,7 +63,7 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
         const Attribution attribution =
             attribute(hierarchy, hierarchy, header, frame, frame.found.pairs);
         EXPECT_EQ(count, attribution.counts.wasted.volume_tests);
-        EXPECT_EQ(wasted_tests(frame.steps, attribution), wasted);
+        EXPECT_EQ(wasted_tests(attribution), wasted);
     }
 }
 

@@ -31,6 +31,9 @@ TEST(DistanceFigure, CountsPairsThatWereDividedInVain) {
     DistanceSteps steps;
     steps.answer = 1;
     steps.bounds = {0, 0.5, 0.5, 2, 1.5};
+    steps.exact = {Contact::overlapping, Contact::overlapping, Contact::overlapping,
+                   Contact::disjoint, Contact::overlapping};
+    steps.gaps = {0, 0, 0, 1, 0};
     steps.nearest = {1, 1, 0, 0, 0};
     const Mesh mesh{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()}, {{0, 1, 2}}};
     QueryBodies bodies;
