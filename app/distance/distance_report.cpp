@@ -87,8 +87,12 @@ void DistanceReport::add_distance(Bodies& bodies, int frame) {
     bodies.line.distances.push_back(found.triangles ? found.found.distance
                                                     : std::numeric_limits<double>::quiet_NaN());
     bodies.near.add(frame, found.triangles && (asked().within || found.found.distance == 0));
-    if (found.triangles && (!least_ || found.found.distance < least_->found.found.distance))
-        least_ = {found, frame, {query_.a, query_.b}};
+    const auto keep_least = [&](std::optional<Least>& least) {
+        if (!least || found.found.distance < least->found.found.distance)
+            least = {found, frame, {query_.a, query_.b}};
+    };
+    if (found.triangles) keep_least(least_);
+    if (found.triangles && found.found.distance > 0) keep_least(least_apart_);
     found_ += found.triangles.has_value();
     // A query that ends at the first pair says nothing about the others.
     const bool is_apart = !found.triangles || (!options_.first && found.found.distance > 0);
@@ -235,14 +239,11 @@ std::string DistanceReport::title() const {
     return text + "\n\n";
 }
 
-std::string DistanceReport::least_words() {
-    if (!least_) return "";
-    const auto& [found, frame, bodies] = *least_;
+std::string DistanceReport::words_of(const Least& least, const std::string& name) {
+    const auto& [found, frame, bodies] = least;
     query_.choose(bodies);
     const std::string a = body_name(query_, query_.a), b = body_name(query_, query_.b);
-    std::string text =
-        asked().within ? "\nThe first pair that is near enough: " : "\nLeast distance: ";
-    text += format("%.9g", found.found.distance);
+    std::string text = "\n" + name + format(": %.9g", found.found.distance);
     if (frames_ > 1) text += format(" in frame %d", frame);
     text += ", of triangle " + std::to_string(found.triangles->a) + " of " + a + " and triangle " +
             std::to_string(found.triangles->b) + " of " + b + ".\n";
@@ -251,13 +252,21 @@ std::string DistanceReport::least_words() {
     return text;
 }
 
+std::string DistanceReport::least_words() {
+    if (!least_) return "";
+    if (asked().within) return words_of(*least_, "The first pair that is near enough");
+    const bool meet = least_->found.found.distance == 0;
+    return words_of(*least_, "Least distance") +
+           (meet && least_apart_ ? words_of(*least_apart_, "Least distance of bodies apart") : "");
+}
+
 std::string DistanceReport::proof_words() const {
     if (!options_.prove) return "";
     const std::size_t all = proven_ + not_proven_;
     return "\n" + format("Proven: %zu of %zu ", proven_, all) +
            (all == 1 ? "distance" : "distances") +
-           ", by bounds that differ by at most 1e-9 of the distance and 4 units in the last place "
-           "of the coordinates.\n";
+           ", by bounds that differ by at most 1e-9 of the distance plus 4 x 2^-52 of the largest "
+           "coordinate.\n";
 }
 
 std::string DistanceReport::inside_text() const {

@@ -81,6 +81,7 @@ class DistanceReport {
     std::vector<Cell> mean_cells() const;
     std::string title() const;
     std::string least_words();
+    std::string words_of(const Least& least, const std::string& name);
     std::string inside_text() const;
     std::string proof_words() const;
     std::string near_words();
@@ -92,12 +93,12 @@ class DistanceReport {
     Table table_;
     std::string pairs_;
     nlohmann::ordered_json json_frames_ = nlohmann::ordered_json::array();
-    std::deque<Bodies> bodies_;  ///< per pair of bodies
-    std::optional<Least> least_;
-    std::size_t frames_ = 0;                   ///< whole frames
-    std::size_t proven_ = 0, not_proven_ = 0;  ///< distances
-    std::uint64_t found_ = 0;                  ///< pairs of triangles within the tolerance
-    Distance work_;                            ///< the sums of the counts
+    std::deque<Bodies> bodies_;                 ///< per pair of bodies
+    std::optional<Least> least_, least_apart_;  ///< of all queries; of bodies that are apart
+    std::size_t frames_ = 0;                    ///< whole frames
+    std::size_t proven_ = 0, not_proven_ = 0;   ///< distances
+    std::uint64_t found_ = 0;                   ///< pairs of triangles within the tolerance
+    Distance work_;                             ///< the sums of the counts
 };
 
 }  // namespace scb::app

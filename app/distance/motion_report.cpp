@@ -78,15 +78,16 @@ void MotionReport::add(int from, int to, const std::function<bool()>& is_interru
 }
 
 Table MotionReport::table() const {
+    const int digits = digits_of(options_.tolerance);
+    const auto wide = static_cast<std::size_t>(std::max(14, digits + 8));
     Table table({{"from", "from", 6},
                  {"to", "to", 6},
                  {"contact", "contact", 10},
-                 {"not before", "not_before", 14},
-                 {"at the latest", "at_latest", 14},
+                 {"not before", "not_before", wide},
+                 {"at the latest", "at_latest", wide},
                  {"least measured", "least_measured", 15},
                  {"at", "time_of_least", 12},
                  {"distances", "distances", 10}});
-    const int digits = digits_of(options_.tolerance);
     for (const Step& step : steps_) {
         std::vector<Cell> cells = {step.from, step.to, Cell(name_of(step.found.outcome))};
         const bool has_times = step.found.outcome != ContactOutcome::none;
@@ -125,6 +126,14 @@ std::string MotionReport::sentences() const {
     else
         text = "\nFirst contact: not before the time " + from + ", and at the latest at " + to +
                ", in frames.\n";
+    const auto wide = std::count_if(steps_.begin(), steps_.end(), [this](const Step& step) {
+        return step.has_contact() &&
+               step.found.at_latest - step.found.not_before > 1.001 * options_.tolerance;
+    });
+    if (wide > 0)
+        text +=
+            format("The rounding of numbers keeps %d of the intervals wider than the tolerance.\n",
+                   static_cast<int>(wide));
     std::string jumped;
     for (const Step& step : steps_)
         if (step.is_jumped())

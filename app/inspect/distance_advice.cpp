@@ -65,11 +65,17 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
     const DistanceMethod &best = advice.trial.best().method, &present = advice.trial.rows[0].method;
     advice.command = "scb distance" + scene + options.of_distances +
                      method_options(best, advice.trial.is_within);
-    std::string volumes(volume_kind_name(present.volume));
-    if (best.volume != present.volume) volumes += "," + std::string(volume_kind_name(best.volume));
-    advice.timing = "scb bench" + scene + " --kind distance" + options.of_distances + " --volume " +
-                    volumes + " --split " + std::string(split_method_name(best.split)) +
-                    (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
+    const auto both = [](std::string_view of_present, std::string_view of_best) {
+        std::string text(of_present);
+        if (of_best != of_present) text += "," + std::string(of_best);
+        return text;
+    };
+    advice.timing =
+        "scb bench" + scene + " --kind distance" + options.of_distances + " --volume " +
+        both(volume_kind_name(present.volume), volume_kind_name(best.volume)) + " --split " +
+        both(split_method_name(present.split), split_method_name(best.split)) +
+        (advice.trial.is_within ? "" : " --order " + std::string(distance_order_name(best.order))) +
+        (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
     return advice;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -52,7 +53,11 @@ std::string explain_command(const scenes::ProblemCase& problem,
 /// Notes on a recording: what the report lacks, and the next commands.
 void note_next(const scenes::RecordingJudgement& judged, const InspectOptions& options,
                const Console& console) {
-    if (judged.wrong() && !options.draws())
+    const bool has_pictures =
+        !judged.test_problems.empty() || !judged.missed.empty() || !judged.false_pairs.empty() ||
+        std::any_of(judged.trees.begin(), judged.trees.end(),
+                    [](const scenes::TreeJudgement& tree) { return !tree.problems.empty(); });
+    if (judged.wrong() && has_pictures && !options.draws())
         console.note("scb: `scb inspect" + options.of_scene +
                      " -o out` draws the first of each kind of what is wrong.");
     const scenes::ProblemCase* const at_fault = explainable(judged.test_problems);

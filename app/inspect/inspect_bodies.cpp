@@ -47,7 +47,7 @@ void mark_nearest(QueryTrace& frame, const Attribution& attribution) {
     std::vector<bool> leads(frame.steps.volumes.size());
     for (const PassedPair& pair : attribution.passed)
         leads[pair.test] = pair.reason == PassReason::triangles_meet;
-    for (ItemStep& item : frame.steps.items) item.hit = leads[item.step];
+    for (ItemStep& item : frame.steps.items) item.hit = item.step != no_step && leads[item.step];
 }
 
 }  // namespace

@@ -118,9 +118,9 @@ std::string tests_text(const RecordingJudgement& judged) {
     std::size_t width = 5;
     for (const auto& stage : judged.stages)
         width = std::max(width, character_count(name_of(stage)));
-    std::string text = "Tests" + std::string(width - 3, ' ') + "      tests    false    wrong   " +
-                       by_aim(judged, "deep in each other", "nearer than the answer") +
-                       ", at least\n";
+    std::string text =
+        "Tests" + std::string(width - 3, ' ') + "      tests    false    wrong   " +
+        by_aim(judged, "deep in each other, at least", "volumes nearer than the answer by") + "\n";
     for (const auto& stage : judged.stages) {
         text +=
             "  " + left_aligned(name_of(stage), width) +
@@ -338,7 +338,7 @@ std::string recording_text(const InspectedRecording& recording,
     text += trees_text(judged, top, cases) + tests_text(judged) +
             groups_text("Tests that went wrong", judged.test_problems, cases) +
             tolerance_text(judged) + results_text(judged) +
-            groups_text("Wrong distances", judged.answers, cases) +
+            groups_text("Wrong answers", judged.answers, cases) +
             groups_text("Missed pairs, by cause", judged.missed, cases) +
             groups_text("False pairs, by cause", judged.false_pairs, cases) +
             log_text(judged, top) + waste_text(judged) + frames_text(judged, top);

@@ -163,7 +163,7 @@ void add_diff(const Command& program, const Console& console, Action& action) {
         "1 different, 2 a file is neither a trace nor a recording. The versions of scb and the "
         "names of recordings are not compared.\n"
         "Distances are equal if they differ by rounding only: 4 x 2^-52 of the largest coordinate. "
-        "Two kinds of queries are refused.\n\n"
+        "Traces of different kinds are refused.\n\n"
         "Example:\n"
         "  scb trace spheres-l1 --frames 250 --test corrected -o corrected.scbrec\n"
         "  scb trace spheres-l1 --frames 250 --test printed -o printed.scbrec\n"

@@ -25,7 +25,7 @@ std::string wrong_words(const RecordingJudgement& judged) {
     add(judged.poses.size(), "query that fits another pose", "queries that fit another pose");
     add(tests, "test that went wrong", "tests that went wrong");
     for (const ProblemGroup& group : judged.answers) answers += group.count;
-    add(answers, "wrong distance", "wrong distances");
+    add(answers, "wrong answer", "wrong answers");
     add(judged.total(&FrameJudgement::missed), "pair missed", "pairs missed");
     add(judged.total(&FrameJudgement::false_pairs), "false pair", "false pairs");
     add(judged.odd.count, "record that contradicts its tree",

@@ -143,7 +143,9 @@ std::optional<DistanceTrial> try_distances(const SceneQuery& query, const std::v
                method.order == present.order;
     };
     const std::vector<PackedLayout> layouts = widest_layouts();
-    progress.begin("settings counted", 1 + volumes.size() + (is_within ? 0 : 4) + layouts.size());
+    const std::size_t seeds = is_within || frames.size() < 2 ? 1 : 2;
+    progress.begin("settings counted",
+                   1 + volumes.size() + (is_within ? 0 : 3) + seeds * layouts.size());
     if (!run.count(present)) return std::nullopt;
     DistanceMethod method = present;
     method.split = SplitMethod::cost;
@@ -165,16 +167,16 @@ std::optional<DistanceTrial> try_distances(const SceneQuery& query, const std::v
     }
     DistanceMethod packed{VolumeKind::scb2};
     packed.order = method.order;
-    try {
-        for (const PackedLayout& layout : layouts) {
-            packed.layout = layout;
-            packed.seeded = !is_within && frames.size() > 1;
-            if (!run.count(packed)) return std::nullopt;
-            packed.seeded = false;
-            if (!is_within && frames.size() > 1 && !run.count(packed)) return std::nullopt;
+    for (const PackedLayout& layout : layouts) {
+        packed.layout = layout;
+        try {
+            for (std::size_t seeded = 0; seeded < seeds; ++seeded) {
+                packed.seeded = seeded > 0;
+                if (!run.count(packed)) return std::nullopt;
+            }
+        } catch (const InputError&) {
+            // The layout cannot hold a mesh.
         }
-    } catch (const InputError&) {
-        // The layout cannot hold a mesh.
     }
     DistanceTrial trial{frames, std::move(run.rows), run.tried, is_within};
     std::stable_sort(trial.rows.begin() + 1, trial.rows.end(),

@@ -42,6 +42,7 @@ class Checks {
     void operator()(const FalsePair& pair) const {
         (*this)(pair.frame, pair.test);
         (*this)(static_cast<std::size_t>(pair.pair.reason) < pass_reason_count);
+        (*this)(static_cast<std::size_t>(pair.pair.within) < pass_reason_count);
         (*this)(pair.pair.exact);
     }
     void operator()(const WronglyRejectedPair& pair) const {

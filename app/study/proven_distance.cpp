@@ -18,6 +18,7 @@ CertifiedDistance certified_distance(const SceneQuery& query, const Pose& b_to_a
 
 bool is_certified(const SceneQuery& query, const QueryTrace& frame) {
     if (!frame.nearest || frame.found.pairs.empty()) return false;
+    if (query.distance && query.distance->limits.relative_error > 0) return false;
     return certified_distance(query, frame.b_to_a, frame.found.pairs.front(),
                               frame.nearest->distance)
         .certified;

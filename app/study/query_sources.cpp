@@ -66,7 +66,7 @@ void check_comparable(const QuerySources& sources) {
             throw InputError("the traces are of other scenes, bodies or meshes (" + text_of(a) +
                              "; " + text_of(b) + "); give two of one scene.");
     if (a.kind != b.kind && (is_of_distance(a.kind) || is_of_distance(b.kind)))
-        throw InputError("the queries of the two are of other kinds (" +
+        throw InputError("the two inputs have queries of different kinds (" +
                          std::string(query_kind_name(a.kind)) + ", " +
                          std::string(query_kind_name(b.kind)) + "); give two of one kind.");
     if (pairs_are_nodes(a) != pairs_are_nodes(b) || a.options.stop_level != b.options.stop_level)

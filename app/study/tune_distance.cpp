@@ -224,11 +224,11 @@ class DistanceRun {
         const double& least = least_[setting.layout.has_value()];
         for (const DistanceOrder order : options_.asked.within ? none : std::span(orders)) {
             setting.order = order;
+            ++tried;
             const double ms = try_setting(built, setting);
             if (progress_.ends()) return false;
             if (!has_base_hierarchy(setting) && ms > hopeless_at * least) break;
         }
-        tried += options_.asked.within ? 1 : orders.size();
         return true;
     }
 

@@ -67,8 +67,7 @@ std::string row_text(const DistanceTuning& tuning, const TimedSetting& row) {
 
 /// Counts the timed settings without a measurable difference from the row.
 std::string alike_text(const DistanceTuning& tuning, const TimedSetting& row) {
-    if (tuning.runs == 1)
-        return "; one run, which cannot tell small differences from none: --repeat 5 can";
+    if (tuning.runs == 1) return "; one run shows no small differences, and --repeat 5 does";
     std::size_t alike = 0;
     for (const TimedSetting& other : tuning.rows)
         alike += &other != &row && !apart(other.ms, row.ms);

@@ -71,7 +71,9 @@ DistanceSteps distance_steps(const AnyHierarchy& a, const Mesh& mesh_a, const An
                              const QueryTrace& frame) {
     DistanceSteps result;
     result.answer = answer_of(header, frame);
-    result.reach = result.answer / (1 + header.distance.relative_error);
+    result.reach = result.answer;
+    // The query divides a distance that it found, and no limit.
+    if (frame.nearest) result.reach /= 1 + header.distance.relative_error;
     with_both(a, b, [&]<class V>(const Hierarchy<V>& of_a, const Hierarchy<V>& of_b) {
         const Placement placed = query_placement(of_a, of_b, frame.b_to_a);
         result.bounds.reserve(frame.steps.volumes.size());

@@ -311,7 +311,7 @@ TraceDiff diff(const TraceHeader& a, const QueryTraces& frames_a, const TraceHea
         if (a.kind == QueryKind::distance) {
             difference.nearest_a = nearest_of(*frame_a);
             difference.nearest_b = nearest_of(*frame_b);
-            difference.rounding = frame_a->rounding;
+            difference.rounding = std::max(frame_a->rounding, frame_b->rounding);
             difference.meshes_differ = result.meshes_differ;
         }
         std::optional<std::size_t> test;

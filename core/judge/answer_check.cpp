@@ -140,12 +140,13 @@ class AnswerCheck {
         return {away(of_a, a), away(of_b, b)};
     }
 
-    void check_points(bool has_items) {
+    void check_points(bool has_known_items) {
         const auto& [of_a, of_b] = *query_.answer->points;
         if (!is_usable(of_a) || !is_usable(of_b)) return add(AnswerFault::points_not_finite);
         const Pose to_a = relative_pose(query_.a_to_world, Pose{});
         const Vec3 in_a = transform_point(to_a, of_a), in_a_of_b = transform_point(to_a, of_b);
-        if (has_items && are_finite(query_, query_.answer->items)) {
+        const bool has_items = has_known_items && are_finite(query_, query_.answer->items);
+        if (has_items) {
             const auto fits = [&](const Vec3& a, const Vec3& b) {
                 const std::array<double, 2> far = outside(a, b);
                 return std::max(far[0], far[1]) <= tolerance_;
@@ -157,8 +158,9 @@ class AnswerCheck {
                 if (fits(of_a, of_b)) return add(AnswerFault::points_in_frame_of_a);
                 const std::array<double, 2> far = outside(in_a, in_a_of_b);
                 add(AnswerFault::point_outside);
-                problems_.back().side = far[0] > tolerance_ ? 0 : 1;
-                problems_.back().amount = far[problems_.back().side];
+                const std::uint32_t side = far[0] > tolerance_ ? 0 : 1;
+                problems_.back().side = side;
+                problems_.back().amount = far[side];
                 return;
             }
         }
@@ -166,6 +168,11 @@ class AnswerCheck {
         if (has_distance(between)) return;
         add(AnswerFault::points_apart);
         problems_.back().exact = between;
+        if (!has_items) return;
+        const auto [a, b] = triangles(query_.answer->items);
+        const bool is_near_b = has_distance(away(in_a, b)),
+                   is_near_a = has_distance(away(in_a_of_b, a));
+        if (is_near_a != is_near_b) problems_.back().side = is_near_b ? 1 : 0;
     }
 
     const EngineQuery& query_;

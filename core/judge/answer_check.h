@@ -58,8 +58,10 @@ struct AnswerProblem {
     AnswerFault fault{};
     double recorded = 0, exact = 0;  ///< distances
     IndexPair items{no_index, no_index};
-    std::uint32_t side = 0;  ///< point_outside: 0 for A, 1 for B
-    double amount = 0;       ///< point_outside: how far
+    /// point_outside: 0 for A, 1 for B. points_apart: likewise the body of the wrong point, if the
+    /// other point is as far from its triangle as the answer.
+    std::optional<std::uint32_t> side{};
+    double amount = 0;  ///< point_outside: how far
     AnswerCause cause = AnswerCause::unknown;
     double factor = 1;  ///< unit: the recorded distance over the exact distance
 };

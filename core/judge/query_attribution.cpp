@@ -31,13 +31,13 @@ Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
         pair.known = is_judged || is_of_distance(header.kind);
         const bool passed = frame.steps.volumes[pairs.size()].stage == Stage::overlapping;
         pair.early = test.early;
-        // A verdict without a margin is that the volumes touch.
+        // Without a margin, the verdict is: the volumes touch.
         if (is_judged && !(is_of_distance(header.kind) && !(test.margin > 0)))
             pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
                                                                         : Contact::disjoint;
         pair.gap = pair.exact == Contact::disjoint ? test.margin : 0;
         // Of several nearest pairs, a query may leave out all but one.
-        pair.contacts = passed || !is_of_distance(header.kind) ? contacts[i] : 0;
+        pair.contacts = passed || header.kind != QueryKind::distance ? contacts[i] : 0;
         pair.leaves = query.sides[0].shape->is_leaf(test.nodes.a) &&
                       query.sides[1].shape->is_leaf(test.nodes.b);
         pairs.push_back(pair);

@@ -66,8 +66,8 @@ class NearTriangles {
     HWY_INLINE LaneMask<n> far_along_nearest(const TrianglePairs<n>& pairs) const {
         return far_along(pairs, Lanes3<n>::all(direction_), Lanes<n>::all(direction_length_));
     }
-    /// Along the vector between the centers of each pair, which costs more, and ends pairs that are
-    /// beside each other on surfaces that are about as near everywhere.
+    /// Along the vector between the centers of each pair. This costs more. It ends pairs that lie
+    /// beside each other on nearly parallel surfaces.
     template <int n>
     HWY_INLINE LaneMask<n> far_along_centers(const TrianglePairs<n>& t) const {
         const Lanes<n> three = Lanes<n>::all(3);

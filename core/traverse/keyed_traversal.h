@@ -85,7 +85,7 @@ class LeastFirst {
         heap_.pop_back();
         return least;
     }
-    /// If the pair popped last was the least of all, the others need none, either.
+    /// If the last popped pair was the least of all, no other pair needs a division.
     void skip() {
         if (!is_least_) return;
         next_.reset();

@@ -103,7 +103,7 @@ std::vector<std::string> trace_command_of(const GoldenCase& golden, const std::s
     if (golden.run == GoldenRun::distance) add_option(command, "--kind", "distance");
     for (std::size_t i = 0; i < golden.arguments.size(); ++i) {
         const std::string& word = golden.arguments[i];
-        if (word == "--first") command.push_back(word);
+        if (word == "--first" && golden.run == GoldenRun::distance) command.push_back(word);
         const bool alone = word.find('=') == std::string::npos;
         if (std::find(std::begin(recorded_arguments), std::end(recorded_arguments),
                       word.substr(0, word.find('='))) == std::end(recorded_arguments))

@@ -98,7 +98,7 @@ export class App {
     new Controls(this);
     const isPlain = location.hash.length < 2;
     await this.refresh();
-    this.draw();  // what follows reads its rectangles and pixels
+    this.draw();  // follow() reads its rectangles and pixels
     await this.follow();
     // From the view that fits the bodies, a short line is hard to see.
     if (this.measures && isPlain) this.approach();

@@ -113,12 +113,17 @@ std::string words_of(const AnswerProblem& problem) {
                  ? "nothing was recorded"
                  : format("%.9g was recorded", problem.recorded);
     if (problem.fault == AnswerFault::point_outside)
-        words += std::string("; the point of ") + (problem.side == 0 ? "A" : "B") + " is " +
+        words += std::string("; the point of ") + (*problem.side == 0 ? "A" : "B") + " is " +
                  amount_words(problem.amount) + " from its triangle";
     else if (problem.fault == AnswerFault::triangles_apart)
         words += format(", and they are %.9g apart", problem.exact);
     else if (problem.fault == AnswerFault::points_apart)
-        words += format(", and they are %.9g apart", problem.exact);
+        words += format(", and they are %.9g apart", problem.exact) +
+                 (!problem.side        ? ""
+                  : *problem.side == 0 ? "; the point of B is as near to the triangle of A as the "
+                                         "distance, so the point of A is wrong"
+                                       : "; the point of A is as near to the triangle of B as the "
+                                         "distance, so the point of B is wrong");
     else if (std::isfinite(problem.exact))
         words += format(", and the distance is %.9g", problem.exact);
     switch (problem.cause) {

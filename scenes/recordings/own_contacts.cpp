@@ -8,6 +8,17 @@
 #include "scb/distance.h"
 
 namespace scb::scenes {
+namespace {
+
+/// Erases pairs with a triangle that is not finite.
+void erase_broken(std::vector<IndexPair>& pairs, const EngineQuery& query) {
+    std::erase_if(pairs, [&query](const IndexPair& pair) {
+        return !has_finite_corners(*query.sides[0].mesh, pair.a) ||
+               !has_finite_corners(*query.sides[1].mesh, pair.b);
+    });
+}
+
+}  // namespace
 
 QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
     if (!query.placed) return {};
@@ -29,11 +40,7 @@ QueryTruth OwnContacts::truth(const EngineQuery& query, const Meshes& meshes) {
         pairs = collide(Collider<Obb>{*hierarchy_of(meshes[0]), *meshes[0]},
                         Collider<Obb>{*hierarchy_of(meshes[1]), *meshes[1]}, query.b_to_a)
                     .pairs;
-    const auto is_broken = [&query](const IndexPair& pair) {
-        return !has_finite_corners(*query.sides[0].mesh, pair.a) ||
-               !has_finite_corners(*query.sides[1].mesh, pair.b);
-    };
-    std::erase_if(pairs, is_broken);
+    erase_broken(pairs, query);
     return pairs;
 }
 
@@ -44,11 +51,12 @@ QueryTruth OwnContacts::nearest(const EngineQuery& query, const Meshes& meshes) 
     const Distance found = distance(a, b, query.b_to_a);
     truth.distance = found.found.distance;
     truth.closest = found.triangles;
-    truth.pairs = within(a, b, query.b_to_a, truth.distance + query.triangle_tolerance).pairs;
     // A triangle that is not finite is a point here, and has no distance.
     if (!found.triangles || !has_finite_corners(*query.sides[0].mesh, found.triangles->a) ||
         !has_finite_corners(*query.sides[1].mesh, found.triangles->b))
         return truth;
+    truth.pairs = within(a, b, query.b_to_a, truth.distance + query.triangle_tolerance).pairs;
+    erase_broken(truth.pairs, query);
     const DistanceCertificate certificate =
         make_certificate(mesh_tree(a), mesh_tree(b), query.b_to_a, *found.triangles);
     truth.certified =

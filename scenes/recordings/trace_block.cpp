@@ -330,7 +330,7 @@ std::string read_frame(const TraceHeader& header, std::span<const std::uint8_t> 
     if (!(rigidity_defect(frame.b_to_a) < 1e-6) || !frame.b_to_a.translation.allFinite())
         return "a pose is not rigid";
     const auto symbols = plain.take(plain.varint());
-    // A query that begins with triangles that intersect has its answer.
+    // If the triangles of the seed intersect, the query makes no test.
     const bool may_be_empty = header.kind == QueryKind::self || header.distance.seed;
     if (!plain.ok || (symbols.empty() && !may_be_empty)) return "a frame has no tests";
     if (number >= most_frames) return "the number of a frame is out of range";

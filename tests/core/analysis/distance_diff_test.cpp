@@ -40,9 +40,11 @@ TEST(DistanceDiff, DistancesAreEqualUpToRounding) {
     EXPECT_EQ(d.frames[0].frame, 40);
     EXPECT_TRUE(d.frames[0].distances_differ());
     EXPECT_FALSE(d.frames[0].triangles_differ());
-    // The rounding of the first counts.
-    b.frames[1].rounding = 1;
+    // The larger rounding counts: recordings of engines have none.
+    b.frames[1].rounding = 0;
     EXPECT_FALSE(diff(a, b).equal());
+    b.frames[1].rounding = 1;
+    EXPECT_TRUE(diff(a, b).equal());
     EXPECT_TRUE(diff(b, a).equal());
 }
 

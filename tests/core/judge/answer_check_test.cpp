@@ -129,6 +129,7 @@ TEST(AnswerCheck, NamesTheFrameOfPoints) {
     EXPECT_NEAR(check_answer(apart.query, apart.truth).at(0).amount, 0.5, 1e-12);
     of_b = {5, 7, 9};
     EXPECT_EQ(apart.faults(), Apart::Faults{AnswerFault::points_apart});
+    EXPECT_FALSE(check_answer(apart.query, apart.truth).at(0).side) << "either may be wrong";
     of_b = {5, std::numeric_limits<double>::quiet_NaN(), 9};
     EXPECT_EQ(apart.faults(), Apart::Faults{AnswerFault::points_not_finite});
 }
