@@ -269,9 +269,11 @@ std::string DistanceReport::proof_words() const {
            "coordinate.\n";
 }
 
-std::string DistanceReport::inside_text() const {
+std::string DistanceReport::inside_text() {
     std::string claims, doubts;
-    for (const Bodies& bodies : bodies_) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Bodies& bodies = bodies_[i];
+        query_.choose(query_.pairs[i]);  // whose names it has
         if (const std::string claim = bodies.inside.claims(frames_); !claim.empty())
             claims += (claims.empty() ? "" : "; ") + claim;
         else

@@ -82,7 +82,7 @@ class DistanceReport {
     std::string title() const;
     std::string least_words();
     std::string words_of(const Least& least, const std::string& name);
-    std::string inside_text() const;
+    std::string inside_text();
     std::string proof_words() const;
     std::string near_words();
     nlohmann::ordered_json json();

@@ -141,7 +141,8 @@ int run(InspectOptions& options, const Console& console) {
             no_settings = error.what();
         }
     }
-    if (watch.signal() == 0 && !options.no_advice && can_compare_distances(inspected))
+    if (watch.signal() == 0 && !options.no_advice && can_compare_distances(inspected) &&
+        has_enough_tests(report))
         report.distance_advice =
             distance_advice(options, inspected.sources.front(), *inspected.found, console, watch);
     if (recorded && options.draws() && watch.signal() == 0)

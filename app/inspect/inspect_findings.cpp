@@ -211,12 +211,15 @@ std::vector<std::string> certified_findings(const InspectReport& report) {
             render::counted(distances, "distance", "distances") + " certified."};
 }
 
-bool has_advice(const InspectReport& report) {
+bool has_enough_tests(const InspectReport& report) {
     // Of fewer tests, the next pose may say the opposite.
     constexpr std::uint64_t least_tests = 100;
     const Work& all = report.sum.counts.all;
-    return report.settings &&
-           (report.settings->recorded || all.volume_tests + all.triangle_tests >= least_tests);
+    return all.volume_tests + all.triangle_tests >= least_tests;
+}
+
+bool has_advice(const InspectReport& report) {
+    return report.settings && (report.settings->recorded || has_enough_tests(report));
 }
 
 std::vector<std::string> advice_findings(const InspectReport& report) {

@@ -11,6 +11,8 @@ namespace scb::app {
 std::vector<std::string> alarm_findings(const InspectReport& report);
 
 /// Whether other settings were tried, in enough tests to advise one.
+/// Whether there are enough tests for an advice.
+bool has_enough_tests(const InspectReport& report);
 bool has_advice(const InspectReport& report);
 
 /// The distances that were found, and how many of them a certificate proves.

@@ -55,8 +55,6 @@ InspectedQueries open_scene(const InspectOptions& options, const Console& consol
     result.sources.emplace_back(options.scene, options.hierarchy, options.query, options.limits,
                                 false);
     const QuerySource& source = result.sources.front();
-    // Recorded queries of distances are judged, see open_recording.
-    source.refuse_distances();
     note_doubts(options.hierarchy, {source.query().kind}, console.notes());
     note_doubts(options.scene, source.query().scene, options.query, {source.query().kind},
                 console.notes());
@@ -165,7 +163,9 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
 }
 
 bool can_compare_distances(const InspectedQueries& inspected) {
+    // The commands of an advice take no trace.
     return !inspected.file && !inspected.sources.empty() &&
+           inspected.sources.front().makes_queries() &&
            is_of_distance(inspected.report.header.kind) &&
            inspected.sources.front().query().distance.has_value() &&
            inspected.sources.front().query().mutation == Mutation::none &&

@@ -92,12 +92,19 @@ void take_kind(const Command& command, std::initializer_list<const char*> of_ove
                const KindOptions& options) {
     options.apply(query);
     if (!query.distance) return;
+    const std::string asks = options.distance.within ? "--within" : "--kind distance";
+    if (options.distance.within && options.kind == QueryKind::collide &&
+        command.count("--kind") > 0)
+        throw InputError(
+            "--within asks for triangles within a distance, and --kind collide for "
+            "triangles that intersect; leave one of them out.");
     if (scene.is_recording() || scene.is_trace())
-        throw InputError("--kind: the queries of a recording have their kind; leave it out.");
+        throw InputError(asks +
+                         ": the queries of a recording or a trace have their kind; leave it out.");
     for (const char* option : of_overlap)
         if (command.count(option) > 0)
             throw InputError(std::string(option) +
-                             ": it is for queries of overlap; leave it out, or --kind distance.");
+                             ": it is for queries of overlap; leave it out, or " + asks + ".");
     const HierarchyOptions chosen = hierarchy, usual;
     set_distance_defaults(hierarchy, query);
     // A configuration file may have chosen them, too.

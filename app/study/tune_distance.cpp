@@ -224,11 +224,12 @@ class DistanceRun {
         const double& least = least_[setting.layout.has_value()];
         for (const DistanceOrder order : options_.asked.within ? none : std::span(orders)) {
             setting.order = order;
-            ++tried;
             const double ms = try_setting(built, setting);
             if (progress_.ends()) return false;
             if (!has_base_hierarchy(setting) && ms > hopeless_at * least) break;
         }
+        // Orders of a setting that was given up count, so that the number is the same in each run.
+        tried += options_.asked.within ? 1 : orders.size();
         return true;
     }
 

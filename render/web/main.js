@@ -98,10 +98,12 @@ export class App {
     new Controls(this);
     const isPlain = location.hash.length < 2;
     await this.refresh();
-    this.draw();  // follow() reads its rectangles and pixels
     await this.follow();
-    // From the view that fits the bodies, a short line is hard to see.
-    if (this.measures && isPlain) this.approach();
+    if (this.measures && isPlain) {
+      // From the view that fits the bodies, a short line is hard to see.
+      this.draw();
+      this.approach();
+    }
     this.address.writeNow();
     // The first drawing was asked for before, so it ends before this callback; a script can pick afterwards.
     await new Promise(requestAnimationFrame);

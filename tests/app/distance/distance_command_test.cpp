@@ -166,6 +166,25 @@ TEST_F(DistanceCommand, NamesBodiesOfSeveralPairs) {
     EXPECT_NE(run_scb("distance scene.json", here_).out.find("left and right"), std::string::npos);
 }
 
+TEST_F(DistanceCommand, NamesTheBodiesOfThePairThatIsInside) {
+    write("three.json", R"({"scb_scene": 1, "name": "three", "models": [
+        {"name": "large", "icosphere": {"subdivisions": 1, "radius": 2}},
+        {"name": "small", "icosphere": {"subdivisions": 1, "radius": 1}}],
+        "bodies": [{"name": "A", "model": "large"}, {"name": "B", "model": "small"},
+                   {"name": "C", "model": "small", "position": [9, 0, 0]}]})");
+    const std::string text = run_scb("distance three.json", here_).out;
+    EXPECT_NE(text.find("B lies inside A."), std::string::npos) << text;
+    EXPECT_EQ(text.find("C lies"), std::string::npos) << text;
+}
+
+TEST_F(DistanceCommand, NamesTheLeastDistanceOfBodiesApartWhereOthersMeet) {
+    const std::string text = run_scb("distance spheres-l1 --frames 0,100").out;
+    EXPECT_NE(text.find("\nLeast distance: 0 in frame 100"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nLeast distance of bodies apart: "), std::string::npos) << text;
+    const std::string apart = run_scb("distance spheres-l1 --frames 0,2").out;
+    EXPECT_EQ(apart.find("bodies apart"), std::string::npos) << apart;
+}
+
 TEST_F(DistanceCommand, TableAndCsvAgreeWithJson) {
     const std::string scene = "spheres-l1 --frames 0,2";
     const json frames = json_of(scene)["frames"];

@@ -95,6 +95,15 @@ TEST_F(DistanceTrace, IsDrawnAsTheQueryOfTheScene) {
     EXPECT_EQ(run("render traversal near.scbrec -o near").status, 0);
 }
 
+TEST_F(DistanceTrace, IsInspectedAsItsQueryIs) {
+    record("--kind distance --frames 0", "t.scbrec");
+    const json of_trace = json::parse(run("inspect t.scbrec --json").out),
+               of_query =
+                   json::parse(run("inspect spheres-l1 --kind distance --frames 0 --json").out);
+    EXPECT_EQ(of_trace["sum"], of_query["sum"]);
+    EXPECT_EQ(of_trace["frames"], of_query["frames"]);
+}
+
 TEST_F(DistanceTrace, HasAPage) {
     record("--kind distance --frames 0", "t.scbrec");
     const ProgramRun page = run("view t.scbrec -o page.html");
@@ -109,7 +118,7 @@ TEST_F(DistanceTrace, IsRefusedByCommandsForOverlap) {
     record("--kind distance --frames 0", "t.scbrec");
     record("--frames 0", "overlap.scbrec");
     for (const char* command : {"render pairs t.scbrec -o out", "render rejections t.scbrec -o out",
-                                "explain t.scbrec --pair 0,0", "inspect t.scbrec"})
+                                "explain t.scbrec --pair 0,0"})
         expect_refused(command, "t.scbrec: its queries are of distances");
     for (const char* command : {"diff t.scbrec overlap.scbrec", "diff overlap.scbrec t.scbrec",
                                 "view t.scbrec overlap.scbrec -o page.html"})
