@@ -303,11 +303,6 @@ std::string refusal_after(const std::function<void(TraceHeader&, QueryTrace&)>& 
 }
 
 TEST(DamagedTrace, ContradictionsOfDistancesAreNamed) {
-    const auto first_near = [](QueryTrace& frame, bool hit) {
-        auto& items = frame.steps.items;
-        return std::find_if(items.begin(), items.end(),
-                            [hit](const ItemStep& item) { return item.hit == hit; });
-    };
     expect_in("a test has a parent that was not divided",
               refusal_after([](TraceHeader&, QueryTrace& frame) {
                   auto& tests = frame.steps.volumes;
@@ -325,8 +320,15 @@ TEST(DamagedTrace, ContradictionsOfDistancesAreNamed) {
                       if (is_rejection(test.stage)) test.stage = Stage::axis_a0;
               }));
     expect_in("its answer is none of the triangles that it measured",
-              refusal_after([&](TraceHeader&, QueryTrace& frame) {
-                  frame.found.pairs = {first_near(frame, false)->items};
+              refusal_after([](TraceHeader&, QueryTrace& frame) {
+                  // A pair of triangles that the query did not measure, at any order of its tests.
+                  IndexPair pair{0, 0};
+                  const auto measures = [&pair](const ItemStep& item) {
+                      return item.items == pair;
+                  };
+                  const auto& items = frame.steps.items;
+                  while (std::any_of(items.begin(), items.end(), measures)) ++pair.a;
+                  frame.found.pairs = {pair};
               }));
     expect_in("its answer cannot be read",
               refusal_after([](TraceHeader& header, QueryTrace& frame) {
