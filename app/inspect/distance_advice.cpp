@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command_text.h"
+#include "app/study/distance_setting_text.h"
 #include "app/timing/tune_progress.h"
 #include "core/analysis/pass_counts.h"
 #include "core/base/statistics.h"
@@ -16,24 +17,6 @@ namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string method_text(const DistanceMethod& method, bool is_within) {
-    std::string text = std::string(volume_kind_name(method.volume)) + ", split " +
-                       std::string(split_method_name(method.split));
-    if (method.layout) text += ", " + packed_layout_name(*method.layout) + ", packed";
-    if (!is_within) text += ", order " + std::string(distance_order_name(method.order));
-    return text + (method.seeded ? ", seeded" : "");
-}
-
-/// The options of `scb distance` for the method.
-std::string method_options(const DistanceMethod& method, bool is_within) {
-    std::string text = " --volume " + std::string(volume_kind_name(method.volume)) + " --split " +
-                       std::string(split_method_name(method.split));
-    if (!is_within) text += " --order " + std::string(distance_order_name(method.order));
-    if (method.seeded) text += " --seed";
-    if (method.layout) text += " --layout " + packed_layout_name(*method.layout);
-    return text;
-}
 
 double cost_share(const DistanceRow& row, const DistanceTrial& trial) {
     return ratio(static_cast<double>(row.work.picoseconds),
@@ -62,9 +45,9 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
         numbers += (numbers.empty() ? " --frames " : ",") + std::to_string(frame);
     const std::string scene =
         options.of_bodies + (frames.size() == inspected.size() ? options.of_frames : numbers);
-    const DistanceMethod &best = advice.trial.best().method, &present = advice.trial.rows[0].method;
-    advice.command = "scb distance" + scene + options.of_distances +
-                     method_options(best, advice.trial.is_within);
+    const DistanceSetting &best = advice.trial.best().setting,
+                          &present = advice.trial.rows[0].setting;
+    advice.command = "scb distance" + scene + options.of_distances + distance_options(best);
     const auto both = [](std::string_view of_present, std::string_view of_best) {
         std::string text(of_present);
         if (of_best != of_present) text += "," + std::string(of_best);
@@ -72,8 +55,9 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
     };
     advice.timing =
         "scb bench" + scene + " --kind distance" + options.of_distances + " --volume " +
-        both(volume_kind_name(present.volume), volume_kind_name(best.volume)) + " --split " +
-        both(split_method_name(present.split), split_method_name(best.split)) +
+        both(volume_kind_name(present.hierarchy.volume), volume_kind_name(best.hierarchy.volume)) +
+        " --split " +
+        both(split_method_name(present.hierarchy.split), split_method_name(best.hierarchy.split)) +
         (advice.trial.is_within ? "" : " --order " + std::string(distance_order_name(best.order))) +
         (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
     return advice;
@@ -89,18 +73,18 @@ std::string advice_sentence(const DistanceAdvice& advice, std::size_t frames) {
         return "None of " + std::to_string(trial.tried) + " settings costs less" + where +
                " than the present setting.";
     return "Best of " + std::to_string(trial.tried) + " settings" + where + ": " +
-           method_text(best.method, trial.is_within) +
+           setting_words(best.setting, trial.is_within) +
            format(", with %.3f of the cost of the present setting: N_v ", cost_share(best, trial)) +
            render::change_text(present.work.volume_tests, best.work.volume_tests) + ", N_p " +
            render::change_text(present.work.triangle_tests, best.work.triangle_tests) +
            ". Cost: assumed time of the tests.";
 }
 
-Table methods_table(const DistanceAdvice& advice, std::size_t most) {
+Table trial_table(const DistanceAdvice& advice, std::size_t most) {
     const DistanceTrial& trial = advice.trial;
     std::size_t width = 7;
     const auto name = [&](const DistanceRow& row) {
-        return method_text(row.method, trial.is_within) +
+        return setting_words(row.setting, trial.is_within) +
                (&row == trial.rows.data() ? " (present)" : "");
     };
     for (const DistanceRow& row : trial.rows) width = std::max(width, name(row).size());
@@ -126,14 +110,14 @@ Json advice_json(const DistanceAdvice& advice) {
     const DistanceTrial& trial = advice.trial;
     Json rows = Json::array();
     for (const DistanceRow& row : trial.rows) {
-        const DistanceMethod& method = row.method;
-        Json one = {{"volume", volume_kind_name(method.volume)},
-                    {"split", split_method_name(method.split)}};
+        const DistanceSetting& setting = row.setting;
+        Json one = {{"volume", volume_kind_name(setting.hierarchy.volume)},
+                    {"split", split_method_name(setting.hierarchy.split)}};
         if (!trial.is_within) {
-            one["order"] = distance_order_name(method.order);
-            one["seeded"] = method.seeded;
+            one["order"] = distance_order_name(setting.order);
+            one["seeded"] = setting.seeded;
         }
-        if (method.layout) one["layout"] = packed_layout_name(*method.layout);
+        if (setting.layout) one["layout"] = packed_layout_name(*setting.layout);
         one["n_v"] = row.work.volume_tests;
         one["n_p"] = row.work.triangle_tests;
         one["cost"] = static_cast<double>(row.work.picoseconds) / 1000;

@@ -15,14 +15,14 @@
 
 namespace scb::app {
 
-/// The methods that would have helped in inspected queries of distances.
+/// The settings that would have helped in inspected queries of distances.
 struct DistanceAdvice {
     DistanceTrial trial;
-    std::string command;  ///< counts the tests of the best method
+    std::string command;  ///< counts the tests of the best setting
     std::string timing;   ///< times the present and the best volumes
 };
 
-/// Tries other methods at the poses of the queries, in the inspected frames, or in evenly spread
+/// Tries other settings at the poses of the queries, in the inspected frames, or in evenly spread
 /// ones if all would take more than seconds. None if interrupted. `findings`: of all inspected
 /// frames.
 std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
@@ -30,15 +30,15 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
                                               const FrameFindings& findings, const Console& console,
                                               const InterruptWatch& watch);
 
-/// The best method in a sentence, with its share of the present cost. `frames`: the number of
+/// The best setting in a sentence, with its share of the present cost. `frames`: the number of
 /// inspected frames.
 std::string advice_sentence(const DistanceAdvice& advice, std::size_t frames);
 
-/// Limit of the methods in tables, besides the present one.
-inline constexpr std::size_t most_methods = 10;
+/// Limit of the settings in tables, besides the present one.
+inline constexpr std::size_t most_trial_rows = 10;
 
-/// The present method and the best ones, at most `most` of these. Sums over the frames.
-Table methods_table(const DistanceAdvice& advice, std::size_t most);
+/// The present setting and the best ones, at most `most` of these. Sums over the frames.
+Table trial_table(const DistanceAdvice& advice, std::size_t most);
 
 nlohmann::ordered_json advice_json(const DistanceAdvice& advice);
 

@@ -6,7 +6,7 @@
 
 #include "app/inspect/inspect_pictures.h"
 #include "app/pictures/query_view.h"
-#include "app/study/distance_trial.h"
+#include "core/analysis/assumed_time.h"
 #include "render/figures/waste_figure.h"
 
 namespace scb::app {
@@ -68,7 +68,7 @@ std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
     QueryView view(of_view, sources, pictures.renderer());
     const render::QueryBodies bodies = view.bodies(number);
     const render::Waste waste =
-        render::waste_of(bodies, report.header, frame, costs_of_tests(report.header),
+        render::waste_of(bodies, report.header, frame, assumed_costs(report.header),
                          marked_triangles(report, sources.front(), number));
     const std::vector<AnyVolume> region = render::waste_region(bodies, waste);
     view.seek(render::waste_subject(bodies, waste), number);

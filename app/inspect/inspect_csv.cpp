@@ -107,8 +107,9 @@ std::string frames_csv(const InspectReport& report) {
                      c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
                      c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
                      operations(report, c.all), c.wasted.volume_tests, c.wasted.triangle_tests,
-                     operations(report, c.wasted), c.wasted_by_tests.volume_tests,
-                     c.wasted_by_tests.triangle_tests, operations(report, c.wasted_by_tests)}) +
+                     operations(report, c.wasted), c.wasted_by(PassReason::weak_test).volume_tests,
+                     c.wasted_by(PassReason::weak_test).triangle_tests,
+                     operations(report, c.wasted_by(PassReason::weak_test))}) +
                 "\n";
     }
     return text;

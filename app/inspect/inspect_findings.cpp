@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/inspect/inspect_triangles.h"
-#include "app/inspect/reason_words.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
@@ -11,6 +10,7 @@
 #include "core/platform/utf8.h"
 #include "render/figures/bench_figure.h"
 #include "render/figures/inspect_figure.h"
+#include "render/figures/reason_words.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {
@@ -29,7 +29,8 @@ std::string waste(const InspectReport& report) {
     const std::string tests = render::counted(all, "volume test", "volume tests");
     if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
     std::string text = "Of " + tests + ", " + share(wasted, all) + " were wasted: ";
-    const std::vector<ReasonWords> reasons = reason_words(report.header.kind, counts);
+    const std::vector<render::ReasonWords> reasons =
+        render::reason_words(report.header.kind, counts);
     for (std::size_t i = 1; i < reasons.size(); ++i)
         text += (i == 1                   ? ""
                  : i + 1 < reasons.size() ? ", "
@@ -60,7 +61,7 @@ std::vector<std::string> best_other(const InspectReport& report) {
 std::string cost_share(const InspectReport& report, std::uint64_t part,
                        std::uint64_t all_triangle_tests) {
     if (part == 0) return "";
-    const TestCosts costs = costs_of_tests(report.header);
+    const TestCosts costs = assumed_costs(report.header);
     const Work& all = report.sum.counts.all;
     const double of_triangles = costs.triangles * static_cast<double>(all.triangle_tests),
                  of_volumes = costs.volumes * static_cast<double>(all.volume_tests);

@@ -7,7 +7,6 @@
 #include "app/cli/version.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
-#include "app/inspect/reason_words.h"
 #include "app/inspect/recording_report.h"
 #include "app/query/recording_verdict.h"
 #include "app/report/scene_report.h"
@@ -18,6 +17,7 @@
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
+#include "render/figures/reason_words.h"
 #include "render/gl/embedded.h"
 #include "render/overlay/figure_layout.h"
 
@@ -58,7 +58,8 @@ data frame_data(const InspectReport& report, const std::string& name, const Insp
     row["n_v"] = render::count_text(all);
     row["passed"] = render::count_text(counts.passed());
     data passed(data::type::list), bars(data::type::list);
-    for (const ReasonWords& words : reason_words(report.header.kind, report.sum.counts)) {
+    for (const render::ReasonWords& words :
+         render::reason_words(report.header.kind, report.sum.counts)) {
         data cell, bar;
         cell["count"] = render::count_text(counts.passed(words.reason));
         passed << cell;
@@ -100,7 +101,7 @@ data frame_rows(const InspectReport& report) {
 data reason_rows(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
     data rows(data::type::list);
-    for (const ReasonWords& words : reason_words(report.header.kind, counts)) {
+    for (const render::ReasonWords& words : render::reason_words(report.header.kind, counts)) {
         const auto r = static_cast<std::size_t>(words.reason);
         const bool is_waste = words.reason != PassReason::triangles_meet;
         const Work wasted = counts.wasted_by(words.reason);
@@ -120,7 +121,8 @@ data reason_rows(const InspectReport& report) {
 /// The columns of the table of frames.
 data reason_columns(const InspectReport& report) {
     data columns(data::type::list);
-    for (const ReasonWords& words : reason_words(report.header.kind, report.sum.counts)) {
+    for (const render::ReasonWords& words :
+         render::reason_words(report.header.kind, report.sum.counts)) {
         data column;
         column["color"] = words.color;
         column["column"] = words.column;
@@ -132,7 +134,8 @@ data reason_columns(const InspectReport& report) {
 /// "not wasted, fit, test": the parts of a bar of the table of frames.
 std::string bar_words(const InspectReport& report) {
     std::string words = "not wasted";
-    const std::vector<ReasonWords> all = reason_words(report.header.kind, report.sum.counts);
+    const std::vector<render::ReasonWords> all =
+        render::reason_words(report.header.kind, report.sum.counts);
     for (std::size_t i = 1; i < all.size(); ++i) words += std::string(", ") + all[i].column;
     return words;
 }
@@ -343,7 +346,7 @@ data worst_rows(const InspectReport& report, const InspectPage& page) {
     data rows(data::type::list);
     for (const WorstOfReason& worst : report.worst)
         for (const FalsePair& p : worst.pairs) {
-            const ReasonWords words = words_of(worst.reason, report.header.kind);
+            const render::ReasonWords words = render::words_of(worst.reason, report.header.kind);
             data row;
             row["because"] = words.title;
             row["color"] = words.color;
@@ -466,7 +469,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_settings"] = flag(report.settings.has_value());
     values["has_methods"] = flag(report.distance_advice.has_value());
     if (report.distance_advice) {
-        values["methods"] = methods_table(*report.distance_advice, most_methods).html();
+        values["methods"] = trial_table(*report.distance_advice, most_trial_rows).html();
         values["method_command"] = report.distance_advice->command;
         values["method_timing"] = report.distance_advice->timing;
     }

@@ -8,7 +8,6 @@
 #include "app/explain/explain_report.h"
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_page.h"
-#include "app/inspect/reason_words.h"
 #include "app/study/recorded_pair.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
@@ -16,6 +15,7 @@
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
+#include "render/figures/reason_words.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {
@@ -94,7 +94,7 @@ void draw_pair(PictureRun& pictures, const PictureOptions& options, const QueryS
     picture.subtitle = format("frame %d, ", frame) + detail + (asked.empty() ? "" : ", " + asked) +
                        " · " + (names.scene.empty() ? "" : names.scene + " · ") +
                        render::volume_title(header);
-    if (reason == words_of(PassReason::loose_fit, header.kind).title)
+    if (reason == render::words_of(PassReason::loose_fit, header.kind).title)
         picture.but = "the fit is too loose";
     if (header.engine)
         picture.ending =
@@ -160,7 +160,7 @@ bool draw_inspection(PictureRun& pictures, const PictureOptions& options, const 
         for (const FalsePair& p : worst.pairs) {
             const std::uint64_t wasted = p.pair.below.volume_tests;
             draw_pair(pictures, options, source, report, explained, p.frame, p.test,
-                      words_of(worst.reason, report.header.kind).title,
+                      render::words_of(worst.reason, report.header.kind).title,
                       render::count_text(wasted) +
                           (wasted == 1 ? " volume test wasted" : " volume tests wasted"));
             if (!step()) return false;

@@ -10,7 +10,6 @@
 #include "app/inspect/inspect_summary.h"
 #include "app/inspect/inspect_triangles.h"
 #include "app/inspect/judgement_json.h"
-#include "app/inspect/reason_words.h"
 #include "app/inspect/recording_report.h"
 #include "app/report/build_text.h"
 #include "app/report/scene_report.h"
@@ -21,19 +20,18 @@
 #include "core/platform/utf8.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
+#include "render/figures/reason_words.h"
 #include "render/overlay/figure_layout.h"
 
 namespace scb::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string cell(std::size_t width, std::uint64_t count) {
     return " " + right_aligned(render::count_text(count), width);
 }
 
-std::vector<ReasonWords> words_in(const InspectReport& report) {
-    return reason_words(report.header.kind, report.sum.counts);
+std::vector<render::ReasonWords> words_in(const InspectReport& report) {
+    return render::reason_words(report.header.kind, report.sum.counts);
 }
 
 /// A row of the table of frames; the sum has no distance.
@@ -46,7 +44,8 @@ std::string frame_row(const std::string& name, const InspectReport& report, cons
     else
         text += cell(8, i.pairs);
     text += cell(9, counts.all.volume_tests) + cell(9, counts.passed());
-    for (const ReasonWords& words : words_in(report)) text += cell(8, counts.passed(words.reason));
+    for (const render::ReasonWords& words : words_in(report))
+        text += cell(8, counts.passed(words.reason));
     return text + cell(10, counts.wasted.volume_tests) +
            format(" %8s", share(counts.wasted.volume_tests, counts.all.volume_tests).c_str()) +
            cell(9, counts.wasted.triangle_tests) +
@@ -63,7 +62,8 @@ std::string frames_heading(const InspectReport& report) {
     std::string text =
         report.header.kind == QueryKind::distance ? "frame     distance" : "frame    pairs";
     text += "       N_v    passed";
-    for (const ReasonWords& words : words_in(report)) text += right_aligned(words.column, 9);
+    for (const render::ReasonWords& words : words_in(report))
+        text += right_aligned(words.column, 9);
     const std::string units(text.size() + 7, ' ');
     return text + "     wasted    share    wasted    share\n" + units +
            "N_v   of N_v       N_p   of N_p\n";
@@ -76,7 +76,7 @@ std::string reasons_text(const InspectReport& report) {
     std::string text = left_aligned("passed because", width) +
                        "      inner    leaves  wasted N_v  wasted N_p" +
                        (is_distance ? "" : "  wasted operations") + "\n";
-    for (const ReasonWords& words : words_in(report)) {
+    for (const render::ReasonWords& words : words_in(report)) {
         const auto r = static_cast<std::size_t>(words.reason);
         text += left_aligned(words.title, width) + cell(10, sum.inner[r]) + cell(9, sum.leaves[r]);
         if (words.reason != PassReason::triangles_meet) {
@@ -92,28 +92,29 @@ std::string reasons_text(const InspectReport& report) {
 
 std::string depths_text(const InspectReport& report) {
     const Inspection& sum = report.sum;
-    const std::vector<ReasonWords> reasons = words_in(report);
+    const std::vector<render::ReasonWords> reasons = words_in(report);
     std::string text = "depth     tests    passed";
-    for (const ReasonWords& words : reasons) text += right_aligned(words.column, 9);
+    for (const render::ReasonWords& words : reasons) text += right_aligned(words.column, 9);
     text += "    wasted    share\n";
     for (std::size_t d = 0; d < sum.depths.size(); ++d) {
         const DepthInspection& at = sum.depths[d];
         std::uint64_t passed = 0;
         std::string of_reasons;
-        for (const ReasonWords& words : reasons) {
+        for (const render::ReasonWords& words : reasons) {
             const std::uint64_t count = at.passed[static_cast<std::size_t>(words.reason)];
             passed += count;
             of_reasons += cell(8, count);
         }
         text += format("%5zu", d) + cell(9, at.tests) + cell(9, passed) + of_reasons +
-                cell(9, at.wasted) + format(" %8s\n", share(at.wasted, at.tests).c_str());
+                cell(9, at.wasted.all()) +
+                format(" %8s\n", share(at.wasted.all(), at.tests).c_str());
     }
     return text + "\n";
 }
 
 std::string worst_text(const InspectReport& report, const WorstOfReason& worst) {
     const bool is_distance = is_of_distance(report.header.kind);
-    const char* const title = words_of(worst.reason, report.header.kind).title;
+    const char* const title = render::words_of(worst.reason, report.header.kind).title;
     if (worst.pairs.empty()) return std::string(title) + ": none\n\n";
     std::string text = format("%s: the worst by N_v + N_p, nodes of %s and %s\n", title,
                               printable(report.header.bodies[0].name).c_str(),
@@ -159,134 +160,6 @@ std::string others_text(const InspectReport& report) {
 std::string triangles_text(const InspectReport& report) {
     const Table table = triangles_table(report);
     return table.size() == 0 ? "" : triangles_heading + table.text() + "\n";
-}
-
-Json reasons_json(const InspectReport& report,
-                  const std::array<std::uint64_t, pass_reason_count>& counts) {
-    std::vector<PassReason> reasons = waste_reasons(report.header.kind);
-    reasons.push_back(PassReason::triangles_meet);
-    // In the order of their values.
-    std::sort(reasons.begin(), reasons.end());
-    Json json;
-    for (const PassReason reason : reasons)
-        json[std::string(pass_reason_names[reason])] = counts[static_cast<std::size_t>(reason)];
-    return json;
-}
-
-/// Work as JSON, without the operations of tests that are not counted.
-Json work_json(const InspectReport& report, const Work& work) {
-    Json json = {{"n_v", work.volume_tests}, {"n_p", work.triangle_tests}};
-    if (!report.header.engine && !is_of_distance(report.header.kind))
-        json["operations"] = work.operations;
-    return json;
-}
-
-/// What `of` gives for each reason of waste.
-template <class Of>
-Json wasted_by_json(const InspectReport& report, const Of& of) {
-    Json json;
-    std::vector<PassReason> reasons = waste_reasons(report.header.kind);
-    std::sort(reasons.begin(), reasons.end());
-    for (const PassReason reason : reasons)
-        json[std::string(pass_reason_names[reason])] = of(reason);
-    return json;
-}
-
-Json inspection_json(const InspectReport& report, const Inspection& i) {
-    const auto work = [&report](const Work& of) { return work_json(report, of); };
-    const bool is_distance = is_of_distance(report.header.kind);
-    Json json;
-    if (report.header.kind != QueryKind::distance) json["pairs"] = i.pairs;
-    json.update(Json{{"n_v", i.counts.all.volume_tests},
-                     {"n_p", i.counts.all.triangle_tests},
-                     {"passed", i.counts.passed()},
-                     {"inner", reasons_json(report, i.counts.inner)},
-                     {"leaves", reasons_json(report, i.counts.leaves)}});
-    if (!is_distance) json["touching"] = i.counts.touching;
-    json.update(Json{{"wrongly_rejected", i.counts.wrongly_rejected},
-                     {"missed_pairs", i.counts.missed},
-                     {"work", work(i.counts.all)},
-                     {"wasted", work(i.counts.wasted)},
-                     {"wasted_by", wasted_by_json(report, [&](PassReason reason) {
-                          return work(i.counts.wasted_by(reason));
-                      })}});
-    return json;
-}
-
-Json frame_json(const InspectReport& report, const InspectedFrame& frame) {
-    Json json = {{"frame", frame.frame}};
-    if (report.header.kind == QueryKind::distance) {
-        json["distance"] = frame.distance < 0 ? Json() : Json(frame.distance);
-        if (!report.recording) json["certified"] = frame.certified;
-    }
-    json.update(inspection_json(report, frame.found));
-    return json;
-}
-
-Json pair_json(const InspectReport& report, const FalsePair& p) {
-    Json json = {{"frame", p.frame},
-                 {"nodes", {p.test.nodes.a, p.test.nodes.b}},
-                 {"depths", {p.test.depth_a, p.test.depth_b}},
-                 {"test", p.pair.test},
-                 {"reason", pass_reason_names[p.pair.reason]}};
-    if (is_of_distance(report.header.kind)) {
-        const bool is_beyond = p.pair.exact == Contact::disjoint;
-        json["beyond"] = is_beyond ? Json(p.pair.gap) : Json();
-    } else {
-        json["exact"] = contact_names[p.pair.exact];
-        json[p.pair.exact == Contact::disjoint ? "gap" : "depth"] = p.margin;
-    }
-    json["leaves"] = p.pair.leaves;
-    json["wasted"] = work_json(report, p.pair.below);
-    if (report.drawn) json["file"] = file_of(report, p.frame, p.test);
-    return json;
-}
-
-/// Adds the findings on waste.
-void add_waste_json(Json& json, const InspectReport& report) {
-    if (!report.recording && report.header.kind == QueryKind::distance) {
-        const auto [distances, certified] = certified_count(report);
-        json["distances"] = distances;
-        json["certified"] = certified;
-    }
-    json["frames"] = Json::array();
-    for (const InspectedFrame& frame : report.frames)
-        json["frames"].push_back(frame_json(report, frame));
-    json["sum"] = inspection_json(report, report.sum);
-    json["depths"] = Json::array();
-    for (std::size_t d = 0; d < report.sum.depths.size(); ++d) {
-        const DepthInspection& at = report.sum.depths[d];
-        json["depths"].push_back({{"depth", d},
-                                  {"n_v", at.tests},
-                                  {"passed", reasons_json(report, at.passed)},
-                                  {"wasted", at.wasted},
-                                  {"wasted_by", wasted_by_json(report, [&at](PassReason reason) {
-                                       return at.wasted_by(reason);
-                                   })}});
-    }
-    json["triangles"] = triangles_table(report).json();
-    json["worst"] = Json::array();
-    for (const WorstOfReason& worst : report.worst)
-        for (const FalsePair& p : worst.pairs) json["worst"].push_back(pair_json(report, p));
-    json["worst_rejections"] = Json::array();
-    for (const WronglyRejectedPair& w : report.wrong) {
-        Json entry = {{"frame", w.frame},
-                      {"nodes", {w.test.nodes.a, w.test.nodes.b}},
-                      {"depths", {w.test.depth_a, w.test.depth_b}},
-                      {"stage", stage_words(report.header, w.test.stage)},
-                      {"missed_pairs", w.rejection.missed}};
-        if (report.drawn) entry["file"] = file_of(report, w.frame, w.test);
-        json["worst_rejections"].push_back(std::move(entry));
-    }
-    if (is_of_distance(report.header.kind)) return;
-    json["other_tests"] = Json::array();
-    for (const AlternativeTest& other : report.others) {
-        Json entry = {{"test", overlap_test_name(other.overlap.test)}};
-        if (has_threshold(other.overlap.test)) entry["threshold"] = other.overlap.threshold;
-        entry.update(Json{{"caught", other.caught}, {"pairs", other.pairs}});
-        entry.update(work_json(report, other.all));
-        json["other_tests"].push_back(std::move(entry));
-    }
 }
 
 std::string title_text(const TraceHeader& header) {
@@ -395,7 +268,7 @@ std::string inspect_text(const InspectReport& report, bool full) {
     if (has_advice(report) && full) text += settings_text(*report.settings, report.frames.size());
     if (report.distance_advice && full)
         text += "what would have helped, by cost, the least first; sums over the frames\n" +
-                methods_table(*report.distance_advice, most_methods).text() +
+                trial_table(*report.distance_advice, most_trial_rows).text() +
                 "\nTo use it:  " + report.distance_advice->command +
                 "\nTo time it: " + report.distance_advice->timing + "\n";
     if (!report.recording || report.recording->pictures.empty()) return text;
@@ -403,26 +276,6 @@ std::string inspect_text(const InspectReport& report, bool full) {
     for (const ProblemPicture& picture : report.recording->pictures)
         text += "  " + picture.file + ": " + picture.what + "\n";
     return text;
-}
-
-Json inspect_json(const InspectReport& report) {
-    Json json = report.recording ? recording_json(report.recording->judged, report.recording->path)
-                                 : trace_header_json(report.header);
-    if (!report.recording) {
-        add_waste_json(json, report);
-    } else if (report.has_waste) {
-        json["waste"]["bodies"] = {report.header.bodies[0].name, report.header.bodies[1].name};
-        add_waste_json(json["waste"], report);
-    }
-    if (report.distance_advice) json["settings"] = advice_json(*report.distance_advice);
-    if (report.settings) {
-        json["settings"] = settings_json(*report.settings);
-        if (has_advice(report) && report.settings->cuts)
-            json["settings"]["cuts"] = cuts_json(report);
-        if (has_advice(report) && report.settings->clean)
-            json["settings"]["clean"] = clean_json(report);
-    }
-    return json;
 }
 
 }  // namespace scb::app

@@ -4,11 +4,11 @@
 
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
-#include "app/inspect/reason_words.h"
 #include "app/report/wrapped_text.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
+#include "render/figures/reason_words.h"
 
 namespace scb::app {
 namespace {
@@ -93,7 +93,7 @@ std::string pairs_text(const InspectReport& report) {
         }
     };
     for (const WorstOfReason& worst : report.worst)
-        add(words_of(worst.reason, report.header.kind).title, worst.pairs);
+        add(render::words_of(worst.reason, report.header.kind).title, worst.pairs);
     return table.size() == 0 ? "" : table.text();
 }
 

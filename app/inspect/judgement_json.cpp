@@ -109,9 +109,10 @@ Json recording_json(const RecordingJudgement& judged, const std::string& file) {
     json["missed"] = groups_json(judged.missed);
     json["false"] = groups_json(judged.false_pairs);
     json["wrong_distances"] = groups_json(judged.answers);
-    json["wasted"] = {{"loose", judged.wasted_loose},
-                      {"weak", judged.wasted_weak},
-                      {"early", judged.wasted_early}};
+    json["wasted"] = {{"loose", judged.wasted.by(PassReason::loose_fit)},
+                      {"weak", judged.wasted.by(PassReason::weak_test)},
+                      {"early", judged.wasted.by(PassReason::early)},
+                      {"not_judged", judged.wasted.by(PassReason::unjudged)}};
     json["unjudged"] = judged.unjudged;
     json["not_looked_into"] = judged.not_looked_into;
     json["ended_early"] = judged.ended_early;

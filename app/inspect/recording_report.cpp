@@ -239,20 +239,25 @@ std::string waste_text(const RecordingJudgement& judged) {
     const std::uint64_t tests =
         judged.total(&FrameJudgement::volume_tests) + judged.total(&FrameJudgement::item_tests);
     if (tests == 0) return {};
-    const std::uint64_t wasted = judged.wasted_weak + judged.wasted_loose + judged.wasted_early;
+    const auto count = [&judged](PassReason reason) {
+        return count_text(judged.wasted.by(reason));
+    };
     if (!judged.summary.has_results())
-        return "Wasted: " + count_text(judged.wasted_weak) + " of " + count_text(tests) +
+        return "Wasted: " + count(PassReason::weak_test) + " of " + count_text(tests) +
                " tests are below volumes that do not even meet; what else led to nothing, only "
                "results tell.\n";
-    return "Wasted: " + share(wasted, tests) + " of " + count_text(tests) +
-           " tests: " + count_text(judged.wasted_loose) + " below volumes that " +
+    return "Wasted: " + share(judged.wasted.all(), tests) + " of " + count_text(tests) +
+           " tests: " + count(PassReason::loose_fit) + " below volumes that " +
            by_aim(judged, "meet though nothing below them does",
                   "are near enough though no triangles below them are") +
-           ", " + count_text(judged.wasted_weak) + " below volumes that " +
+           ", " + count(PassReason::weak_test) + " below volumes that " +
            by_aim(judged, "do not even meet", "are farther apart") +
-           (judged.wasted_early > 0
-                ? ", " + count_text(judged.wasted_early) +
+           (judged.wasted.by(PassReason::early) > 0
+                ? ", " + count(PassReason::early) +
                       " below volumes that were tested before a near answer was known"
+                : "") +
+           (judged.wasted.by(PassReason::unjudged) > 0
+                ? ", " + count(PassReason::unjudged) + " below volumes that are not judged"
                 : "") +
            ".\n";
 }

@@ -15,35 +15,7 @@ constexpr std::array volumes = {VolumeKind::scb2,    VolumeKind::rss,  VolumeKin
                                 VolumeKind::capsule, VolumeKind::aabb, VolumeKind::scb,
                                 VolumeKind::ball};
 
-/// Of one test of two triangles, in picoseconds.
-constexpr std::uint64_t triangle_time = 225'000;
-
-/// Of one bound, in picoseconds.
-std::uint64_t bound_time(VolumeKind volume) {
-    switch (volume) {
-        case VolumeKind::scb:
-        case VolumeKind::rss:
-            return 500'000;
-        case VolumeKind::scb2:
-            return 565'000;
-        case VolumeKind::obb:
-        case VolumeKind::capsule:
-            return 350'000;
-        case VolumeKind::aabb:
-        case VolumeKind::aabb_exact:
-            return 220'000;
-        case VolumeKind::ball:
-        case VolumeKind::ritter:
-            return 120'000;
-        case VolumeKind::dop14:
-        case VolumeKind::dop18:
-        case VolumeKind::dop26:
-            break;
-    }
-    return 3'200'000;
-}
-
-/// The queries by one method after another. Hierarchies are built when a method needs others.
+/// The queries by one setting after another. Hierarchies are built when a setting needs others.
 class Trials {
   public:
     Trials(const SceneQuery& query, const std::vector<int>& frames, const TuneProgress& progress)
@@ -52,12 +24,12 @@ class Trials {
     std::vector<DistanceRow> rows;
     std::size_t tried = 0;
 
-    /// Adds a row for the method, unless it is given up. False if `progress` ended the run.
-    bool count(const DistanceMethod& method) {
+    /// Adds a row for the setting, unless it is given up. False if `progress` ended the run.
+    bool count(const DistanceSetting& setting) {
         ++tried;
-        prepare(method);
+        prepare(setting);
         DistanceOptions limits = query_.distance->limits;
-        limits.order = method.order;
+        limits.order = setting.order;
         Work work;
         std::uint64_t queries = 0;
         std::optional<IndexPair> closest;
@@ -67,17 +39,18 @@ class Trials {
                 const Collision found = query_.within(frame, *query_.distance->within);
                 work += {found.n_v, found.n_p};
             } else {
-                limits.seed = method.seeded ? closest : std::nullopt;
+                limits.seed = setting.seeded ? closest : std::nullopt;
                 const Distance found = query_.nearest(frame, limits);
                 closest = found.triangles;
                 work += {found.n_v, found.n_p};
             }
             work.picoseconds =
-                assumed_distance_time(method, ++queries, work.volume_tests, work.triangle_tests);
+                assumed_distance_time(setting.hierarchy.volume, setting.layout, ++queries,
+                                      work.volume_tests, work.triangle_tests);
             if (!rows.empty() && work.picoseconds > hopeless_cost * least().work.picoseconds)
                 return progress_.step();
         }
-        rows.push_back({method, work});
+        rows.push_back({setting, work});
         return progress_.step();
     }
 
@@ -90,18 +63,18 @@ class Trials {
     }
 
   private:
-    void prepare(const DistanceMethod& method) {
-        if (method.split != query_.build.split) {
-            query_.build.split = method.split;
+    void prepare(const DistanceSetting& setting) {
+        if (setting.hierarchy.split != query_.build.split) {
+            query_.build.split = setting.hierarchy.split;
             query_.topologies = scenes::build_topologies(query_.scene, query_.build.topology());
             query_.hierarchies.clear();
         }
-        if (method.volume != query_.kind || query_.hierarchies.empty()) {
-            query_.kind = method.volume;
+        if (setting.hierarchy.volume != query_.kind || query_.hierarchies.empty()) {
+            query_.kind = setting.hierarchy.volume;
             query_.hierarchies = scenes::fit_meshes(query_.topologies, query_.kind, query_.build);
         }
         query_.packed.clear();
-        if (method.layout) query_.pack(*method.layout);
+        if (setting.layout) query_.pack(*setting.layout);
     }
 
     SceneQuery query_;
@@ -111,62 +84,49 @@ class Trials {
 
 }  // namespace
 
-std::uint64_t assumed_distance_time(const DistanceMethod& method, std::uint64_t queries,
-                                    std::uint64_t n_v, std::uint64_t n_p) {
-    if (!method.layout) return bound_time(method.volume) * n_v + triangle_time * n_p;
-    const std::uint64_t bound = method.volume == VolumeKind::scb ? 35'000 : 40'000;
-    const bool indexed = method.layout->corners == LeafCorners::in_mesh,
-               quantized = method.layout->numbers == PackedLayout::Numbers::quantized;
-    const std::uint64_t query = indexed ? 5'500'000 : quantized ? 7'500'000 : 14'000'000;
-    return bound * n_v + triangle_time * n_p + query * queries;
-}
-
 const DistanceRow& DistanceTrial::best() const {
     return rows.size() > 1 && rows[1].work.picoseconds < rows[0].work.picoseconds ? rows[1]
                                                                                   : rows[0];
-}
-
-TestCosts costs_of_tests(const TraceHeader& header) {
-    if (!is_of_distance(header.kind)) return assumed_costs(header);
-    const VolumeKind volume = header.engine ? VolumeKind::aabb : header.volume;
-    return {static_cast<double>(bound_time(volume)), static_cast<double>(triangle_time)};
 }
 
 std::optional<DistanceTrial> try_distances(const SceneQuery& query, const std::vector<int>& frames,
                                            const TuneProgress& progress) {
     assert(query.distance && !query.is_packed());
     const bool is_within = query.distance->within.has_value();
-    const DistanceMethod present{query.kind, query.build.split, query.distance->limits.order};
+    DistanceSetting present;
+    present.hierarchy.volume = query.kind;
+    present.hierarchy.split = query.build.split;
+    present.hierarchy.growth = query.build.fit.growth;
+    present.hierarchy.descent = query.distance->limits.descent;
+    present.order = query.distance->limits.order;
     Trials run(query, frames, progress);
-    const auto is_present = [&present](const DistanceMethod& method) {
-        return method.volume == present.volume && method.split == present.split &&
-               method.order == present.order;
-    };
     const std::vector<PackedLayout> layouts = widest_layouts();
     const std::size_t seeds = is_within || frames.size() < 2 ? 1 : 2;
     progress.begin("settings counted",
                    1 + volumes.size() + (is_within ? 0 : 3) + seeds * layouts.size());
     if (!run.count(present)) return std::nullopt;
-    DistanceMethod method = present;
-    method.split = SplitMethod::cost;
+    DistanceSetting setting = present;
+    setting.hierarchy.split = SplitMethod::cost;
     for (const VolumeKind volume : volumes) {
-        method.volume = volume;
-        if (!is_present(method) && !run.count(method)) return std::nullopt;
+        setting.hierarchy.volume = volume;
+        const bool is_present = same_hierarchies(setting.hierarchy, present.hierarchy);
+        if (!is_present && !run.count(setting)) return std::nullopt;
     }
-    method = run.least().method;
+    setting = run.least().setting;
     if (!is_within) {
         for (const DistanceOrder order :
              {DistanceOrder::hybrid, DistanceOrder::nearest, DistanceOrder::depth_first}) {
-            DistanceMethod other = method;
+            DistanceSetting other = setting;
             other.order = order;
-            if (order != method.order && !run.count(other)) return std::nullopt;
+            if (order != setting.order && !run.count(other)) return std::nullopt;
         }
-        method = run.least().method;
-        method.seeded = true;
-        if (frames.size() > 1 && !run.count(method)) return std::nullopt;
+        setting = run.least().setting;
+        setting.seeded = true;
+        if (frames.size() > 1 && !run.count(setting)) return std::nullopt;
     }
-    DistanceMethod packed{VolumeKind::scb2};
-    packed.order = method.order;
+    DistanceSetting packed = setting;
+    packed.hierarchy.volume = VolumeKind::scb2;
+    packed.hierarchy.split = SplitMethod::cost;
     for (const PackedLayout& layout : layouts) {
         packed.layout = layout;
         try {

@@ -2,13 +2,9 @@
 
 namespace scb::app {
 
-MeshTree mesh_tree(const SceneQuery& query, std::size_t body) {
-    return {query.mesh(body), topology_of(query.hierarchy(body))};
-}
-
 CertifiedDistance certified_distance(const SceneQuery& query, const Pose& b_to_a,
                                      const IndexPair& closest, double distance) {
-    const MeshTree a = mesh_tree(query, query.a), b = mesh_tree(query, query.b);
+    const MeshTree a = query.mesh_tree(query.a), b = query.mesh_tree(query.b);
     const DistanceCertificate certificate = make_certificate(a, b, b_to_a, closest);
     CertifiedDistance result{check_distance(a, b, b_to_a, certificate),
                              certificate.directions.size()};

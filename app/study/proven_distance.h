@@ -5,9 +5,6 @@
 
 namespace scb::app {
 
-/// The mesh and the tree of a body.
-MeshTree mesh_tree(const SceneQuery& query, std::size_t body);
-
 /// What a certificate proves of the distance of A and B.
 struct CertifiedDistance {
     ProvenDistance proven;

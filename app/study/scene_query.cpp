@@ -144,12 +144,11 @@ Collision SceneQuery::within(int frame, double tolerance) const {
 }
 
 double SceneQuery::rounding(int frame) const {
-    const Pose pose = b_to_a(frame);
-    const auto largest = [this](std::size_t body, const Pose* placed) {
-        return placed_corners({mesh(body), topology_of(hierarchy(body))}, placed)
-            .largest_coordinate;
-    };
-    return allowed_width(0, std::max(largest(a, nullptr), largest(b, &pose)));
+    return distance_rounding(mesh_tree(a), mesh_tree(b), b_to_a(frame));
+}
+
+MeshTree SceneQuery::mesh_tree(std::size_t body) const {
+    return {mesh(body), topology_of(hierarchy(body))};
 }
 
 QueryKind SceneQuery::query_kind() const {

@@ -2,6 +2,7 @@
 
 #include "app/study/query_setup.h"
 #include "core/analysis/distance_steps.h"
+#include "core/distance/placed_corners.h"
 #include "core/model/packed_tree.h"
 #include "scb/any_collide.h"
 #include "scb/any_distance.h"
@@ -45,6 +46,8 @@ struct SceneQuery {
     void choose(const BodyPair& pair);
     const Mesh& mesh(std::size_t body) const;
     const AnyHierarchy& hierarchy(std::size_t body) const;
+    /// The mesh and the tree of a body.
+    MeshTree mesh_tree(std::size_t body) const;
     /// The poses of A and B in the world.
     std::array<Pose, 2> poses(int frame) const;
     /// The pose of B in A's frame.
@@ -55,8 +58,7 @@ struct SceneQuery {
     Distance nearest(int frame, const DistanceOptions& limits) const;
     /// The triangles of A and B that are at most this far apart; they must be two bodies.
     Collision within(int frame, double tolerance) const;
-    /// An error that a distance of the two bodies may have by rounding: 4 x 2^-52 of the largest
-    /// coordinate in A's frame.
+    /// The error that a distance of the two bodies may have, see distance_rounding.
     double rounding(int frame) const;
     /// How the tests of a traced query of distances compare with its answer.
     DistanceSteps distance_steps(const TraceHeader& header, const QueryTrace& frame) const;

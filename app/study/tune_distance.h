@@ -1,15 +1,9 @@
 #pragma once
 
+#include "app/study/distance_setting.h"
 #include "app/study/tune_run.h"
 
 namespace scb::app {
-
-/// How queries of distances are made.
-struct DistanceSetting {
-    TuneSetting hierarchy;  ///< without its overlap test
-    DistanceOrder order = DistanceOptions{}.order;
-    std::optional<PackedLayout> layout{};  ///< none: the reference
-};
 
 /// A setting that was timed.
 struct TimedSetting {

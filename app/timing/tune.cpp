@@ -14,6 +14,7 @@
 #include "app/query/distance_options.h"
 #include "app/query/query_options.h"
 #include "app/report/build_text.h"
+#include "app/study/distance_setting_text.h"
 #include "app/timing/tune_distance_report.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"

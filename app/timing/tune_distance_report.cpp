@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/build_text.h"
+#include "app/study/distance_setting_text.h"
 #include "app/report/trace_report.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/tune_layout_report.h"
@@ -18,24 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool gives_leaf(const PackedLayout& layout) { return layout.leaf_triangles != most_leaf_triangles; }
-
 /// "depth-first"; empty for queries without an order.
 std::string order_text(const DistanceTuning& tuning, const DistanceSetting& setting) {
     return tuning.asked.within ? "" : std::string(distance_order_name(setting.order));
-}
-
-/// "scb2, split cost, order hybrid, quantized8".
-std::string setting_words(const DistanceTuning& tuning, const DistanceSetting& setting) {
-    const TuneSetting& hierarchy = setting.hierarchy;
-    std::string text = std::string(volume_kind_name(hierarchy.volume)) + ", split " +
-                       std::string(split_method_name(hierarchy.split));
-    if (!tuning.asked.within) text += ", order " + order_text(tuning, setting);
-    if (!setting.layout) return text;
-    text += ", " + packed_layout_name(*setting.layout);
-    if (gives_leaf(*setting.layout))
-        text += format(" with leaves of %d", setting.layout->leaf_triangles);
-    return text;
 }
 
 std::string ms_text(const DistanceTuning& tuning, const TimeInterval& ms) {
@@ -78,12 +64,13 @@ std::string alike_text(const DistanceTuning& tuning, const TimedSetting& row) {
 
 std::string best_text(const DistanceTuning& tuning) {
     const TimedSetting& best = tuning.rows[tuning.best()];
+    const bool is_within = tuning.asked.within.has_value();
     std::string text = format("Best of %zu settings: ", tuning.tried);
     if (tuning.best() == 0)
-        return text + "the base, " + setting_words(tuning, best.setting) +
+        return text + "the base, " + setting_words(best.setting, is_within) +
                ": of those timed none is " + (tuning.runs == 1 ? "" : "measurably ") + "quicker, " +
                ms_text(tuning, best.ms) + " ms" + alike_text(tuning, best) + ".\n";
-    text += setting_words(tuning, best.setting) +
+    text += setting_words(best.setting, is_within) +
             format(", with %.3f of the time of the base, ", time_of_base(tuning, best)) +
             ms_text(tuning, best.ms) + " ms against " + ms_text(tuning, tuning.base().ms) +
             alike_text(tuning, best) + ".\n";
@@ -92,7 +79,7 @@ std::string best_text(const DistanceTuning& tuning) {
     if (unpacked == 0)
         return text + "Unpacked: of those timed none is " +
                (tuning.runs == 1 ? "" : "measurably ") + "quicker than the base.\n";
-    return text + "Unpacked: " + setting_words(tuning, tuning.rows[unpacked].setting) +
+    return text + "Unpacked: " + setting_words(tuning.rows[unpacked].setting, is_within) +
            format(", with %.3f of the time of the base.\n",
                   time_of_base(tuning, tuning.rows[unpacked]));
 }
@@ -107,27 +94,6 @@ std::string asked_words(const DistanceQuery& asked) {
 }
 
 }  // namespace
-
-std::string distance_options(const DistanceSetting& setting) {
-    const TuneSetting& hierarchy = setting.hierarchy;
-    const TuneSetting usual;
-    std::string text;
-    const auto add = [&](bool given, const char* option, std::string_view value) {
-        if (given) text += " " + std::string(option) + " " + std::string(value);
-    };
-    add(true, "--volume", volume_kind_name(hierarchy.volume));
-    add(true, "--split", split_method_name(hierarchy.split));
-    add(has_growth(hierarchy.volume) && hierarchy.growth != usual.growth, "--growth",
-        ball_growth_name(hierarchy.growth));
-    add(setting.order != DistanceOptions{}.order, "--order", distance_order_name(setting.order));
-    if (!setting.layout) {
-        add(hierarchy.descent != usual.descent, "--descent", descent_rule_name(hierarchy.descent));
-        return text;
-    }
-    add(true, "--layout", packed_layout_name(*setting.layout));
-    add(gives_leaf(*setting.layout), "--leaf", std::to_string(setting.layout->leaf_triangles));
-    return text;
-}
 
 std::string distance_code(const DistanceTuning& tuning, const DistanceSetting& setting) {
     const std::string packed = setting.layout ? "_packed" : "";

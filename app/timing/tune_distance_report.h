@@ -7,9 +7,6 @@
 
 namespace scb::app {
 
-/// The options of `scb distance` that differ from its default: " --layout quantized8".
-std::string distance_options(const DistanceSetting& setting);
-
 /// The calls of the library that build such a hierarchy of `mesh` and make a query.
 std::string distance_code(const DistanceTuning& tuning, const DistanceSetting& setting);
 

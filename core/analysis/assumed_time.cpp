@@ -83,6 +83,34 @@ std::uint64_t ended_at_first(VolumeKind volume, const StageCounts& stages) {
     }
 }
 
+/// Of the distance of two triangles, in picoseconds.
+constexpr std::uint64_t distance_triangle_time = 225'000;
+
+/// Of one bound, in picoseconds.
+std::uint64_t bound_time(VolumeKind volume) {
+    switch (volume) {
+        case VolumeKind::scb:
+        case VolumeKind::rss:
+            return 500'000;
+        case VolumeKind::scb2:
+            return 565'000;
+        case VolumeKind::obb:
+        case VolumeKind::capsule:
+            return 350'000;
+        case VolumeKind::aabb:
+        case VolumeKind::aabb_exact:
+            return 220'000;
+        case VolumeKind::ball:
+        case VolumeKind::ritter:
+            return 120'000;
+        case VolumeKind::dop14:
+        case VolumeKind::dop18:
+        case VolumeKind::dop26:
+            break;
+    }
+    return 3'200'000;
+}
+
 }  // namespace
 
 std::uint64_t assumed_test_time(VolumeKind volume, OverlapTest test) {
@@ -109,8 +137,21 @@ std::uint64_t assumed_time(VolumeKind volume, const OverlapOptions& overlap, Des
            pair * found.pairs.size();
 }
 
+std::uint64_t assumed_distance_time(VolumeKind volume, const std::optional<PackedLayout>& layout,
+                                    std::uint64_t queries, std::uint64_t n_v, std::uint64_t n_p) {
+    if (!layout) return bound_time(volume) * n_v + distance_triangle_time * n_p;
+    const std::uint64_t bound = volume == VolumeKind::scb ? 35'000 : 40'000;
+    const bool indexed = layout->corners == LeafCorners::in_mesh,
+               quantized = layout->numbers == PackedLayout::Numbers::quantized;
+    const std::uint64_t query = indexed ? 5'500'000 : quantized ? 7'500'000 : 14'000'000;
+    return bound * n_v + distance_triangle_time * n_p + query * queries;
+}
+
 TestCosts assumed_costs(const TraceHeader& header) {
     const VolumeKind volume = header.engine ? VolumeKind::aabb : header.volume;
+    if (is_of_distance(header.kind))
+        return {static_cast<double>(bound_time(volume)),
+                static_cast<double>(distance_triangle_time)};
     return {static_cast<double>(assumed_test_time(volume, header.options.overlap.test)),
             static_cast<double>(assumed_triangle_time)};
 }

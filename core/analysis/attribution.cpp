@@ -95,35 +95,6 @@ PassReason reason_of(const TestedPair& pair, bool meets, QueryKind kind) {
     return is_open ? PassReason::unjudged : PassReason::loose_fit;
 }
 
-/// Of the reasons of two pairs above a test, the one that counts.
-PassReason first_of(PassReason x, PassReason y) {
-    const auto rank = [](PassReason reason) {
-        switch (reason) {
-            case PassReason::triangles_meet:
-                return 0;
-            case PassReason::loose_fit:
-                return 1;
-            case PassReason::unjudged:
-                return 2;
-            case PassReason::weak_test:
-                return 3;
-            case PassReason::early:
-                break;
-        }
-        return 4;
-    };
-    return rank(x) < rank(y) ? y : x;
-}
-
-/// Adds work to the wasted work of its reason.
-void add_waste(PassCounts& counts, PassReason reason, const Work& work) {
-    if (reason == PassReason::triangles_meet) return;
-    counts.wasted += work;
-    if (reason == PassReason::weak_test) counts.wasted_by_tests += work;
-    if (reason == PassReason::early) counts.wasted_early += work;
-    if (reason == PassReason::unjudged) counts.wasted_unjudged += work;
-}
-
 }  // namespace
 
 Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
@@ -144,7 +115,7 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
         const TestedPair& of = pairs[i];
         if (const std::uint32_t parent = tests[i].parent; parent != none) {
             result.wasted_by[i] = below_pair[i] = below_pair[parent];
-            add_waste(counts, below_pair[i], work_of_test(header, tests[i]));
+            counts.waste(below_pair[i], work_of_test(header, tests[i]));
         }
         if (!of.known) continue;
         if (tests[i].stage != Stage::overlapping) {
@@ -170,8 +141,7 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
         result.passed.push_back(pair);
     }
     for (const ItemStep& test : frame.steps.items)
-        if (!test.neighbors && test.step != no_step)
-            add_waste(counts, below_pair[test.step], {0, 1});
+        if (!test.neighbors && test.step != no_step) counts.waste(below_pair[test.step], {0, 1});
     return result;
 }
 

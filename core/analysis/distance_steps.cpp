@@ -24,16 +24,15 @@ std::vector<IndexPair> nearest_pairs(const AnyHierarchy& a, const Mesh& mesh_a,
                                      const TraceHeader& header, const QueryTrace& frame) {
     if (header.kind != QueryKind::distance) return frame.found.pairs;
     if (!frame.nearest) return {};
-    const double largest =
-        std::max(placed_corners({mesh_a, topology_of(a)}, nullptr).largest_coordinate,
-                 placed_corners({mesh_b, topology_of(b)}, &frame.b_to_a).largest_coordinate);
-    return within(a, mesh_a, b, mesh_b, frame.b_to_a,
-                  frame.nearest->distance + allowed_width(0, largest), header.distance.descent)
+    const double rounding =
+        distance_rounding({mesh_a, topology_of(a)}, {mesh_b, topology_of(b)}, frame.b_to_a);
+    return within(a, mesh_a, b, mesh_b, frame.b_to_a, frame.nearest->distance + rounding,
+                  header.distance.descent)
         .pairs;
 }
 
-/// The verdicts on volumes that are nearer than the reach, and that are not. Searches for closest
-/// points find them, and not the bounds that they judge.
+/// Adds the verdicts: are the volumes of a step nearer than the reach? A search for closest points
+/// proves each verdict. The search does not use the bound of the step.
 template <class V>
 void add_verdicts(DistanceSteps& steps, const Hierarchy<V>& a, const Hierarchy<V>& b,
                   const QueryTrace& frame, const Placement& placed) {

@@ -4,22 +4,6 @@
 
 namespace scb {
 
-std::uint64_t DepthInspection::wasted_by(PassReason reason) const {
-    switch (reason) {
-        case PassReason::weak_test:
-            return wasted_by_tests;
-        case PassReason::loose_fit:
-            return wasted - wasted_by_tests - wasted_early - wasted_unjudged;
-        case PassReason::triangles_meet:
-            break;
-        case PassReason::early:
-            return wasted_early;
-        case PassReason::unjudged:
-            return wasted_unjudged;
-    }
-    return 0;
-}
-
 Inspection& Inspection::operator+=(const Inspection& other) {
     pairs += other.pairs;
     counts += other.counts;
@@ -27,9 +11,6 @@ Inspection& Inspection::operator+=(const Inspection& other) {
     for (std::size_t d = 0; d < other.depths.size(); ++d) {
         depths[d].tests += other.depths[d].tests;
         depths[d].wasted += other.depths[d].wasted;
-        depths[d].wasted_by_tests += other.depths[d].wasted_by_tests;
-        depths[d].wasted_early += other.depths[d].wasted_early;
-        depths[d].wasted_unjudged += other.depths[d].wasted_unjudged;
         for (std::size_t r = 0; r < pass_reason_count; ++r)
             depths[d].passed[r] += other.depths[d].passed[r];
     }
@@ -55,11 +36,7 @@ Inspection inspection(const QueryTrace& frame, const Attribution& attribution) {
         ++at.tests;
         // Without results, tests are not attributed.
         if (attribution.wasted_by.empty()) continue;
-        const PassReason reason = attribution.wasted_by[i];
-        at.wasted += reason != PassReason::triangles_meet ? 1 : 0;
-        at.wasted_by_tests += reason == PassReason::weak_test ? 1 : 0;
-        at.wasted_early += reason == PassReason::early ? 1 : 0;
-        at.wasted_unjudged += reason == PassReason::unjudged ? 1 : 0;
+        at.wasted.add(attribution.wasted_by[i]);
     }
     return result;
 }

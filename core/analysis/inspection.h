@@ -7,14 +7,8 @@ namespace scb {
 /// The volume tests of pairs at one depth: the depths of both nodes added.
 struct DepthInspection {
     std::uint64_t tests = 0;
-    std::uint64_t wasted = 0;           ///< of these, tests below a false pair
-    std::uint64_t wasted_by_tests = 0;  ///< of these, tests that an exact test would save
-    std::uint64_t wasted_early = 0;     ///< of these, tests that a known answer would save
-    std::uint64_t wasted_unjudged = 0;  ///< of these, tests wasted for an unknown reason
+    WastedTests wasted;                                     ///< of these, tests below a false pair
     std::array<std::uint64_t, pass_reason_count> passed{};  ///< passed pairs by reason
-
-    /// The wasted tests by their reason; none for triangles_meet.
-    std::uint64_t wasted_by(PassReason reason) const;
 };
 
 /// The passed pairs and the wasted work of a query, or of several together.

@@ -12,19 +12,27 @@ std::vector<PassReason> waste_reasons(QueryKind kind) {
     return reasons;
 }
 
+PassReason first_of(PassReason x, PassReason y) {
+    for (const PassReason first :
+         {PassReason::early, PassReason::weak_test, PassReason::unjudged, PassReason::loose_fit})
+        if (x == first || y == first) return first;
+    return PassReason::triangles_meet;
+}
+
+std::uint64_t WastedTests::all() const {
+    return std::accumulate(by_reason.begin(), by_reason.end(), std::uint64_t{0});
+}
+
+WastedTests& WastedTests::operator+=(const WastedTests& other) {
+    for (std::size_t i = 0; i < pass_reason_count; ++i) by_reason[i] += other.by_reason[i];
+    return *this;
+}
+
 Work& Work::operator+=(const Work& other) {
     volume_tests += other.volume_tests;
     triangle_tests += other.triangle_tests;
     operations += other.operations;
     picoseconds += other.picoseconds;
-    return *this;
-}
-
-Work& Work::operator-=(const Work& other) {
-    volume_tests -= other.volume_tests;
-    triangle_tests -= other.triangle_tests;
-    operations -= other.operations;
-    picoseconds -= other.picoseconds;
     return *this;
 }
 
@@ -38,42 +46,23 @@ std::uint64_t PassCounts::passed(PassReason reason) const {
     return inner[i] + leaves[i];
 }
 
-Work PassCounts::wasted_by_fit() const {
-    Work rest = wasted;
-    rest -= wasted_by_tests;
-    rest -= wasted_early;
-    return rest -= wasted_unjudged;
-}
-
-Work PassCounts::wasted_by(PassReason reason) const {
-    switch (reason) {
-        case PassReason::weak_test:
-            return wasted_by_tests;
-        case PassReason::loose_fit:
-            return wasted_by_fit();
-        case PassReason::triangles_meet:
-            break;
-        case PassReason::early:
-            return wasted_early;
-        case PassReason::unjudged:
-            return wasted_unjudged;
-    }
-    return {};
+void PassCounts::waste(PassReason reason, const Work& work) {
+    if (reason == PassReason::triangles_meet) return;
+    wasted += work;
+    wasted_for[static_cast<std::size_t>(reason)] += work;
 }
 
 PassCounts& PassCounts::operator+=(const PassCounts& other) {
     for (std::size_t i = 0; i < pass_reason_count; ++i) {
         inner[i] += other.inner[i];
         leaves[i] += other.leaves[i];
+        wasted_for[i] += other.wasted_for[i];
     }
     touching += other.touching;
     wrongly_rejected += other.wrongly_rejected;
     missed += other.missed;
     all += other.all;
     wasted += other.wasted;
-    wasted_by_tests += other.wasted_by_tests;
-    wasted_early += other.wasted_early;
-    wasted_unjudged += other.wasted_unjudged;
     return *this;
 }
 

@@ -26,6 +26,24 @@ inline constexpr std::size_t pass_reason_count = 5;
 inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {
     "test", "fit", "true", "early", "not_judged"};
 
+/// Of the reasons of two pairs above a test, the one for which the test was wasted.
+PassReason first_of(PassReason x, PassReason y);
+
+/// Tests by the reason for which they were wasted; none for triangles_meet.
+struct WastedTests {
+    std::array<std::uint64_t, pass_reason_count> by_reason{};
+
+    std::uint64_t by(PassReason reason) const {
+        return by_reason[static_cast<std::size_t>(reason)];
+    }
+    std::uint64_t all() const;
+    /// Counts a test, unless the reason is triangles_meet.
+    void add(PassReason reason) {
+        by_reason[static_cast<std::size_t>(reason)] += reason != PassReason::triangles_meet;
+    }
+    WastedTests& operator+=(const WastedTests& other);
+};
+
 /// The reasons for which a query of this kind can waste tests, in the order of reports.
 std::vector<PassReason> waste_reasons(QueryKind kind);
 
@@ -37,7 +55,6 @@ struct Work {
     std::uint64_t picoseconds = 0;  ///< see assumed_time; 0 if unknown: of another engine, of parts
 
     Work& operator+=(const Work& other);
-    Work& operator-=(const Work& other);
     /// By volume tests first, then by triangle tests, then by operations, then by time.
     friend auto operator<=>(const Work&, const Work&) = default;
 };
@@ -59,16 +76,16 @@ struct PassCounts {
     std::uint64_t wrongly_rejected = 0;
     std::uint64_t missed = 0;  ///< intersecting pairs of triangles below these tests
     Work all, wasted;
-    Work wasted_by_tests;  ///< wasted work that an exact test would save
-    Work wasted_early;     ///< wasted work that a known answer would save
-    Work wasted_unjudged;  ///< wasted work for an unknown reason
+    std::array<Work, pass_reason_count> wasted_for{};  ///< the wasted work by its reason
 
     std::uint64_t passed() const;
     std::uint64_t passed(PassReason reason) const;
-    /// The wasted work that is due to the fit.
-    Work wasted_by_fit() const;
-    /// The wasted work by its reason; none for triangles_meet.
-    Work wasted_by(PassReason reason) const;
+    /// The wasted work for this reason; none for triangles_meet.
+    const Work& wasted_by(PassReason reason) const {
+        return wasted_for[static_cast<std::size_t>(reason)];
+    }
+    /// Adds wasted work, and nothing for triangles_meet.
+    void waste(PassReason reason, const Work& work);
     PassCounts& operator+=(const PassCounts& other);
 };
 

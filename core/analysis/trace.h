@@ -101,8 +101,7 @@ struct QueryTrace {
     std::array<std::shared_ptr<const Tree>, 2> trees{};
     /// Of QueryKind::distance, the distance of the found pair, in A's frame.
     std::optional<TriangleDistance> nearest{};
-    /// How far this distance may differ from the distance by other code, see equal_distances. 0 if
-    /// nobody asked.
+    /// The error that this distance may have, see distance_rounding; 0 unless the command set it.
     double rounding = 0;
 };
 

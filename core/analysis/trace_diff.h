@@ -40,7 +40,7 @@ struct FrameDifference {
 
     /// Of QueryKind::distance; nothing if the query found no triangles.
     std::optional<NearestTriangles> nearest_a{}, nearest_b{};
-    double rounding = 0;  ///< by which these distances may differ, see equal_distances
+    double rounding = 0;  ///< equal distances differ by at most this, see distance_rounding
     bool meshes_differ = false;
 
     /// Whether the distances differ by more than rounding, or only one query found triangles.

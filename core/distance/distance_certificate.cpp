@@ -137,6 +137,11 @@ double allowed_width(double distance, double largest_coordinate) {
     return 1e-9 * distance + 4 * 0x1p-52 * largest_coordinate;
 }
 
+double distance_rounding(const MeshTree& a, const MeshTree& b, const Pose& b_to_a) {
+    return allowed_width(0, std::max(placed_corners(a, nullptr).largest_coordinate,
+                                     placed_corners(b, &b_to_a).largest_coordinate));
+}
+
 bool certifies(const ProvenDistance& proven, double distance) {
     const double error = allowed_width(0, proven.largest_coordinate);
     return proven.fault.empty() && (distance == 0) == (proven.upper == 0) &&

@@ -67,8 +67,12 @@ ProvenDistance check_distance(const MeshTree& a, const MeshTree& b, const Pose& 
 /// coordinate.
 double allowed_width(double distance, double largest_coordinate);
 
-/// Whether two distances of the same triangles are equal up to rounding. `rounding`: the
-/// allowed_width of the distance 0. Numbers that are not finite are equal to nothing.
+/// The error that a distance of these bodies may have by rounding: 4 x 2^-52 of the largest
+/// coordinate in A's frame, with B moved by `b_to_a`.
+double distance_rounding(const MeshTree& a, const MeshTree& b, const Pose& b_to_a);
+
+/// Whether two distances of the same triangles are equal up to `rounding`, see
+/// distance_rounding. Numbers that are not finite are equal to nothing.
 inline bool equal_distances(double x, double y, double rounding) {
     return std::abs(x - y) <= rounding;
 }

@@ -303,25 +303,22 @@ class Judge {
     }
 
     void count_waste() {
-        // 0: not wasted; 1: below a pair that a weak test passed; 2: below a pair of loose volumes;
-        // 3: below a pair that was passed early.
-        std::vector<std::uint8_t> within(result_.tests.size(), 0);
-        const auto of = [&](std::uint32_t led) -> std::uint8_t {
-            if (led == no_index) return 0;
-            const JudgedTest& test = result_.tests[led];
-            if (within[led] == 3) return 3;
-            if (test.verdict == TestVerdict::false_positive) return test.early ? 3 : 1;
-            if (within[led] != 0) return within[led];
-            return test.meets ? 0 : 2;
+        const auto own_reason = [this](const JudgedTest& test) {
+            if (test.verdict == TestVerdict::false_positive)
+                return test.early ? PassReason::early : PassReason::weak_test;
+            if (test.meets) return PassReason::triangles_meet;
+            const bool is_open =
+                is_of_distance(query_.kind) && test.verdict == TestVerdict::unjudged;
+            return is_open ? PassReason::unjudged : PassReason::loose_fit;
         };
-        const auto add = [&](std::uint8_t kind) {
-            result_.wasted_weak += kind == 1;
-            result_.wasted_loose += kind == 2;
-            result_.wasted_early += kind == 3;
+        std::vector<PassReason> within(result_.tests.size(), PassReason::triangles_meet);
+        const auto below = [&](std::uint32_t led) {
+            return led == no_index ? PassReason::triangles_meet
+                                   : first_of(within[led], own_reason(result_.tests[led]));
         };
         for (std::size_t i = 0; i < result_.tests.size(); ++i)
-            add(within[i] = of(result_.tests[i].parent));
-        for (const std::uint32_t led : item_parent_) add(of(led));
+            result_.wasted.add(within[i] = below(result_.tests[i].parent));
+        for (const std::uint32_t led : item_parent_) result_.wasted.add(below(led));
     }
 
     void find_missed() {

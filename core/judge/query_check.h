@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "core/analysis/pass_counts.h"
 #include "core/explain/contact_certificate.h"
 #include "core/judge/answer_check.h"
 #include "core/judge/engine_query.h"
@@ -147,11 +148,9 @@ struct QueryJudgement {
     /// Unreported pairs beyond the first 100,000, which are not examined: they may only touch.
     std::uint64_t not_looked_into = 0;
     /// Tests of volumes and items below a pair that passed although its volumes are disjoint
-    /// (weak), or although no triangles below it intersect (loose). In a query of distances: below
-    /// a pair that is farther apart than the answer because its bound is too small (weak), or
-    /// because the answer was not known yet (early), or below a nearer pair though no triangles
-    /// below it are so near (loose).
-    std::uint64_t wasted_weak = 0, wasted_loose = 0, wasted_early = 0;
+    /// (weak_test), or although no triangles below it intersect (loose_fit). In a query of
+    /// distances: see PassReason.
+    WastedTests wasted;
 
     std::uint64_t count(TestVerdict verdict) const;
     std::uint64_t repeated() const;

@@ -52,11 +52,10 @@ class LeastDistance {
         const auto less = [](const Waiting& x, const Waiting& y) { return x.least < y.least; };
         std::iter_swap(waiting_.begin(), std::ranges::min_element(waiting_, less));
         measure(waiting_.front().pair);
-        constexpr std::size_t some = 8;
         for (auto next = waiting_.begin() + 1; next != waiting_.end();) {
-            IndexPair pairs[some];
+            IndexPair pairs[at_once];
             std::size_t count = 0;
-            for (; count < some && next != waiting_.end(); ++next)
+            for (; count < at_once && next != waiting_.end(); ++next)
                 if (static_cast<double>(next->least) <= limit() && !has_least_corners(next->pair))
                     pairs[count++] = next->pair;
             measure_apart({pairs, count});
@@ -64,6 +63,9 @@ class LeastDistance {
     }
 
   private:
+    /// Distances that are computed at once, at most.
+    static constexpr std::size_t at_once = 8;
+
     struct Waiting {
         float least;
         IndexPair pair;
@@ -114,7 +116,7 @@ class LeastDistance {
     /// Computes the distances of pairs that do not intersect in lanes, and the points of the
     /// nearest.
     void measure_apart(std::span<const IndexPair> pairs) {
-        std::array<double, 8> distances;
+        std::array<double, at_once> distances;
         distances_apart(query_.a, query_.b, query_.b_to_a, query_.level, pairs, distances.data());
         result_.n_p += pairs.size();
         std::size_t best = pairs.size();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text_format.h"
+#include "render/figures/reason_words.h"
 #include "render/overlay/figure_layout.h"
 #include "render/overlay/side_panel.h"
 #include "render/plots/ending_colors.h"
@@ -13,28 +14,8 @@
 namespace scb::render {
 namespace {
 
-/// A reason with its words, and the tests that it wasted; first the tests that were not wasted.
-struct Part {
-    PassReason reason{};
-    const char* wasted = "";
-    const char* passed = "";
-};
-
-/// Pairs that are not judged have a part only if there are some.
-std::vector<Part> parts_of(const InspectFigure& figure) {
-    const bool is_distance = is_of_distance(figure.kind);
-    std::vector<Part> parts = {{PassReason::triangles_meet, "not wasted",
-                                is_distance ? "led to the answer" : "true contact"}};
-    for (const PassReason reason : waste_reasons(figure.kind)) {
-        const char* words = "not judged";
-        if (reason == PassReason::loose_fit) words = "fit too loose";
-        if (reason == PassReason::weak_test)
-            words = is_distance ? "bound too weak" : "test too weak";
-        if (reason == PassReason::early) words = "passed too early";
-        if (reason != PassReason::unjudged || figure.sum.counts.passed(reason) > 0)
-            parts.push_back({reason, words, words});
-    }
-    return parts;
+std::vector<ReasonWords> parts_of(const InspectFigure& figure) {
+    return reason_words(figure.kind, figure.sum.counts);
 }
 
 StackedBarsPlot empty_plot(const char* title, const char* x_label, const InspectFigure& figure) {
@@ -42,7 +23,7 @@ StackedBarsPlot empty_plot(const char* title, const char* x_label, const Inspect
     plot.title = title;
     plot.y_label = "volume tests";
     plot.x_label = x_label;
-    for (const Part& part : parts_of(figure))
+    for (const ReasonWords& part : parts_of(figure))
         plot.colors.push_back(pass_reason_color(part.reason, *figure.theme));
     return plot;
 }
@@ -53,7 +34,7 @@ void add(StackedBarsPlot& plot, int number, const InspectFigure& figure, std::ui
          const WastedBy& wasted_by) {
     plot.numbers.push_back(number);
     auto& amounts = plot.amounts.emplace_back();
-    for (const Part& part : parts_of(figure))
+    for (const ReasonWords& part : parts_of(figure))
         amounts.push_back(static_cast<double>(
             part.reason == PassReason::triangles_meet ? useful : wasted_by(part.reason)));
 }
@@ -77,8 +58,8 @@ StackedBarsPlot depths_plot(const InspectFigure& figure) {
         empty_plot("by depth", "depth of the pair: of both nodes together", figure);
     for (std::size_t d = 0; d < figure.sum.depths.size(); ++d) {
         const DepthInspection& at = figure.sum.depths[d];
-        add(plot, static_cast<int>(d), figure, at.tests - at.wasted,
-            [&at](PassReason reason) { return at.wasted_by(reason); });
+        add(plot, static_cast<int>(d), figure, at.tests - at.wasted.all(),
+            [&at](PassReason reason) { return at.wasted.by(reason); });
     }
     return plot;
 }
@@ -132,12 +113,12 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     }
     items.emplace_back(PanelHeading{"volume tests"});
     std::vector<LegendEntry> tests, passed;
-    for (const auto& [reason, wasted, of_pairs] : parts_of(figure)) {
-        tests.push_back({reason, wasted,
-                         reason == PassReason::triangles_meet
-                             ? counts.all.volume_tests - counts.wasted.volume_tests
-                             : counts.wasted_by(reason).volume_tests});
-        passed.push_back({reason, of_pairs, counts.passed(reason)});
+    for (const ReasonWords& part : parts_of(figure)) {
+        const bool is_useful = part.reason == PassReason::triangles_meet;
+        tests.push_back({part.reason, is_useful ? "not wasted" : part.title,
+                         is_useful ? counts.all.volume_tests - counts.wasted.volume_tests
+                                   : counts.wasted_by(part.reason).volume_tests});
+        passed.push_back({part.reason, part.title, counts.passed(part.reason)});
     }
     add_legend(items, tests, *figure.theme);
     items.emplace_back(PanelHeading{"pairs that passed"});

@@ -109,10 +109,8 @@ class RecordingJudge {
         if (visit_) visit_(recording_, judged);
         tolerances_.take(recording_, query, result_.summary.body_names, row.tolerance);
         tests_.take(recording_, query, judged, name, row);
-        row.wasted += judged.wasted_weak + judged.wasted_loose + judged.wasted_early;
-        result_.wasted_early += judged.wasted_early;
-        result_.wasted_weak += judged.wasted_weak;
-        result_.wasted_loose += judged.wasted_loose;
+        row.wasted += judged.wasted.all();
+        result_.wasted += judged.wasted;
         result_.grazing += judged.grazing;
         if (query.kind != QueryKind::collide) {
             row.wrong += judged.wrong_bounds.size();

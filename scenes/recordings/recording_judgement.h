@@ -125,8 +125,8 @@ struct RecordingJudgement {
     std::string damage;
     std::vector<NotJudged> not_judged;
     std::vector<CostFinding> costs;
-    std::uint64_t wasted_weak = 0, wasted_loose = 0, wasted_early = 0, nanoseconds = 0, grazing = 0,
-                  exact_pairs = 0;
+    WastedTests wasted;
+    std::uint64_t nanoseconds = 0, grazing = 0, exact_pairs = 0;
     std::uint64_t not_looked_into = 0;  ///< see QueryJudgement
     std::uint64_t unjudged = 0;         ///< tests of volumes that could not be judged
     std::uint64_t ended_early = 0;      ///< queries, whose missed pairs are not reported

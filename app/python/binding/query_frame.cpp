@@ -153,10 +153,12 @@ A test is wasted where the pair whose division led to it has no triangles below 
             "wasted_triangle_tests", [](const PassCounts& c) { return c.wasted.triangle_tests; },
             "Those of triangles that were wasted.")
         .def_property_readonly(
-            "wasted_by_tests", [](const PassCounts& c) { return c.wasted_by_tests.volume_tests; },
+            "wasted_by_tests",
+            [](const PassCounts& c) { return c.wasted_by(PassReason::weak_test).volume_tests; },
             "Of the wasted ones of volumes, those that an exact overlap test would save.")
         .def_property_readonly(
-            "wasted_by_fit", [](const PassCounts& c) { return c.wasted_by_fit().volume_tests; },
+            "wasted_by_fit",
+            [](const PassCounts& c) { return c.wasted_by(PassReason::loose_fit).volume_tests; },
             "The rest of them: the volumes meet, but nothing in them does.")
         .def_readonly("wrongly_rejected", &PassCounts::wrongly_rejected,
                       "Tests that rejected volumes which overlap: errors.")

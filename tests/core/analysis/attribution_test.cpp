@@ -63,8 +63,8 @@ TEST(Attribution, SaysWhyEachPairPassedAndWhatCameOfIt) {
     const PassCounts& counts = found.counts;
     EXPECT_EQ(counts.all, (Work{6, 1, 0}));
     EXPECT_EQ(counts.wasted, (Work{3, 1, 0}));
-    EXPECT_EQ(counts.wasted_by_tests, (Work{3, 1, 0}));
-    EXPECT_EQ(counts.wasted_by_fit(), Work{});
+    EXPECT_EQ(counts.wasted_by(PassReason::weak_test), (Work{3, 1, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::loose_fit), Work{});
     EXPECT_EQ(counts.touching, 1u);
     EXPECT_EQ(counts.wrongly_rejected, 1u);
     EXPECT_EQ(counts.missed, 0u);
@@ -79,8 +79,8 @@ TEST(Attribution, WorkBelowAFalsePairIsWastedOnce) {
     const PassCounts counts =
         attributed(some_query(), {loose, loose, weak, weak, weak, weak}).counts;
     EXPECT_EQ(counts.wasted, (Work{5, 1, 0}));
-    EXPECT_EQ(counts.wasted_by_tests, (Work{1, 1, 0}));
-    EXPECT_EQ(counts.wasted_by_fit(), (Work{4, 0, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::weak_test), (Work{1, 1, 0}));
+    EXPECT_EQ(counts.wasted_by(PassReason::loose_fit), (Work{4, 0, 0}));
 }
 
 TEST(Attribution, OfDistancesTakesTheReasonThatIsCuredMostEasily) {
@@ -115,12 +115,12 @@ TEST(Attribution, OfDistancesTakesTheReasonThatIsCuredMostEasily) {
     EXPECT_EQ(counts.wasted_by(PassReason::triangles_meet), Work{});
     // All tests below an early pair are wasted by it.
     const PassCounts around = attributed(query, {meeting, early, weak, loose, open, loose}).counts;
-    EXPECT_EQ(around.wasted_early, around.wasted);
+    EXPECT_EQ(around.wasted_by(PassReason::early), around.wasted);
     EXPECT_EQ(around.wasted, (Work{4, 1}));
     const Inspection by_depth = inspection(query.frame, found);
     for (const PassReason reason : waste_reasons(QueryKind::distance)) {
         std::uint64_t sum = 0;
-        for (const DepthInspection& depth : by_depth.depths) sum += depth.wasted_by(reason);
+        for (const DepthInspection& depth : by_depth.depths) sum += depth.wasted.by(reason);
         EXPECT_EQ(sum, counts.wasted_by(reason).volume_tests);
     }
 }
@@ -183,20 +183,25 @@ TEST(Attribution, OfASelfQueryFindsTheContactsBelowEachTest) {
 }
 
 TEST(PassCounts, AddUpMemberByMember) {
-    const PassCounts one =
-        attributed(some_query(), {meeting, weak, meeting, loose, weak, pair_of(Contact::touching)})
-            .counts;
+    const TestedPair touching = pair_of(Contact::touching);
+    PassCounts one =
+        attributed(some_query(), {meeting, weak, meeting, loose, weak, touching}).counts;
+    one += attributed(some_query(), {meeting, loose, meeting, loose, weak, touching}).counts;
     PassCounts two = one;
     two += one;
     EXPECT_EQ(two.missed, 2 * one.missed);
     EXPECT_EQ(two.touching, 2 * one.touching);
     EXPECT_EQ(two.wrongly_rejected, 2 * one.wrongly_rejected);
     EXPECT_EQ(two.passed(), 2 * one.passed());
-    for (const auto work : {&PassCounts::all, &PassCounts::wasted, &PassCounts::wasted_by_tests}) {
-        EXPECT_GT((one.*work).volume_tests, 0u);
-        EXPECT_EQ((two.*work).volume_tests, 2 * (one.*work).volume_tests);
-        EXPECT_EQ((two.*work).triangle_tests, 2 * (one.*work).triangle_tests);
-    }
+    const auto expect_twice = [](const Work& doubled, const Work& work) {
+        EXPECT_GT(work.volume_tests + work.triangle_tests, 0u);
+        EXPECT_EQ(doubled.volume_tests, 2 * work.volume_tests);
+        EXPECT_EQ(doubled.triangle_tests, 2 * work.triangle_tests);
+    };
+    expect_twice(two.all, one.all);
+    expect_twice(two.wasted, one.wasted);
+    for (const PassReason reason : {PassReason::weak_test, PassReason::loose_fit})
+        expect_twice(two.wasted_by(reason), one.wasted_by(reason));
 }
 
 TEST(Inspection, CountsTestsByDepth) {
@@ -210,12 +215,20 @@ TEST(Inspection, CountsTestsByDepth) {
         for (const DepthInspection& depth : of.depths) values.push_back(depth.*count);
         return values;
     };
+    const auto by_weak_tests = [](const Inspection& of) {
+        Counts values;
+        for (const DepthInspection& depth : of.depths)
+            values.push_back(depth.wasted.by(PassReason::weak_test));
+        return values;
+    };
     const Inspection found = inspected({meeting, loose, loose, weak, loose, loose}),
                      below_weak = inspected({meeting, weak, loose, loose, loose, loose});
     EXPECT_EQ(counts(found, &DepthInspection::tests), (Counts{1, 2, 2, 1}));
-    EXPECT_EQ(counts(found, &DepthInspection::wasted), (Counts{0, 0, 2, 1}));
-    EXPECT_EQ(counts(found, &DepthInspection::wasted_by_tests), (Counts{0, 0, 0, 1}));
-    EXPECT_EQ(counts(below_weak, &DepthInspection::wasted_by_tests), (Counts{0, 0, 2, 1}));
+    Counts wasted;
+    for (const DepthInspection& depth : found.depths) wasted.push_back(depth.wasted.all());
+    EXPECT_EQ(wasted, (Counts{0, 0, 2, 1}));
+    EXPECT_EQ(by_weak_tests(found), (Counts{0, 0, 0, 1}));
+    EXPECT_EQ(by_weak_tests(below_weak), (Counts{0, 0, 2, 1}));
     EXPECT_EQ(found.depths[2].passed, (std::array<std::uint64_t, 5>{1, 0, 0, 0, 0}));
     Inspection sum = found;
     Inspection shallow;
@@ -226,7 +239,7 @@ TEST(Inspection, CountsTestsByDepth) {
     for (const Inspection* both : {&sum, &shallow}) {
         ASSERT_EQ(both->depths.size(), 4u);
         EXPECT_EQ(both->depths[1].tests, 9u);
-        EXPECT_EQ(both->depths[3].wasted_by_tests, 1u);
+        EXPECT_EQ(both->depths[3].wasted.by(PassReason::weak_test), 1u);
     }
 }
 

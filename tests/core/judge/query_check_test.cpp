@@ -22,7 +22,7 @@ TEST(QueryCheck, AValidQueryHasNoProblems) {
     EXPECT_TRUE(judged.wrong_item_tests.empty());
     EXPECT_EQ(judged.count(TestVerdict::right), judged.tests.size());
     EXPECT_EQ(judged.repeated(), 0u);
-    EXPECT_EQ(judged.wasted_loose + judged.wasted_weak, 0u);
+    EXPECT_EQ(judged.wasted.all(), 0u);
 }
 
 TEST(QueryCheck, NamesTheCauseOfAFalsePair) {
@@ -223,10 +223,11 @@ TEST(QueryCheck, WasteIsWhatPairsWithoutAContactBelowThemLedTo) {
                          {Kind::volumes, 0, 2, 2},    {Kind::volumes, 0, 5, 5},
                          {Kind::items_apart, 0, 2, 2}};
     // (2, 2) led to (5, 5), and that to the test of the triangles.
-    EXPECT_EQ(rows.judged().wasted_loose, 2u);
-    EXPECT_EQ(rows.judged().wasted_weak, 0u);
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::loose_fit), 2u);
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::weak_test), 0u);
     rows.query.events[3].kind = Kind::items_apart;
-    EXPECT_EQ(rows.judged().wasted_loose, 6u) << "all but the test of the roots";
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::loose_fit), 6u)
+        << "all but the test of the roots";
 }
 
 TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
@@ -242,8 +243,8 @@ TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
                          {Kind::items_apart, 0, 2, 2}};
     const QueryJudgement judged = rows.judged();
     EXPECT_EQ(judged.count(TestVerdict::false_positive), 1u);
-    EXPECT_EQ(judged.wasted_loose, 1u);
-    EXPECT_EQ(judged.wasted_weak, 2u);
+    EXPECT_EQ(judged.wasted.by(PassReason::loose_fit), 1u);
+    EXPECT_EQ(judged.wasted.by(PassReason::weak_test), 2u);
 }
 
 TEST(QueryCheck, PairsAloneTellWhatATestLedTo) {
@@ -251,11 +252,12 @@ TEST(QueryCheck, PairsAloneTellWhatATestLedTo) {
     rows.query.has_item_tests = false;
     std::erase_if(rows.query.events,
                   [](const EngineEvent& event) { return event.kind == Kind::items_meet; });
-    EXPECT_EQ(rows.judged().wasted_loose, 0u);
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::loose_fit), 0u);
     rows.erase(Kind::pair, 3, 3);
-    EXPECT_EQ(rows.judged().wasted_loose, 0u) << "(6, 6) led to nothing, (2, 2) to a pair";
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::loose_fit), 0u)
+        << "(6, 6) led to nothing, (2, 2) to a pair";
     rows.erase(Kind::pair, 2, 2);
-    EXPECT_EQ(rows.judged().wasted_loose, 4u) << "the four pairs below (2, 2)";
+    EXPECT_EQ(rows.judged().wasted.by(PassReason::loose_fit), 4u) << "the four pairs below (2, 2)";
 }
 
 TEST(QueryCheck, TellsHowFarApartTheVolumesOfATestAre) {

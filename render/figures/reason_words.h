@@ -5,7 +5,7 @@
 
 #include "core/analysis/inspection.h"
 
-namespace scb::app {
+namespace scb::render {
 
 /// How reports speak of a reason for which pairs pass.
 struct ReasonWords {
@@ -23,4 +23,4 @@ std::vector<ReasonWords> reason_words(QueryKind kind, const PassCounts& counts);
 /// The words of one reason.
 ReasonWords words_of(PassReason reason, QueryKind kind);
 
-}  // namespace scb::app
+}  // namespace scb::render

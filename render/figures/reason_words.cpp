@@ -1,6 +1,6 @@
-#include "app/inspect/reason_words.h"
+#include "render/figures/reason_words.h"
 
-namespace scb::app {
+namespace scb::render {
 
 ReasonWords words_of(PassReason reason, QueryKind kind) {
     const bool is_distance = is_of_distance(kind);
@@ -30,4 +30,4 @@ std::vector<ReasonWords> reason_words(QueryKind kind, const PassCounts& counts) 
     return all;
 }
 
-}  // namespace scb::app
+}  // namespace scb::render

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/volumes/convex_shape.h"
+#include "scb/scb2.h"
+
+namespace scb {
+
+/// A ball cut by two slabs, by its support points. They are exact.
+ConvexShape cut_ball_shape(const Scb2& scb);
+
+}  // namespace scb
