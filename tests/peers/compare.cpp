@@ -14,6 +14,7 @@
 #include "scb/error.h"
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_group.h"
+#include "tests/peers/gnuplot.h"
 #include "tests/peers/peer_json.h"
 #include "tests/peers/peer_plot.h"
 #include "tests/peers/peer_tables.h"
@@ -73,12 +74,9 @@ void write_files(const Options& options, std::span<const PeerKind> kinds,
     if (!find_peer(kinds, baseline_name))
         return note(std::string("there is no plot: it compares with ") + baseline_name +
                     ", which does not take part.");
-    write_file_whole(folder / "peers.gnuplot", plot_script(kinds, groups, options.query()));
-    if (is_on_path("gnuplot"))
-        run_gnuplot(folder, "peers.gnuplot");
-    else
-        note("there is no plot: gnuplot is missing; install gnuplot-nox, and run it on " +
-             (folder / "peers.gnuplot").string() + ".");
+    const std::string missing =
+        draw_plot(folder, "peers.gnuplot", plot_script(kinds, groups, options.query()));
+    if (!missing.empty()) note(missing);
 }
 
 void make_folder(const std::string& folder) {

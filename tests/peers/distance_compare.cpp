@@ -9,18 +9,21 @@
 #include "core/base/exit_status.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "core/platform/output_file.h"
 #include "scb/error.h"
 #include "scenes/meshes/mesh_file.h"
 #include "scenes/scene/load_scene.h"
 #include "tests/peers/core_mesh.h"
+#include "tests/peers/distance_plot.h"
 #include "tests/peers/distance_scene.h"
+#include "tests/peers/gnuplot.h"
 
 namespace scb {
 namespace {
 
 struct Options {
     std::vector<std::string> bodies;
-    std::string models_dir;
+    std::string models_dir, output;
     std::vector<double> gaps = {0.001, 0.01, 0.1, 1};
     int rounds = 5;
     std::size_t poses = 12;
@@ -131,16 +134,20 @@ int compare(const Options& options) {
                  "knots-l1", "knots-l3",      SCB_SOURCE_DIR "/tests/peers/nested-spheres.json"};
     bool differs = false, has_header = false;
     std::map<std::string, std::vector<double>> logs;  // of FCL's time over the time of the packed
+    DistancePlot plot;
     for (const std::string& name : names) {
         const auto [scene, group] = subject(name, options);
         std::vector<Named> peers = peers_of(*scene.bodies);
         if (!has_header) print_header(peers, options.poses);
         has_header = true;
+        plot.peers.clear();
+        for (const Named& peer : peers) plot.peers.push_back(peer.title);
         for (const auto& [gap, poses] : scene.rows) {
-            std::string row =
-                "| " + std::filesystem::path(name).stem().string() + " | " + gap + " |";
+            const std::string bodies = std::filesystem::path(name).stem().string();
+            std::string row = "| " + bodies + " | " + gap + " |";
             const std::vector<double> ms = measure(peers, poses, options.rounds, row, differs);
             logs[group].push_back(std::log(ms[6] / ms[0]));
+            plot.rows.push_back({bodies, gap, ms});
             std::cout << row << std::endl;
         }
     }
@@ -148,6 +155,11 @@ int compare(const Options& options) {
     for (const auto& [group, values] : logs)
         std::cout << group << ": geometric mean of FCL OBBRSS / packed "
                   << format("%.1f", std::exp(mean(values))) << "\n";
+    if (!options.output.empty()) {
+        const std::string missing =
+            draw_plot(options.output, "distances.gnuplot", distance_plot_script(plot));
+        if (!missing.empty()) std::cerr << "scb_distance_peers: " << missing << "\n";
+    }
     return differs ? exit_different : exit_done;
 }
 
@@ -167,7 +179,11 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(1, 1000));
     program.add_option("--rounds", options.rounds, "how many times each query is timed")
         ->check(CLI::Range(1, 1000));
-    program.footer("Exit status: 0 done, 1 a distance differs, 2 bad usage or input.");
+    program.add_option("-o,--output", options.output,
+                       "a folder that exists, for distances.gnuplot and distances.png");
+    program.footer(
+        "Exit status: 0 done, 1 a distance differs, 2 bad usage or input, 3 a file cannot be "
+        "written.");
     try {
         program.parse(argc, argv);
         return compare(options);
@@ -176,6 +192,9 @@ int run(int argc, char** argv) {
     } catch (const InputError& error) {
         std::cerr << "scb_distance_peers: error: " << error.what() << "\n";
         return exit_bad_input;
+    } catch (const OutputError& error) {
+        std::cerr << "scb_distance_peers: error: " << error.what() << "\n";
+        return exit_environment;
     }
 }
 

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/platform/child_process.h"
-#include "core/platform/output_file.h"
 #include "render/view/palette.h"
 #include "scb/any_hierarchy.h"
+#include "tests/peers/gnuplot.h"
 #include "tests/peers/peer_tables.h"
 #include "tests/peers/peers.h"
 
@@ -33,16 +32,7 @@ std::string color_of(std::span<const PeerKind> kinds, std::size_t p) {
         color = render::shade_of(render::hierarchy_color(VolumeKind::scb), own_count - 1 - own,
                                  own_count, render::light_theme);
     if (kinds[p].name == baseline_name) color = render::hierarchy_color(VolumeKind::obb);
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02X%02X%02X", color.r, color.g, color.b);
-    return text;
-}
-
-/// A text in single quotes, as gnuplot reads it.
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-    return result + "'";
+    return gnuplot_color(color);
 }
 
 struct Panel {
@@ -142,7 +132,7 @@ std::string panel_row(std::span<const PeerKind> kinds, const ComparisonGroup& gr
     for (std::size_t i = 0; i < std::size(panels); ++i) {
         text += "set lmargin at screen " + std::to_string(panels[i].left) +
                 "\nset rmargin at screen " + std::to_string(panels[i].right) + "\nset title " +
-                quoted((group.title.empty() ? "" : group.title + ", ") + panels[i].title) +
+                gnuplot_text((group.title.empty() ? "" : group.title + ", ") + panels[i].title) +
                 (i == 0 ? "\nset ylabel 'times as quick as FCL' offset 0.5\nset ytics format '%g'\n"
                         : "\nunset ylabel\nset ytics format ''\n") +
                 "plot ";
@@ -178,7 +168,7 @@ std::string legend(std::span<const PeerKind> kinds, std::span<const ComparisonGr
     text += "plot ";
     for (std::size_t p = 0; p < kinds.size(); ++p)
         text += std::string(p > 0 ? ", \\\n     " : "") + "NaN " + style(kinds, p) + " title " +
-                quoted(title(kinds, groups, p));
+                gnuplot_text(title(kinds, groups, p));
     return text + "\n";
 }
 
@@ -216,15 +206,6 @@ std::string plot_script(std::span<const PeerKind> kinds, std::span<const Compari
         "unset key\n";
     for (std::size_t g = 0; g < groups.size(); ++g) text += panel_row(kinds, groups[g], g, layout);
     return text + legend(kinds, groups, layout) + "unset multiplot\n";
-}
-
-void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
-    const UnnamedFile output;
-    ChildProcess gnuplot({"gnuplot", name}, output, std::chrono::seconds(10), folder.string());
-    const std::optional<ProcessEnd> end = gnuplot.wait(std::chrono::seconds(60));
-    if (!end || *end != ProcessEnd{})
-        throw OutputError("gnuplot failed on " + (folder / name).string() + ": " +
-                          gnuplot.last_line() + "; run it there to see more.");
 }
 
 }  // namespace scb

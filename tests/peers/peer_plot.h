@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 
 #include "tests/peers/comparison_group.h"
@@ -12,9 +11,5 @@ namespace scb {
 /// the left, cold at the right. Its data is in the script.
 std::string plot_script(std::span<const PeerKind> kinds, std::span<const ComparisonGroup> groups,
                         PeerQuery query);
-
-/// Runs gnuplot on the script `name` of the folder. Throws OutputError where it cannot be run or
-/// fails.
-void run_gnuplot(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace scb
