@@ -1,26 +1,90 @@
 #include "app/inspect/distance_advice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/command_text.h"
+#include "app/inspect/compared_recording.h"
 #include "app/study/distance_setting_text.h"
 #include "app/timing/tune_progress.h"
 #include "core/analysis/pass_counts.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
-#include "core/platform/number_list.h"
+#include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
+#include "scb/error.h"
 
 namespace scb::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double cost_share(const DistanceRow& row, const DistanceTrial& trial) {
+/// Of the present setting; of the best one if the queries were recorded.
+double cost_share(const DistanceRow& row, const DistanceAdvice& advice) {
+    const DistanceTrial& trial = advice.trial;
+    const DistanceRow& base = advice.recorded ? trial.best() : trial.rows[0];
     return ratio(static_cast<double>(row.work.picoseconds),
-                 static_cast<double>(trial.rows[0].work.picoseconds));
+                 static_cast<double>(base.work.picoseconds));
+}
+
+/// The queries of a recording, with the default hierarchies for them.
+SceneQuery query_of(ComparedRecording compared, const TraceHeader& header,
+                    const BuildOptions& build) {
+    SceneQuery query;
+    query.scene = std::move(compared.scene);
+    query.frames = compared.frames;
+    query.a = compared.a;
+    query.b = compared.b;
+    query.kind = VolumeKind::scb2;
+    query.build = build;
+    query.topologies = scenes::build_topologies(query.scene, build.topology());
+    query.hierarchies = scenes::fit_meshes(query.topologies, query.kind, build);
+    query.distance = {header.distance, std::nullopt};
+    if (header.kind == QueryKind::within) query.distance->within = header.tolerance;
+    return query;
+}
+
+/// The limits of recorded queries in a command.
+std::string limit_options(const TraceHeader& header) {
+    if (header.kind == QueryKind::within) return " --within " + exact_number(header.tolerance);
+    std::string text;
+    if (std::isfinite(header.distance.limit))
+        text += " --limit " + exact_number(header.distance.limit);
+    if (header.distance.relative_error > 0)
+        text += " --relative-error " + exact_number(header.distance.relative_error);
+    return text;
+}
+
+/// The arguments of the commands of an advice.
+struct CommandParts {
+    std::string scene, limits;
+};
+
+/// The commands for the best setting.
+void add_commands(DistanceAdvice& advice, const CommandParts& parts) {
+    const DistanceSetting &best = advice.trial.best().setting,
+                          &present = advice.trial.rows[0].setting;
+    advice.command = "scb distance" + parts.scene + parts.limits + distance_options(best);
+    const auto both = [](std::string_view of_present, std::string_view of_best) {
+        std::string text(of_present);
+        if (of_best != of_present) text += "," + std::string(of_best);
+        return text;
+    };
+    advice.timing =
+        "scb bench" + parts.scene + " --kind distance" + parts.limits + " --volume " +
+        both(volume_kind_name(present.hierarchy.volume), volume_kind_name(best.hierarchy.volume)) +
+        " --split " +
+        both(split_method_name(present.hierarchy.split), split_method_name(best.hierarchy.split)) +
+        (advice.trial.is_within ? "" : " --order " + std::string(distance_order_name(best.order))) +
+        (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
+}
+
+std::string frames_option(const std::vector<int>& frames) {
+    std::string text;
+    for (const int frame : frames)
+        text += (text.empty() ? " --frames " : ",") + std::to_string(frame);
+    return text;
 }
 
 }  // namespace
@@ -29,80 +93,111 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
                                               const QuerySource& source,
                                               const FrameFindings& findings, const Console& console,
                                               const InterruptWatch& watch) {
-    Work all;
-    for (const InspectedFrame& frame : findings.frames) all += frame.found.counts.all;
-    const std::vector<int>& inspected = source.frames();
-    std::vector<int> frames;
-    for (const std::size_t i : counted_frames(inspected.size(), all))
-        frames.push_back(inspected[i]);
-    const TuneProgress progress = tune_progress(console, watch);
-    std::optional<DistanceTrial> trial = try_distances(source.query(), frames, progress);
-    if (!trial) return std::nullopt;
     DistanceAdvice advice;
+    CommandParts parts;
+    std::vector<int> frames;
+    std::optional<DistanceTrial> trial;
+    const TuneProgress progress = tune_progress(console, watch);
+    if (source.is_recording()) {
+        const scenes::RecordedTrace& recorded = *source.recorded();
+        if (!recorded.has_one_limit())
+            throw InputError(recorded.recording().file->path +
+                             ": the limits of its queries differ; select frames of one limit with "
+                             "--frames.");
+        ComparedRecording compared = compared_recording(source, findings);
+        frames = compared.frames;
+        advice.engine = render::volume_title(source.header());
+        advice.recorded = compared.recorded;
+        parts = {options.of_meshes, limit_options(source.header())};
+        trial =
+            try_distances(query_of(std::move(compared), source.header(), options.hierarchy.build()),
+                          frames, progress);
+    } else {
+        Work all;
+        for (const InspectedFrame& frame : findings.frames) all += frame.found.counts.all;
+        for (const std::size_t i : counted_frames(source.frames().size(), all))
+            frames.push_back(source.frames()[i]);
+        parts = {options.of_bodies, options.of_distances};
+        trial = try_distances(source.query(), frames, progress);
+    }
+    if (!trial) return std::nullopt;
     advice.trial = std::move(*trial);
-    std::string numbers;
-    for (const int frame : frames)
-        numbers += (numbers.empty() ? " --frames " : ",") + std::to_string(frame);
-    const std::string scene =
-        options.of_bodies + (frames.size() == inspected.size() ? options.of_frames : numbers);
-    const DistanceSetting &best = advice.trial.best().setting,
-                          &present = advice.trial.rows[0].setting;
-    advice.command = "scb distance" + scene + options.of_distances + distance_options(best);
-    const auto both = [](std::string_view of_present, std::string_view of_best) {
-        std::string text(of_present);
-        if (of_best != of_present) text += "," + std::string(of_best);
-        return text;
-    };
-    advice.timing =
-        "scb bench" + scene + " --kind distance" + options.of_distances + " --volume " +
-        both(volume_kind_name(present.hierarchy.volume), volume_kind_name(best.hierarchy.volume)) +
-        " --split " +
-        both(split_method_name(present.hierarchy.split), split_method_name(best.hierarchy.split)) +
-        (advice.trial.is_within ? "" : " --order " + std::string(distance_order_name(best.order))) +
-        (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
+    parts.scene +=
+        frames.size() == source.frames().size() ? options.of_frames : frames_option(frames);
+    add_commands(advice, parts);
     return advice;
 }
 
-std::string advice_sentence(const DistanceAdvice& advice, std::size_t frames) {
+std::string advice_sentence(const DistanceAdvice& advice) {
     const DistanceTrial& trial = advice.trial;
     const DistanceRow &best = trial.best(), &present = trial.rows[0];
-    const std::string where = frames == 1
-                                  ? " in frame " + std::to_string(trial.frames[0])
-                                  : " over " + std::to_string(trial.frames.size()) + " frames";
+    const std::size_t counted = trial.frames.size();
+    const std::string where = counted == 1 ? " in frame " + std::to_string(trial.frames[0])
+                                           : " over " + std::to_string(counted) + " frames";
+    const std::string setting = setting_words(best.setting, trial.is_within);
+    const auto counts = [&best](const Work& base) {
+        std::string text = "N_v " + render::change_text(base.volume_tests, best.work.volume_tests);
+        // Packed queries count fewer pairs of triangles than they bound.
+        if (!best.setting.layout)
+            text += ", N_p " + render::change_text(base.triangle_tests, best.work.triangle_tests);
+        return text;
+    };
+    if (advice.recorded)
+        return "This project's best of " + std::to_string(trial.tried) + " settings" + where +
+               ": " + setting + ". Its tests, compared with the tests of " + advice.engine + ": " +
+               counts(*advice.recorded) + ". Tests of two engines may take different times.";
     if (&best == &present)
         return "None of " + std::to_string(trial.tried) + " settings costs less" + where +
                " than the present setting.";
-    return "Best of " + std::to_string(trial.tried) + " settings" + where + ": " +
-           setting_words(best.setting, trial.is_within) +
-           format(", with %.3f of the cost of the present setting: N_v ", cost_share(best, trial)) +
-           render::change_text(present.work.volume_tests, best.work.volume_tests) + ", N_p " +
-           render::change_text(present.work.triangle_tests, best.work.triangle_tests) +
-           ". Cost: assumed time of the tests.";
+    return "Best of " + std::to_string(trial.tried) + " settings" + where + ": " + setting +
+           format(", with %.3f of the cost of the present setting: ", cost_share(best, advice)) +
+           counts(present.work) + ". Cost: assumed time of the tests.";
+}
+
+std::string trial_words(const DistanceAdvice& advice) {
+    return std::string("The same queries with ") +
+           (advice.recorded ? "this project's hierarchies" : "other settings") +
+           ", by cost, the least first; sums over the frames. Cost: assumed time of the tests, "
+           "over "
+           "the cost of the " +
+           (advice.recorded ? "best" : "present") +
+           " setting. N_p of packed layouts: pairs of triangles that were measured in doubles.";
 }
 
 Table trial_table(const DistanceAdvice& advice, std::size_t most) {
     const DistanceTrial& trial = advice.trial;
-    std::size_t width = 7;
+    const Work& base = advice.recorded ? *advice.recorded : trial.rows[0].work;
     const auto name = [&](const DistanceRow& row) {
         return setting_words(row.setting, trial.is_within) +
-               (&row == trial.rows.data() ? " (present)" : "");
+               (!advice.recorded && &row == trial.rows.data() ? " (present)" : "");
     };
-    for (const DistanceRow& row : trial.rows) width = std::max(width, name(row).size());
+    // The default setting of a recording's comparison has the place that its cost gives it.
+    std::vector<const DistanceRow*> rows;
+    for (const DistanceRow& row : trial.rows) rows.push_back(&row);
+    if (advice.recorded)
+        std::stable_sort(rows.begin(), rows.end(), [](const DistanceRow* x, const DistanceRow* y) {
+            return x->work.picoseconds < y->work.picoseconds;
+        });
+    rows.resize(std::min(rows.size(), most + (advice.recorded ? 0 : 1)));
+    std::size_t width = std::max<std::size_t>(7, character_count(advice.engine));
+    for (const DistanceRow* row : rows) width = std::max(width, name(*row).size());
     Table table({{.title = "setting", .key = "setting", .width = width, .align = Align::left},
                  {.title = "N_v", .key = "n_v", .width = 11, .before = 2},
-                 {.title = "/present", .width = 8, .before = 2},
+                 {.title = advice.recorded ? "/rec'd" : "/present", .width = 8, .before = 2},
                  {.title = "N_p", .key = "n_p", .width = 9, .before = 2},
                  {.title = "cost", .key = "cost", .width = 7, .before = 2}});
-    for (std::size_t i = 0; i < std::min(most + 1, trial.rows.size()); ++i) {
-        const DistanceRow& row = trial.rows[i];
-        table.add({name(row),
-                   {row.work.volume_tests, render::count_text(row.work.volume_tests)},
-                   Cell(ratio(static_cast<double>(row.work.volume_tests),
-                              static_cast<double>(trial.rows[0].work.volume_tests)),
+    const auto add = [&](const std::string& title, const Work& work, const Cell& cost) {
+        table.add({title,
+                   {work.volume_tests, render::count_text(work.volume_tests)},
+                   Cell(ratio(static_cast<double>(work.volume_tests),
+                              static_cast<double>(base.volume_tests)),
                         "%.3f"),
-                   {row.work.triangle_tests, render::count_text(row.work.triangle_tests)},
-                   Cell(cost_share(row, trial), "%.3f")});
-    }
+                   {work.triangle_tests, render::count_text(work.triangle_tests)},
+                   cost});
+    };
+    if (advice.recorded) add(advice.engine, base, "");
+    for (const DistanceRow* row : rows)
+        add(name(*row), row->work, Cell(cost_share(*row, advice), "%.3f"));
     return table;
 }
 
@@ -123,12 +218,16 @@ Json advice_json(const DistanceAdvice& advice) {
         one["cost"] = static_cast<double>(row.work.picoseconds) / 1000;
         rows.push_back(std::move(one));
     }
-    return {{"frames", trial.frames},
-            {"settings", std::move(rows)},
-            {"best", &trial.best() - trial.rows.data()},
-            {"given_up", trial.tried - trial.rows.size()},
-            {"command", advice.command},
-            {"timing", advice.timing}};
+    Json json = {{"frames", trial.frames},
+                 {"settings", std::move(rows)},
+                 {"best", &trial.best() - trial.rows.data()},
+                 {"given_up", trial.tried - trial.rows.size()},
+                 {"command", advice.command},
+                 {"timing", advice.timing}};
+    if (advice.recorded)
+        json["recorded"] = {{"n_v", advice.recorded->volume_tests},
+                            {"n_p", advice.recorded->triangle_tests}};
+    return json;
 }
 
 }  // namespace scb::app

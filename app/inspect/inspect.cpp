@@ -132,19 +132,19 @@ int run(InspectOptions& options, const Console& console) {
     const ExplainedPairs explained = report_waste(inspected);
     std::string no_settings =
         recorded && !report.recording->judged.wrong() ? inspected.no_waste : "";
-    if (watch.signal() == 0 && !options.no_advice && can_compare(inspected)) {
+    if (watch.signal() == 0 && !options.no_advice) {
         try {
-            report.settings = inspect_settings(options, inspected.sources.front(), *inspected.found,
-                                               console, watch);
+            if (can_compare(inspected))
+                report.settings = inspect_settings(options, inspected.sources.front(),
+                                                   *inspected.found, console, watch);
+            if (can_compare_distances(inspected) && has_enough_tests(report))
+                report.distance_advice = distance_advice(options, inspected.sources.front(),
+                                                         *inspected.found, console, watch);
         } catch (const InputError& error) {
             if (!recorded) throw;
             no_settings = error.what();
         }
     }
-    if (watch.signal() == 0 && !options.no_advice && can_compare_distances(inspected) &&
-        has_enough_tests(report))
-        report.distance_advice =
-            distance_advice(options, inspected.sources.front(), *inspected.found, console, watch);
     if (recorded && options.draws() && watch.signal() == 0)
         begin_pictures(pictures, inspected, options);
     const bool draws = pictures && watch.signal() == 0;

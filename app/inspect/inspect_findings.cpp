@@ -224,8 +224,7 @@ bool has_advice(const InspectReport& report) {
 }
 
 std::vector<std::string> advice_findings(const InspectReport& report) {
-    if (report.distance_advice)
-        return {advice_sentence(*report.distance_advice, report.frames.size())};
+    if (report.distance_advice) return {advice_sentence(*report.distance_advice)};
     if (!report.settings) return {};
     const SceneTuning& tuning = report.settings->tuning;
     if (report.settings->recorded) return {recorded_advice(*report.settings)};

@@ -470,6 +470,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_methods"] = flag(report.distance_advice.has_value());
     if (report.distance_advice) {
         values["methods"] = trial_table(*report.distance_advice, most_trial_rows).html();
+        values["method_words"] = trial_words(*report.distance_advice);
         values["method_command"] = report.distance_advice->command;
         values["method_timing"] = report.distance_advice->timing;
     }

@@ -267,7 +267,8 @@ std::string inspect_text(const InspectReport& report, bool full) {
     }
     if (has_advice(report) && full) text += settings_text(*report.settings, report.frames.size());
     if (report.distance_advice && full)
-        text += "what would have helped, by cost, the least first; sums over the frames\n" +
+        text += wrapped_lines("What would have helped: " + trial_words(*report.distance_advice) +
+                              "\n") +
                 trial_table(*report.distance_advice, most_trial_rows).text() +
                 "\nTo use it:  " + report.distance_advice->command +
                 "\nTo time it: " + report.distance_advice->timing + "\n";

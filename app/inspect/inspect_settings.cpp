@@ -1,11 +1,11 @@
 #include "app/inspect/inspect_settings.h"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/cli/command_text.h"
+#include "app/inspect/compared_recording.h"
 #include "app/study/layout_time.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_progress.h"
@@ -16,7 +16,6 @@
 #include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
-#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
@@ -90,39 +89,6 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
                                                      const FrameFindings& findings,
                                                      const Console& console,
                                                      const InterruptWatch& watch) {
-    const scenes::Recording& recording = source.recorded()->recording();
-    const std::string& path = recording.file->path;
-    if (source.header().engine->objects)
-        throw InputError(path + ": its items are objects without triangles.");
-    if (source.body_index(0) == source.body_index(1))
-        throw InputError(path + ": its queries are of a body against itself.");
-    if (!recording.refusal.empty() && !recording.changes_meshes)
-        throw InputError(recording.refusal);
-    std::vector<std::pair<int, Work>> of_frames;
-    std::map<int, std::uint64_t> pairs_of;
-    Work all;
-    for (const InspectedFrame& frame : findings.frames) {
-        of_frames.emplace_back(frame.frame, frame.found.counts.all);
-        pairs_of[frame.frame] = frame.found.pairs;
-        all += of_frames.back().second;
-    }
-    if (all.volume_tests == 0) throw InputError(path + ": no tests of volumes were recorded.");
-    std::sort(of_frames.begin(), of_frames.end());
-    std::vector<std::size_t> places = counted_frames(of_frames.size(), all);
-    // Hierarchies of this project have one mesh, so only one frame can be used.
-    if (recording.changes_meshes)
-        places = {static_cast<std::size_t>(
-            std::max_element(of_frames.begin(), of_frames.end(),
-                             [](const auto& x, const auto& y) { return x.second < y.second; }) -
-            of_frames.begin())};
-    std::vector<int> counted;
-    Work recorded;
-    std::uint64_t pairs = 0;
-    for (const std::size_t i : places) {
-        pairs += pairs_of[of_frames[i].first];
-        counted.push_back(of_frames[i].first);
-        recorded += of_frames[i].second;
-    }
     TuneOptions asked;
     asked.base.volume = VolumeKind::scb2;
     asked.base.growth = options.hierarchy.growth;
@@ -130,10 +96,8 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     asked.layouts = widest_layouts();
     asked.gives_up = true;
     const TuneProgress progress = tune_progress(console, watch);
-    const scenes::Scene scene =
-        recording.changes_meshes ? scenes::scene_at(recording, counted[0]) : source.scene();
-    const std::size_t a = source.body_index(0), b = source.body_index(1);
-    std::optional<SceneTuning> tuning = tune_scene(scene, a, b, counted, asked, progress);
+    const auto [scene, a, b, frames, recorded, pairs] = compared_recording(source, findings);
+    std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, progress);
     if (!tuning) return std::nullopt;
     InspectSettings result;
     result.tuning = std::move(*tuning);
@@ -148,7 +112,8 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     result.scene = options.of_files;
     const std::string collide =
         "scb collide" + options.of_meshes +
-        (recording.changes_meshes ? " --frames " + std::to_string(counted[0]) : options.of_frames);
+        (source.recorded()->recording().changes_meshes ? " --frames " + std::to_string(frames[0])
+                                                       : options.of_frames);
     const SceneTuning& found = result.tuning;
     result.command = collide + setting_options(found.rows[found.recommended()].setting);
     if (found.quicker_layout)

@@ -163,22 +163,19 @@ ExplainedPairs report_waste(InspectedQueries& inspected) {
 }
 
 bool can_compare_distances(const InspectedQueries& inspected) {
+    if (inspected.sources.empty() || !is_of_distance(inspected.report.header.kind)) return false;
+    const QuerySource& source = inspected.sources.front();
+    if (inspected.file) return !inspected.report.recording->judged.wrong();
     // The commands of an advice take no trace.
-    return !inspected.file && !inspected.sources.empty() &&
-           inspected.sources.front().makes_queries() &&
-           is_of_distance(inspected.report.header.kind) &&
-           inspected.sources.front().query().distance.has_value() &&
-           inspected.sources.front().query().mutation == Mutation::none &&
+    return source.makes_queries() && source.query().distance.has_value() &&
+           source.query().mutation == Mutation::none &&
            inspected.report.sum.counts.wrongly_rejected == 0;
 }
 
 bool can_compare(const InspectedQueries& inspected) {
-    if (inspected.sources.empty()) return false;
-    if (inspected.file)
-        return !inspected.report.recording->judged.wrong() &&
-               !is_of_distance(inspected.sources.front().header().kind);
+    if (inspected.sources.empty() || is_of_distance(inspected.report.header.kind)) return false;
+    if (inspected.file) return !inspected.report.recording->judged.wrong();
     const SceneQuery& query = inspected.sources.front().query();
-    if (is_of_distance(inspected.report.header.kind)) return false;
     return inspected.found->complete && query.options.stop_level < 0 &&
            query.mutation == Mutation::none && inspected.report.sum.counts.missed == 0;
 }

@@ -65,6 +65,8 @@ RecordedTrace::RecordedTrace(const RecordedTrace& other)
       stages_(other.stages_),
       bodies_(other.bodies_),
       test_counts_(other.test_counts_),
+      has_one_limit_(other.has_one_limit_),
+      has_whole_queries_(other.has_whole_queries_),
       queries_(std::make_unique<RecordedQueries>(*recording_->file)) {}
 
 std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
@@ -148,8 +150,15 @@ void RecordedTrace::take_kind(const EngineQuery& query) {
                          " of another kind than before; select queries of one kind with --query, "
                          "--tag or --frames.");
     header_.kind = query.kind;
-    if (query.kind == QueryKind::within) header_.tolerance = query.limit;
-    if (query.kind != QueryKind::distance) return;
+    has_whole_queries_ = has_whole_queries_ && query.complete;
+    if (!is_of_distance(query.kind)) return;
+    const double before =
+        query.kind == QueryKind::within ? header_.tolerance : header_.distance.limit;
+    has_one_limit_ = has_one_limit_ && (is_first || before == query.limit);
+    if (query.kind == QueryKind::within) {
+        header_.tolerance = query.limit;
+        return;
+    }
     header_.distance.limit = query.limit;
     header_.distance.relative_error = query.relative_error;
 }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "tests/app/inspect/inspect_run.h"
+#include "tests/recordings/distance_engine.h"
+#include "tests/temporary_folder.h"
 
 namespace scb::app {
 namespace {
@@ -77,7 +79,7 @@ TEST(InspectDistance, SaysWhatWasWastedAndWhatWouldHelp) {
     for (const char* words :
          {"A and B, ball", "2 of 2 distances certified.", "since bounds are too weak",
           "before the distance was known", "led to the answer", "passed too early",
-          "what would have helped", "To use it:  scb distance spheres-l1 --frames 0,10"})
+          "What would have helped", "To use it:  scb distance spheres-l1 --frames 0,10"})
         EXPECT_NE(run.out.find(words), std::string::npos) << words << run.out;
     for (const char* words : {"operations", "overlap test", "true contact", "intersect"})
         EXPECT_EQ(run.out.find(words), std::string::npos) << words;
@@ -100,6 +102,61 @@ TEST(InspectDistance, ItsCommandCountsWhatTheReportSays) {
         EXPECT_LT(best["cost"], settings["settings"][0]["cost"]);
         const std::string timing = settings["timing"];
         EXPECT_EQ(run_scb(timing.substr(4) + " --repeat 1").status, 0) << timing;
+    }
+}
+
+/// A recording of a healthy engine, as text, with a change from one text to another in a line.
+std::string changed_recording(const TemporaryFolder& folder, std::string_view from,
+                              const std::string& to, int occurrence) {
+    record_distance_engine(DistanceBug::none, folder / "q.scbrec");
+    EXPECT_EQ(run_scb("convert " + folder / "q.scbrec" + " -o " + folder / "q.jsonl").status, 0);
+    std::stringstream text;
+    text << std::ifstream(folder / "q.jsonl").rdbuf();
+    std::string changed = text.str();
+    std::size_t at = changed.find(from);
+    while (--occurrence > 0) at = changed.find(from, at + 1);
+    changed.replace(at, from.size(), to);
+    const std::string file = folder / "changed.jsonl";
+    std::ofstream(file) << changed;
+    return file;
+}
+
+TEST(InspectDistance, ComparesARecordingWithThisProjectsHierarchies) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "q.scbrec";
+    record_distance_engine(DistanceBug::none, file);
+    for (const char* query : {"nearest", "near"}) {
+        const json found = inspect(file + " --frames 1 --query " + std::string(query)),
+                   &settings = found["settings"];
+        EXPECT_EQ(settings["recorded"]["n_v"], found["waste"]["sum"]["n_v"]);
+        EXPECT_EQ(settings["recorded"]["n_p"], found["waste"]["sum"]["work"]["n_p"]);
+        const json& best = settings["settings"][settings["best"].get<std::size_t>()];
+        const std::string command = settings["command"];
+        const json counted = json::parse(run_scb(command.substr(4) + " --json").out);
+        ASSERT_EQ(counted["frames"].size(), 1u);
+        EXPECT_EQ(best["n_v"], counted["frames"][0]["n_v"]) << command;
+        EXPECT_LT(best["n_v"], settings["recorded"]["n_v"]);
+        EXPECT_EQ(command.find("--within 1.5 ") != std::string::npos, query == std::string("near"));
+    }
+}
+
+TEST(InspectDistance, ComparesNoRecordingWhoseQueriesDiffer) {
+    const struct {
+        std::string_view from;
+        const char *to, *reason;
+    } cases[] = {{"\"limit\":\"inf\"", "\"limit\":5", "the limits of its queries differ"},
+                 {"{\"complete\":true", "{\"complete\":false", "queries ended early on purpose"}};
+    for (const auto& [from, to, reason] : cases) {
+        const TemporaryFolder folder;
+        // The third query is the query "nearest" of the second frame.
+        const int occurrence = from.starts_with("{") ? 3 : 2;
+        const std::string file = changed_recording(folder, from, to, occurrence);
+        const ProgramRun run = run_scb("inspect --query nearest " + file);
+        EXPECT_EQ(run.status, 0) << run.err << run.out;
+        EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+        EXPECT_EQ(run.out.find("This project's best"), std::string::npos) << run.out;
+        const ProgramRun first = run_scb("inspect --query nearest --frames 0 " + file);
+        EXPECT_NE(first.out.find("This project's best"), std::string::npos) << first.err;
     }
 }
 
