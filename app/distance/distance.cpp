@@ -38,6 +38,7 @@ void check(const DistanceCommandOptions& options) {
             "distance; leave one of them out.");
     for (const auto& [name, is_given, needs] :
          {std::tuple("--first", options.first, within.has_value()),
+          std::tuple("--expect-clear", options.expects_clear, within.has_value()),
           std::tuple("--pairs-out", !options.pairs_out.empty(), within && !options.first)})
         if (is_given && !needs)
             throw InputError(std::string(name) + (within ? " needs all pairs; leave out --first."
@@ -98,7 +99,8 @@ int run(DistanceCommandOptions& options, const Console& console) {
         write_distance_plot(options, report, query, console);
     print_result(report.text());
     if (report.frames() == query.frames.size())
-        return report.is_proven() ? exit_done : exit_different;
+        return report.is_proven() && (!options.expects_clear || report.is_clear()) ? exit_done
+                                                                                   : exit_different;
     console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
                  std::to_string(query.frames.size()) + " frames are finished.");
     return exit_interrupted(watch.signal());
@@ -122,6 +124,9 @@ void add_distance(const Command& program, const Console& console, Action& action
     command.add_flag("--first", options->first,
                      "With --within: end at the first pair, which answers whether any triangles "
                      "are that near");
+    command.add_flag("--expect-clear", options->expects_clear,
+                     "With --within: exit with 1 if triangles are that near in any frame, or a "
+                     "body lies inside the other");
     command.add_flag("--seed", options->seeded,
                      "Begin each frame with the closest triangles of the frame before: the same "
                      "distances with fewer tests, whose number then depends on --frames");

@@ -149,6 +149,8 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
 
     Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
     const bool is_judged = judges_inside && bodies.inside.is_judged();
+    const bool is_near = bodies.near.has_last() || !inside.empty();
+    if (is_near && (not_clear_.empty() || not_clear_.back() != frame)) not_clear_.push_back(frame);
     const std::string note = inside_words(inside);
     for (Json& part : inside) part.erase("frame");
     Json signed_distance;
@@ -223,7 +225,7 @@ std::vector<Cell> DistanceReport::mean_cells() const {
 std::string DistanceReport::title() const {
     std::string text = bodies_title(query_);
     if (asked().within)
-        text += options_.first ? format(", any triangles at most %g apart?", *asked().within)
+        text += options_.first ? format(", first triangles at most %g apart", *asked().within)
                                : format(", triangles at most %g apart", *asked().within);
     else
         text += ", order " + std::string(distance_order_name(asked().limits.order));
@@ -302,6 +304,15 @@ std::string DistanceReport::near_words() {
                           query_.frames.begin() + static_cast<std::ptrdiff_t>(frames_)});
 }
 
+std::string DistanceReport::clearance_words() const {
+    if (!options_.expects_clear) return "";
+    const std::string text = format("\nClearance %g: ", *asked().within);
+    if (is_clear()) return text + "kept.\n";
+    if (frames_ == 1) return text + "not kept.\n";
+    return text + format("not kept in %zu of %zu frames, the first is frame %d.\n",
+                         not_clear_.size(), frames_, not_clear_.front());
+}
+
 render::DistancePlot DistanceReport::plot() {
     render::DistancePlot plot;
     plot.title = query_.scene.name + " · distance";
@@ -323,6 +334,10 @@ Json DistanceReport::json() {
     Json json = bodies_json(options_.scene, query_);
     json["query"] = asked().within ? "within" : "distance";
     if (asked().within) json["tolerance"] = *asked().within;
+    if (options_.expects_clear) {
+        json["clear"] = is_clear();
+        json["not_clear"] = not_clear_;
+    }
     if (!asked().within) {
         json.update(limits_json(asked().limits));
         json["seeded"] = options_.seeded;
@@ -361,7 +376,8 @@ std::string DistanceReport::text() {
     if (options_.json) return json().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (options_.csv) return table_.csv_header() + table_.csv_rows();
     if (frames_ > 1) table_.add(mean_cells());
-    return title() + table_.text() + least_words() + proof_words() + inside_text() + near_words();
+    return title() + table_.text() + least_words() + proof_words() + inside_text() + near_words() +
+           clearance_words();
 }
 
 }  // namespace scb::app

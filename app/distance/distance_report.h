@@ -25,6 +25,7 @@ struct DistanceCommandOptions {
     HierarchyOptions hierarchy;
     QueryOptions query;
     bool first = false, seeded = false, prove = false, json = false, csv = false;
+    bool expects_clear = false;  ///< fails if triangles are within the tolerance
     std::string pairs_out;
     LayoutOptions layout;
     PictureOptions picture{.output = ""};  ///< of the plot
@@ -43,6 +44,8 @@ class DistanceReport {
     std::size_t frames() const { return frames_; }
     /// Whether every distance was certified, with --prove.
     bool is_proven() const { return not_proven_ == 0; }
+    /// Whether no frame has triangles within the tolerance, or a body inside the other.
+    bool is_clear() const { return not_clear_.empty(); }
     /// The pairs within the tolerance, as CSV.
     const std::string& pairs() const { return pairs_; }
     /// The text of all frames so far; to be called once.
@@ -85,6 +88,8 @@ class DistanceReport {
     std::string inside_text();
     std::string proof_words() const;
     std::string near_words();
+    /// The verdict on the clearance, if one is expected.
+    std::string clearance_words() const;
     nlohmann::ordered_json json();
 
     const DistanceCommandOptions& options_;
@@ -97,6 +102,7 @@ class DistanceReport {
     std::optional<Least> least_, least_apart_;  ///< of all queries; of bodies that are apart
     std::size_t frames_ = 0;                    ///< whole frames
     std::size_t proven_ = 0, not_proven_ = 0;   ///< distances
+    std::vector<int> not_clear_;                ///< see is_clear
     std::uint64_t found_ = 0;                   ///< pairs of triangles within the tolerance
     Distance work_;                             ///< the sums of the counts
 };

@@ -12,6 +12,8 @@ class ContactIntervals {
     /// Frames must be added in ascending order.
     void add(int frame, bool in_contact);
 
+    /// Whether the frame that was added last is in contact.
+    bool has_last() const { return was_in_contact_; }
     bool empty() const { return intervals_.empty(); }
     /// "frames 12 to 40, 55"; "frame 55".
     std::string words() const;

@@ -129,6 +129,33 @@ TEST_F(DistanceCommand, ListsTrianglesWithinATolerance) {
     EXPECT_TRUE(none["distance"].is_null());
 }
 
+TEST_F(DistanceCommand, ExpectsAClearance) {
+    for (const char* first : {"", " --first"}) {
+        SCOPED_TRACE(first);
+        const auto run = [first](const std::string& options) {
+            return run_scb("distance spheres-l1 --expect-clear --within " + options + first);
+        };
+        const ProgramRun kept = run("0.001 --frames 0,2");
+        EXPECT_EQ(kept.status, 0);
+        EXPECT_NE(kept.out.find("\nClearance 0.001: kept.\n"), std::string::npos) << kept.out;
+        const ProgramRun near = run("0.06 --frames 2");
+        EXPECT_EQ(near.status, 1);
+        EXPECT_NE(near.out.find("\nClearance 0.06: not kept.\n"), std::string::npos) << near.out;
+        // No triangles are near where one sphere lies inside the other.
+        const ProgramRun inside = run("1e-9 --frames 0,2,250,251");
+        EXPECT_EQ(inside.status, 1);
+        EXPECT_NE(inside.out.find("not kept in 2 of 4 frames, the first is frame 250."),
+                  std::string::npos)
+            << inside.out;
+        const ProgramRun found = run("1e-9 --json --frames 0,250");
+        EXPECT_EQ(found.status, 1);
+        EXPECT_EQ(json::parse(found.out)["not_clear"], json::array({250}));
+        EXPECT_EQ(json::parse(found.out)["clear"], false);
+    }
+    // Without the option, near triangles are a result like any other.
+    EXPECT_EQ(run_scb("distance spheres-l1 --within 0.06 --frames 2").status, 0);
+}
+
 TEST_F(DistanceCommand, LimitsAndErrorsAreKept) {
     const json exact = json_of("spheres-l1 --frames 2")["frames"][0];
     const json rough = json_of("spheres-l1 --frames 2 --relative-error 0.5")["frames"][0];
@@ -239,6 +266,7 @@ TEST_F(DistanceCommand, RefusesOptionsWithoutMeaning) {
         return run.err;
     };
     EXPECT_NE(error("--first").find("--within"), std::string::npos);
+    EXPECT_NE(error("--expect-clear").find("--within"), std::string::npos);
     EXPECT_NE(error("--pairs-out x.csv").find("--within"), std::string::npos);
     EXPECT_NE(error("--within -1").find("0 or more"), std::string::npos);
     EXPECT_NE(error("--within nan").find("0 or more"), std::string::npos);
