@@ -45,12 +45,18 @@ std::uint32_t tests_of(const BoundsCell& cell) {
     return std::accumulate(cell.counts.begin(), cell.counts.end(), 0u);
 }
 
-void draw_answer(Overlay& overlay, const PixelRect& area, const BoundsPlot& plot, const PlotAxis& y,
+/// The answer as a share of the axis, from the top; 0 if it is not finite.
+double answer_down(const BoundsPlot& plot, const PlotAxis& y) {
+    const double up = std::isfinite(plot.answer) ? axis_position(y, plot.answer) : 1;
+    return std::isnan(up) ? 0 : 1 - up;
+}
+
+int answer_line(const FigureStyle& style) { return std::max(2, style.unit / 10); }
+
+/// `at`: the top of the line.
+void draw_answer(Overlay& overlay, const PixelRect& area, const BoundsPlot& plot, int at,
                  const FigureStyle& style) {
-    const double up = std::isfinite(plot.answer) ? axis_position(y, plot.answer) : NAN;
-    if (std::isnan(up)) return;
-    const int at = area.y + static_cast<int>(std::lround((1 - up) * (area.height - 1)));
-    overlay.rectangle({area.x, at, area.width, std::max(2, style.unit / 10)}, style.theme.text);
+    overlay.rectangle({area.x, at, area.width, answer_line(style)}, style.theme.text);
     const TextStyle text{style.unit, FontWeight::bold, style.theme.text};
     const int left = area.x + style.unit / 2;
     const std::string label =
@@ -82,13 +88,17 @@ PlotAxis bounds_axis(const BoundsPlot& plot, int most_ticks) {
                     true);
 }
 
-std::vector<BoundsCell> bounds_cells(const BoundsPlot& plot, const PlotAxis& y, int rows,
+std::vector<BoundsCell> bounds_cells(const BoundsPlot& plot, const PlotAxis& y, double rows,
                                      std::uint32_t depths_per_column) {
-    std::map<std::pair<std::size_t, std::size_t>, BoundsCell> cells;
+    const double answer = answer_down(plot, y);
+    const bool has_answer = std::isfinite(plot.answer);
+    const int lowest = std::max(0, static_cast<int>(std::ceil((1 - answer) * rows)) - 1);
+    std::map<std::pair<std::size_t, int>, BoundsCell> cells;
     for (const BoundsPlot::Test& test : plot.tests) {
         const double down = 1 - axis_position(y, test.bound);
-        const auto row = static_cast<std::size_t>(
-            std::clamp(static_cast<int>(down * rows), 0, std::max(0, rows - 1)));
+        int row = std::min(static_cast<int>(std::floor((down - answer) * rows)), lowest);
+        // Rounding must move no bar across the line of the answer.
+        if (has_answer) row = test.bound > plot.answer ? std::min(row, -1) : std::max(row, 0);
         const std::size_t column = test.depth / depths_per_column;
         BoundsCell& cell = cells[{column, row}];
         cell.column = column;
@@ -113,29 +123,39 @@ void draw_bounds_plot(Overlay& overlay, const PixelRect& rect, const BoundsPlot&
     const PixelRect area = draw_plot_frame(overlay, rect, frame, style);
     if (area.width == 0) return;
     // A row is tall enough to see, a column wide enough for bars of several lengths.
-    const int row_height = std::max(3, style.unit / 4),
-              rows = std::max(1, area.height / row_height);
+    const int row_height = std::max(3, style.unit / 4);
     const int least_width = std::max(4, style.unit / 2);
     std::uint32_t per_column = 1;
     while (static_cast<double>(area.width) * per_column / depths < least_width &&
            per_column < depths)
         ++per_column;
-    const std::vector<BoundsCell> cells = bounds_cells(plot, frame.y, rows, per_column);
+    const double height = area.height - 1;
+    const std::vector<BoundsCell> cells =
+        bounds_cells(plot, frame.y, height / row_height, per_column);
+    const int answer = area.y + static_cast<int>(std::lround(answer_down(plot, frame.y) * height));
+    // The line hides no bar.
+    const int line = std::isfinite(plot.answer) ? answer_line(style) : 0;
+    const auto top_of = [&](const BoundsCell& cell) {
+        return answer + cell.row * row_height + (cell.row < 0 ? 0 : line);
+    };
     // Volumes that overlap share one row, and would make all other bars short.
+    const auto is_lowest = [&](const BoundsCell& cell) {
+        return top_of(cell) + row_height >= area.y + area.height - 1;
+    };
     std::uint32_t most = 1;
     for (const BoundsCell& cell : cells)
-        if (static_cast<int>(cell.row) + 1 < rows) most = std::max(most, tests_of(cell));
+        if (!is_lowest(cell)) most = std::max(most, tests_of(cell));
     const double pitch = static_cast<double>(area.width) * per_column / depths;
     for (const BoundsCell& cell : cells) {
         const int left = area.x + static_cast<int>(pitch * static_cast<double>(cell.column));
         const int room = std::max(2, static_cast<int>(pitch) - std::max(1, style.unit / 10));
         const double share = std::sqrt(static_cast<double>(tests_of(cell)) / most);
         const int length = std::clamp(static_cast<int>(std::lround(share * room)), 2, room);
-        draw_bar(overlay,
-                 {left, area.y + static_cast<int>(cell.row) * row_height, length, row_height - 1},
-                 cell, plot.colors);
+        const int top = std::max(area.y, top_of(cell)),
+                  bottom = std::min(top_of(cell) + row_height - 1, area.y + area.height);
+        draw_bar(overlay, {left, top, length, std::max(2, bottom - top)}, cell, plot.colors);
     }
-    draw_answer(overlay, area, plot, frame.y, style);
+    if (std::isfinite(plot.answer)) draw_answer(overlay, area, plot, answer, style);
 }
 
 }  // namespace scb::render

@@ -32,12 +32,16 @@ void draw_bounds_plot(Overlay& overlay, const PixelRect& rect, const BoundsPlot&
 
 /// Bars of one row and one column of depths: the number of tests of each group.
 struct BoundsCell {
-    std::size_t column = 0, row = 0;  ///< rows from the top
+    std::size_t column = 0;
+    /// From the answer down: 0 begins at the answer, and has no bound above it. Above are negative
+    /// rows. Without an answer, row 0 begins at the top.
+    int row = 0;
     std::vector<std::uint32_t> counts;
 };
 
-/// The cells that have tests, by column and row. `depths_per_column`: at least 1.
-std::vector<BoundsCell> bounds_cells(const BoundsPlot& plot, const PlotAxis& y, int rows,
+/// The cells that have tests, by column and row. `rows`: how many rows are as tall as the axis.
+/// `depths_per_column`: at least 1.
+std::vector<BoundsCell> bounds_cells(const BoundsPlot& plot, const PlotAxis& y, double rows,
                                      std::uint32_t depths_per_column);
 
 /// The axis of the bounds.

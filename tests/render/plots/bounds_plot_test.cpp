@@ -22,15 +22,29 @@ TEST(BoundsPlot, CountsTestsByColumnAndRow) {
     const std::vector<BoundsCell> cells = bounds_cells(plot, axis, 4, 1);
     ASSERT_EQ(cells.size(), 4u);
     // By column, and in a column from the top.
-    EXPECT_EQ(cells[0].row, 3u);
+    EXPECT_EQ(cells[0].row, 1);
     EXPECT_EQ(cells[1].column, 1u);
-    EXPECT_EQ(cells[1].row, 0u);
+    EXPECT_EQ(cells[1].row, -2);
     EXPECT_EQ(cells[1].counts, (std::vector<std::uint32_t>{1, 1}));
-    EXPECT_EQ(cells[2].row, 3u);
+    EXPECT_EQ(cells[2].row, 1);
     EXPECT_EQ(cells[2].counts, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(cells[3].column, 4u);
     // Columns of two depths.
     EXPECT_EQ(bounds_cells(plot, axis, 4, 2).back().column, 2u);
+}
+
+TEST(BoundsPlot, NoBarCrossesTheAnswer) {
+    BoundsPlot plot = small_plot();
+    for (const double rows : {3.0, 4.0, 10.3, 77.7}) {
+        plot.answer = 1.37;
+        plot.tests = {
+            {0, std::nextafter(1.37, 0), 0}, {1, 1.37, 0}, {2, std::nextafter(1.37, 2), 0}};
+        const std::vector<BoundsCell> cells = bounds_cells(plot, bounds_axis(plot, 5), rows, 1);
+        ASSERT_EQ(cells.size(), 3u);
+        EXPECT_EQ(cells[0].row, 0);
+        EXPECT_EQ(cells[1].row, 0);
+        EXPECT_EQ(cells[2].row, -1);
+    }
 }
 
 TEST(BoundsPlot, BeginsAtTheLeastBound) {
