@@ -73,6 +73,13 @@ void write_distance_plot(const DistanceCommandOptions& options, DistanceReport& 
     if (options.picture.open) open_file(file, console);
 }
 
+int exit_status(const DistanceCommandOptions& options, const DistanceReport& report) {
+    if (!report.is_proven()) return exit_different;
+    if (!options.expects_clear) return exit_done;
+    const std::optional<bool> clear = report.is_clear();
+    return clear ? (*clear ? exit_done : exit_different) : exit_partly_judged;
+}
+
 int run(DistanceCommandOptions& options, const Console& console) {
     check(options);
     const std::optional<PackedLayout> layout =
@@ -98,9 +105,10 @@ int run(DistanceCommandOptions& options, const Console& console) {
     if (!options.picture.output.empty() && report.frames() > 0)
         write_distance_plot(options, report, query, console);
     print_result(report.text());
-    if (report.frames() == query.frames.size())
-        return report.is_proven() && (!options.expects_clear || report.is_clear()) ? exit_done
-                                                                                   : exit_different;
+    // CSV has no place for the verdict.
+    if (options.csv && options.expects_clear)
+        console.note("scb: " + report.clearance_words().substr(1));
+    if (report.frames() == query.frames.size()) return exit_status(options, report);
     console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
                  std::to_string(query.frames.size()) + " frames are finished.");
     return exit_interrupted(watch.signal());
@@ -125,8 +133,8 @@ void add_distance(const Command& program, const Console& console, Action& action
                      "With --within: end at the first pair, which answers whether any triangles "
                      "are that near");
     command.add_flag("--expect-clear", options->expects_clear,
-                     "With --within: exit with 1 if triangles are that near in any frame, or a "
-                     "body lies inside the other");
+                     "With --within: exit with 1 if triangles are that near in any frame or a body "
+                     "lies inside another, and with 4 if this is not judged");
     command.add_flag("--seed", options->seeded,
                      "Begin each frame with the closest triangles of the frame before: the same "
                      "distances with fewer tests, whose number then depends on --frames");

@@ -149,8 +149,10 @@ void DistanceReport::add_row(Bodies& bodies, int frame, const Distance& work,
 
     Json inside = judges_inside ? bodies.inside.add(frame) : Json::array();
     const bool is_judged = judges_inside && bodies.inside.is_judged();
-    const bool is_near = bodies.near.has_last() || !inside.empty();
-    if (is_near && (not_clear_.empty() || not_clear_.back() != frame)) not_clear_.push_back(frame);
+    const bool breaks_clearance = bodies.near.is_last_in_contact() || !inside.empty();
+    if (breaks_clearance && (not_clear_.empty() || not_clear_.back() != frame))
+        not_clear_.push_back(frame);
+    open_ += judges_inside && !is_judged;
     const std::string note = inside_words(inside);
     for (Json& part : inside) part.erase("frame");
     Json signed_distance;
@@ -284,7 +286,7 @@ std::string DistanceReport::inside_text() {
     const std::string start =
         frames_ == 1 && !is_of_many(query_) ? "\n" : "\nWhere no triangles intersect: ";
     return (claims.empty() ? "" : start + claims + ".\n") +
-           (doubts.empty() || options_.first ? "" : "\n" + doubts);
+           (doubts.empty() || (options_.first && !options_.expects_clear) ? "" : "\n" + doubts);
 }
 
 std::string DistanceReport::near_words() {
@@ -304,11 +306,22 @@ std::string DistanceReport::near_words() {
                           query_.frames.begin() + static_cast<std::ptrdiff_t>(frames_)});
 }
 
+std::optional<bool> DistanceReport::is_clear() const {
+    if (!not_clear_.empty()) return false;
+    if (open_ > 0 || frames_ < query_.frames.size()) return std::nullopt;
+    return true;
+}
+
 std::string DistanceReport::clearance_words() const {
     if (!options_.expects_clear) return "";
-    const std::string text = format("\nClearance %g: ", *asked().within);
-    if (is_clear()) return text + "kept.\n";
-    if (frames_ == 1) return text + "not kept.\n";
+    const std::string text = "\nClearance " + exact_number(*asked().within) + ": ";
+    const std::optional<bool> clear = is_clear();
+    if (clear && *clear) return text + "kept.\n";
+    if (!clear)
+        return text + "not judged. No triangles are that near, and " +
+               (open_ > 0 ? "a body may lie inside another that is not closed.\n"
+                          : "frames are missing.\n");
+    if (query_.frames.size() == 1) return text + "not kept.\n";
     return text + format("not kept in %zu of %zu frames, the first is frame %d.\n",
                          not_clear_.size(), frames_, not_clear_.front());
 }
@@ -335,7 +348,8 @@ Json DistanceReport::json() {
     json["query"] = asked().within ? "within" : "distance";
     if (asked().within) json["tolerance"] = *asked().within;
     if (options_.expects_clear) {
-        json["clear"] = is_clear();
+        const std::optional<bool> clear = is_clear();
+        json["clear"] = clear ? Json(*clear) : Json();
         json["not_clear"] = not_clear_;
     }
     if (!asked().within) {

@@ -44,8 +44,11 @@ class DistanceReport {
     std::size_t frames() const { return frames_; }
     /// Whether every distance was certified, with --prove.
     bool is_proven() const { return not_proven_ == 0; }
-    /// Whether no frame has triangles within the tolerance, or a body inside the other.
-    bool is_clear() const { return not_clear_.empty(); }
+    /// Whether no frame has triangles within the tolerance, or a body inside the other. None if
+    /// frames are missing, or a body may be inside another that is not closed.
+    std::optional<bool> is_clear() const;
+    /// The verdict on the clearance, if one is expected.
+    std::string clearance_words() const;
     /// The pairs within the tolerance, as CSV.
     const std::string& pairs() const { return pairs_; }
     /// The text of all frames so far; to be called once.
@@ -88,8 +91,6 @@ class DistanceReport {
     std::string inside_text();
     std::string proof_words() const;
     std::string near_words();
-    /// The verdict on the clearance, if one is expected.
-    std::string clearance_words() const;
     nlohmann::ordered_json json();
 
     const DistanceCommandOptions& options_;
@@ -103,6 +104,7 @@ class DistanceReport {
     std::size_t frames_ = 0;                    ///< whole frames
     std::size_t proven_ = 0, not_proven_ = 0;   ///< distances
     std::vector<int> not_clear_;                ///< see is_clear
+    std::size_t open_ = 0;                      ///< queries that may hide a body inside another
     std::uint64_t found_ = 0;                   ///< pairs of triangles within the tolerance
     Distance work_;                             ///< the sums of the counts
 };

@@ -16,9 +16,10 @@ ComparedRecording compared_recording(const QuerySource& source, const FrameFindi
         throw InputError(path + ": its items are objects without triangles.");
     if (source.body_index(0) == source.body_index(1))
         throw InputError(path + ": its queries are of a body against itself.");
-    if (!source.recorded()->has_whole_queries())
-        throw InputError(
-            path + ": queries ended early on purpose; this project's queries have all tests.");
+    if (const std::optional<int> frame = source.recorded()->ended_early())
+        throw InputError(path + ": the query of frame " + std::to_string(*frame) +
+                         " ended early on purpose, so its tests cannot be compared; select whole "
+                         "queries with --frames, --query or --tag.");
     if (!recording.refusal.empty() && !recording.changes_meshes)
         throw InputError(recording.refusal);
     std::vector<std::pair<int, Work>> of_frames;

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/compared_recording.h"
+#include "app/query/distance_options.h"
 #include "app/study/distance_setting_text.h"
 #include "app/timing/tune_progress.h"
 #include "core/analysis/pass_counts.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "render/figures/figure_words.h"
 #include "render/figures/inspect_figure.h"
 #include "render/overlay/figure_layout.h"
@@ -28,18 +30,20 @@ double cost_share(const DistanceRow& row, const DistanceAdvice& advice) {
                  static_cast<double>(base.work.picoseconds));
 }
 
-/// The queries of a recording, with the default hierarchies for them.
+/// The queries of a recording, with the default hierarchies of `scb distance`.
 SceneQuery query_of(ComparedRecording compared, const TraceHeader& header,
-                    const BuildOptions& build) {
+                    HierarchyOptions hierarchy) {
+    QueryOptions ignored;
+    set_distance_defaults(hierarchy, ignored);
     SceneQuery query;
     query.scene = std::move(compared.scene);
     query.frames = compared.frames;
     query.a = compared.a;
     query.b = compared.b;
-    query.kind = VolumeKind::scb2;
-    query.build = build;
-    query.topologies = scenes::build_topologies(query.scene, build.topology());
-    query.hierarchies = scenes::fit_meshes(query.topologies, query.kind, build);
+    query.kind = hierarchy.kind();
+    query.build = hierarchy.build();
+    query.topologies = scenes::build_topologies(query.scene, query.build.topology());
+    query.hierarchies = scenes::fit_meshes(query.topologies, query.kind, query.build);
     query.distance = {header.distance, std::nullopt};
     if (header.kind == QueryKind::within) query.distance->within = header.tolerance;
     return query;
@@ -61,6 +65,17 @@ struct CommandParts {
     std::string scene, limits;
 };
 
+/// The rules that all settings of a trial share, if they are not the default.
+std::string given_build(const TuneSetting& setting) {
+    const TuneSetting usual;
+    std::string text;
+    if (setting.growth != usual.growth)
+        text += " --growth " + std::string(ball_growth_name(setting.growth));
+    if (setting.descent != usual.descent)
+        text += " --descent " + std::string(descent_rule_name(setting.descent));
+    return text;
+}
+
 /// The commands for the best setting.
 void add_commands(DistanceAdvice& advice, const CommandParts& parts) {
     const DistanceSetting &best = advice.trial.best().setting,
@@ -76,15 +91,9 @@ void add_commands(DistanceAdvice& advice, const CommandParts& parts) {
         both(volume_kind_name(present.hierarchy.volume), volume_kind_name(best.hierarchy.volume)) +
         " --split " +
         both(split_method_name(present.hierarchy.split), split_method_name(best.hierarchy.split)) +
+        given_build(present.hierarchy) +
         (advice.trial.is_within ? "" : " --order " + std::string(distance_order_name(best.order))) +
         (best.layout ? " --layout reference," + packed_layout_name(*best.layout) : "");
-}
-
-std::string frames_option(const std::vector<int>& frames) {
-    std::string text;
-    for (const int frame : frames)
-        text += (text.empty() ? " --frames " : ",") + std::to_string(frame);
-    return text;
 }
 
 }  // namespace
@@ -100,30 +109,31 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
     const TuneProgress progress = tune_progress(console, watch);
     if (source.is_recording()) {
         const scenes::RecordedTrace& recorded = *source.recorded();
-        if (!recorded.has_one_limit())
+        if (!recorded.has_same_limits())
             throw InputError(recorded.recording().file->path +
-                             ": the limits of its queries differ; select frames of one limit with "
-                             "--frames.");
+                             ": the limits of its queries differ; select queries of one limit with "
+                             "--frames, --query or --tag.");
         ComparedRecording compared = compared_recording(source, findings);
         frames = compared.frames;
         advice.engine = render::volume_title(source.header());
         advice.recorded = compared.recorded;
-        parts = {options.of_meshes, limit_options(source.header())};
-        trial =
-            try_distances(query_of(std::move(compared), source.header(), options.hierarchy.build()),
-                          frames, progress);
+        parts = {options.of_meshes + " --frames " + list_text(frames),
+                 limit_options(source.header())};
+        trial = try_distances(query_of(std::move(compared), source.header(), options.hierarchy),
+                              frames, progress);
     } else {
         Work all;
         for (const InspectedFrame& frame : findings.frames) all += frame.found.counts.all;
         for (const std::size_t i : counted_frames(source.frames().size(), all))
             frames.push_back(source.frames()[i]);
-        parts = {options.of_bodies, options.of_distances};
+        const bool are_all = frames.size() == source.frames().size();
+        parts = {
+            options.of_bodies + (are_all ? options.of_frames : " --frames " + list_text(frames)),
+            options.of_distances};
         trial = try_distances(source.query(), frames, progress);
     }
     if (!trial) return std::nullopt;
     advice.trial = std::move(*trial);
-    parts.scene +=
-        frames.size() == source.frames().size() ? options.of_frames : frames_option(frames);
     add_commands(advice, parts);
     return advice;
 }
@@ -137,7 +147,7 @@ std::string advice_sentence(const DistanceAdvice& advice) {
     const std::string setting = setting_words(best.setting, trial.is_within);
     const auto counts = [&best](const Work& base) {
         std::string text = "N_v " + render::change_text(base.volume_tests, best.work.volume_tests);
-        // Packed queries count fewer pairs of triangles than they bound.
+        // N_p of packed queries counts the pairs measured in doubles, and cannot be compared.
         if (!best.setting.layout)
             text += ", N_p " + render::change_text(base.triangle_tests, best.work.triangle_tests);
         return text;
@@ -155,13 +165,13 @@ std::string advice_sentence(const DistanceAdvice& advice) {
 }
 
 std::string trial_words(const DistanceAdvice& advice) {
+    const char* const base = advice.recorded ? "best" : "present";
     return std::string("The same queries with ") +
            (advice.recorded ? "this project's hierarchies" : "other settings") +
-           ", by cost, the least first; sums over the frames. Cost: assumed time of the tests, "
-           "over "
-           "the cost of the " +
-           (advice.recorded ? "best" : "present") +
-           " setting. N_p of packed layouts: pairs of triangles that were measured in doubles.";
+           ". Each row has the sums over the frames. The setting of the least cost comes first. "
+           "The "
+           "cost is the assumed time of the tests, divided by the cost of the " +
+           base + " setting. N_p of packed layouts counts the pairs that were measured in doubles.";
 }
 
 Table trial_table(const DistanceAdvice& advice, std::size_t most) {
@@ -183,7 +193,7 @@ Table trial_table(const DistanceAdvice& advice, std::size_t most) {
     for (const DistanceRow* row : rows) width = std::max(width, name(*row).size());
     Table table({{.title = "setting", .key = "setting", .width = width, .align = Align::left},
                  {.title = "N_v", .key = "n_v", .width = 11, .before = 2},
-                 {.title = advice.recorded ? "/rec'd" : "/present", .width = 8, .before = 2},
+                 {.title = advice.recorded ? "/engine" : "/present", .width = 8, .before = 2},
                  {.title = "N_p", .key = "n_p", .width = 9, .before = 2},
                  {.title = "cost", .key = "cost", .width = 7, .before = 2}});
     const auto add = [&](const std::string& title, const Work& work, const Cell& cost) {

@@ -137,7 +137,7 @@ int run(InspectOptions& options, const Console& console) {
             if (can_compare(inspected))
                 report.settings = inspect_settings(options, inspected.sources.front(),
                                                    *inspected.found, console, watch);
-            if (can_compare_distances(inspected) && has_enough_tests(report))
+            if (can_compare_distances(inspected) && (recorded || has_enough_tests(report)))
                 report.distance_advice = distance_advice(options, inspected.sources.front(),
                                                          *inspected.found, console, watch);
         } catch (const InputError& error) {
@@ -262,8 +262,8 @@ void add_inspect(const Command& program, const Console& console, Action& action)
                 of_meshes.emplace_back(option);
         options->of_meshes = given_text(command, of_meshes);
         options->of_frames = given_text(command, {"--frames"});
-        options->of_bodies = given_text(command, {"SCENE", "--pose", "--poses", "--models",
-                                                  "--bodies", "--margin", "--growth", "--descent"});
+        options->of_bodies =
+            given_text(command, {"SCENE", "--pose", "--poses", "--models", "--bodies", "--margin"});
         options->of_distances = given_text(command, {"--within", "--relative-error", "--limit"});
         options->view.note_given(command);
         options->view.kind = options->kind;

@@ -1,5 +1,6 @@
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_report.h"

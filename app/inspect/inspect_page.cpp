@@ -467,12 +467,12 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     values["has_waste"] = flag(report.has_waste);
     if (report.has_waste) set_waste(values, report, page);
     values["has_settings"] = flag(report.settings.has_value());
-    values["has_methods"] = flag(report.distance_advice.has_value());
+    values["has_distance_settings"] = flag(report.distance_advice.has_value());
     if (report.distance_advice) {
-        values["methods"] = trial_table(*report.distance_advice, most_trial_rows).html();
-        values["method_words"] = trial_words(*report.distance_advice);
-        values["method_command"] = report.distance_advice->command;
-        values["method_timing"] = report.distance_advice->timing;
+        values["distance_settings"] = trial_table(*report.distance_advice, most_trial_rows).html();
+        values["distance_words"] = trial_words(*report.distance_advice);
+        values["distance_command"] = report.distance_advice->command;
+        values["distance_timing"] = report.distance_advice->timing;
     }
     if (report.settings) set_settings(values, *report.settings, report.frames.size());
     if (!page.view.empty()) {

@@ -9,7 +9,6 @@
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_summary.h"
 #include "app/inspect/inspect_triangles.h"
-#include "app/inspect/judgement_json.h"
 #include "app/inspect/recording_report.h"
 #include "app/report/build_text.h"
 #include "app/report/scene_report.h"

@@ -12,6 +12,7 @@
 #include "app/timing/tune_report.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
+#include "core/platform/number_list.h"
 #include "render/figures/bench_figure.h"
 #include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
@@ -29,10 +30,8 @@ std::string scene_words(const InspectOptions& options, const QuerySource& source
     if (!scenes::names_trace(options.scene.names[0])) return options.of_scene;
     std::string words;
     for (const std::string& name : source.header().source) words += " " + file_word(name);
-    std::string frames;
-    for (const int frame : source.frames())
-        frames += (frames.empty() ? " --frames " : ",") + std::to_string(frame);
-    if (source.frames().size() <= most_named_frames) words += frames;
+    if (source.frames().size() <= most_named_frames)
+        words += " --frames " + list_text(source.frames());
     if (source.header().source.size() != 2) return words;
     std::string numbers;
     for (const double number : scenes::rows_of(source.query().b_to_a(source.frames()[0])))
@@ -96,7 +95,8 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     asked.layouts = widest_layouts();
     asked.gives_up = true;
     const TuneProgress progress = tune_progress(console, watch);
-    const auto [scene, a, b, frames, recorded, pairs] = compared_recording(source, findings);
+    const ComparedRecording compared = compared_recording(source, findings);
+    const auto& [scene, a, b, frames, recorded, pairs] = compared;
     std::optional<SceneTuning> tuning = tune_scene(scene, a, b, frames, asked, progress);
     if (!tuning) return std::nullopt;
     InspectSettings result;
@@ -110,10 +110,9 @@ std::optional<InspectSettings> settings_of_recording(const InspectOptions& optio
     result.cuts = try_cuts(scene, a, b, result.tuning, findings.tested, progress);
     result.clean = try_clean_meshes(scene, a, b, result.tuning, progress);
     result.scene = options.of_files;
+    // The recording may have frames in which these bodies have no query.
     const std::string collide =
-        "scb collide" + options.of_meshes +
-        (source.recorded()->recording().changes_meshes ? " --frames " + std::to_string(frames[0])
-                                                       : options.of_frames);
+        "scb collide" + options.of_meshes + " --frames " + list_text(frames);
     const SceneTuning& found = result.tuning;
     result.command = collide + setting_options(found.rows[found.recommended()].setting);
     if (found.quicker_layout)

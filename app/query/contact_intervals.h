@@ -13,7 +13,7 @@ class ContactIntervals {
     void add(int frame, bool in_contact);
 
     /// Whether the frame that was added last is in contact.
-    bool has_last() const { return was_in_contact_; }
+    bool is_last_in_contact() const { return was_in_contact_; }
     bool empty() const { return intervals_.empty(); }
     /// "frames 12 to 40, 55"; "frame 55".
     std::string words() const;

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/study/distance_setting.h"
 #include "app/study/scene_query.h"
 #include "app/study/tune_run.h"
-#include "core/analysis/wasted_cost.h"
 
 namespace scb::app {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/build_text.h"
-#include "app/study/distance_setting_text.h"
 #include "app/report/trace_report.h"
+#include "app/study/distance_setting_text.h"
 #include "app/timing/bench_report.h"
 #include "app/timing/tune_layout_report.h"
 #include "core/base/statistics.h"

@@ -135,7 +135,7 @@ Attribution attribute(const TraceHeader& header, const QueryTrace& frame,
             pair.gap = of.gap;
         pair.below = below[i];
         pair.within = below_pair[i];
-        below_pair[i] = first_of(below_pair[i], pair.reason);
+        below_pair[i] = governing_reason(below_pair[i], pair.reason);
         counts.touching += pair.exact == Contact::touching;
         ++(pair.leaves ? counts.leaves : counts.inner)[static_cast<std::size_t>(pair.reason)];
         result.passed.push_back(pair);

@@ -12,7 +12,7 @@ std::vector<PassReason> waste_reasons(QueryKind kind) {
     return reasons;
 }
 
-PassReason first_of(PassReason x, PassReason y) {
+PassReason governing_reason(PassReason x, PassReason y) {
     for (const PassReason first :
          {PassReason::early, PassReason::weak_test, PassReason::unjudged, PassReason::loose_fit})
         if (x == first || y == first) return first;

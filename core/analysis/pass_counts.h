@@ -26,8 +26,9 @@ inline constexpr std::size_t pass_reason_count = 5;
 inline constexpr EnumNames<PassReason, pass_reason_count> pass_reason_names = {
     "test", "fit", "true", "early", "not_judged"};
 
-/// Of the reasons of two pairs above a test, the one for which the test was wasted.
-PassReason first_of(PassReason x, PassReason y);
+/// Of the reasons of two pairs above a test, the one for which the test was wasted: the one that is
+/// cured most easily, see PassCounts.
+PassReason governing_reason(PassReason x, PassReason y);
 
 /// Tests by the reason for which they were wasted; none for triangles_meet.
 struct WastedTests {

@@ -27,12 +27,11 @@ Attribution attribution(const EngineQuery& query, const QueryJudgement& judged,
         const JudgedTest& test = judged.tests[i];
         if (test.nodes.a == no_index || test.nodes.b == no_index) continue;
         TestedPair pair;
-        const bool is_judged = test.verdict != TestVerdict::unjudged;
-        pair.known = is_judged || is_of_distance(header.kind);
+        pair.known = test.verdict != TestVerdict::unjudged || is_of_distance(header.kind);
         const bool passed = frame.steps.volumes[pairs.size()].stage == Stage::overlapping;
         pair.early = test.early;
-        // Without a margin, the verdict is: the volumes touch.
-        if (is_judged && !(is_of_distance(header.kind) && !(test.margin > 0)))
+        // Without a proof, the volumes touch.
+        if (test.is_proven(header.kind))
             pair.exact = (test.verdict == TestVerdict::right) == passed ? Contact::overlapping
                                                                         : Contact::disjoint;
         pair.gap = pair.exact == Contact::disjoint ? test.margin : 0;

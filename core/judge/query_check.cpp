@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/analysis/trace.h"
 #include "core/base/parallel_for.h"
 #include "core/judge/division_check.h"
 #include "core/judge/item_contact.h"
@@ -304,17 +305,17 @@ class Judge {
 
     void count_waste() {
         const auto own_reason = [this](const JudgedTest& test) {
-            if (test.verdict == TestVerdict::false_positive)
-                return test.early ? PassReason::early : PassReason::weak_test;
+            if (test.early) return PassReason::early;
+            const bool is_proven = test.is_proven(query_.kind);
+            if (is_proven && test.verdict == TestVerdict::false_positive)
+                return PassReason::weak_test;
             if (test.meets) return PassReason::triangles_meet;
-            const bool is_open =
-                is_of_distance(query_.kind) && test.verdict == TestVerdict::unjudged;
-            return is_open ? PassReason::unjudged : PassReason::loose_fit;
+            return is_proven ? PassReason::loose_fit : PassReason::unjudged;
         };
         std::vector<PassReason> within(result_.tests.size(), PassReason::triangles_meet);
         const auto below = [&](std::uint32_t led) {
             return led == no_index ? PassReason::triangles_meet
-                                   : first_of(within[led], own_reason(result_.tests[led]));
+                                   : governing_reason(within[led], own_reason(result_.tests[led]));
         };
         for (std::size_t i = 0; i < result_.tests.size(); ++i)
             result_.wasted.add(within[i] = below(result_.tests[i].parent));
@@ -440,6 +441,10 @@ class Judge {
 };
 
 }  // namespace
+
+bool JudgedTest::is_proven(QueryKind kind) const {
+    return verdict != TestVerdict::unjudged && (margin > 0 || !is_of_distance(kind));
+}
 
 std::uint64_t QueryJudgement::count(TestVerdict verdict) const {
     return static_cast<std::uint64_t>(

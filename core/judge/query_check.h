@@ -34,6 +34,10 @@ struct JudgedTest {
     bool early = false;
     /// A lower bound of the gap or depth of the volumes; 0 if they touch.
     double margin = 0;
+
+    /// Whether the verdict is proven. Of a query of distances, volumes that touch the answer have
+    /// none.
+    bool is_proven(QueryKind kind) const;
 };
 
 /// Whether the results of a query of distances were judged, and why not.

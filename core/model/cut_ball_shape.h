@@ -5,7 +5,8 @@
 
 namespace scb {
 
-/// A ball cut by two slabs, by its support points. They are exact.
+/// A ball cut by two slabs, by its support points. They are exact if the center of the ball is in
+/// both slabs.
 ConvexShape cut_ball_shape(const Scb2& scb);
 
 }  // namespace scb

@@ -75,6 +75,19 @@ std::vector<int> parse_numbers(const std::string& part, const NumberRange& range
     return numbers;
 }
 
+std::string list_text(const std::vector<int>& numbers) {
+    // A shorter list is as easy to read in full.
+    constexpr std::size_t least_in_range = 4;
+    const int step = numbers.size() < least_in_range ? 0 : numbers[1] - numbers[0];
+    const auto is_gap = [step](int x, int y) { return y - x != step; };
+    if (step > 0 && std::adjacent_find(numbers.begin(), numbers.end(), is_gap) == numbers.end())
+        return std::to_string(numbers.front()) + ":" + std::to_string(numbers.back()) +
+               (step == 1 ? "" : ":" + std::to_string(step));
+    std::string text;
+    for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
+    return text;
+}
+
 std::vector<int> parse_frames(const std::string& text, int frame_count,
                               const std::string& scene_name) {
     const NumberRange range{"--frames " + text, "frame", "the scene '" + scene_name + "' has",

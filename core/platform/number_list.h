@@ -29,6 +29,9 @@ struct NumberRange {
 /// starts with the option, if it is not such a part or leaves the range.
 std::vector<int> parse_numbers(const std::string& part, const NumberRange& range);
 
+/// The list that parse_frames reads as these numbers, which ascend: "7", "0:490:10", "1,5,7".
+std::string list_text(const std::vector<int>& numbers);
+
 /// In place of a list: the default frame of the scene.
 inline constexpr const char* auto_frames = "auto";
 

@@ -65,8 +65,8 @@ RecordedTrace::RecordedTrace(const RecordedTrace& other)
       stages_(other.stages_),
       bodies_(other.bodies_),
       test_counts_(other.test_counts_),
-      has_one_limit_(other.has_one_limit_),
-      has_whole_queries_(other.has_whole_queries_),
+      has_same_limits_(other.has_same_limits_),
+      ended_early_(other.ended_early_),
       queries_(std::make_unique<RecordedQueries>(*recording_->file)) {}
 
 std::unique_ptr<RecordedTrace> RecordedTrace::rewound() const {
@@ -150,17 +150,15 @@ void RecordedTrace::take_kind(const EngineQuery& query) {
                          " of another kind than before; select queries of one kind with --query, "
                          "--tag or --frames.");
     header_.kind = query.kind;
-    has_whole_queries_ = has_whole_queries_ && query.complete;
+    if (!query.complete && !ended_early_) ended_early_ = query.frame;
     if (!is_of_distance(query.kind)) return;
-    const double before =
-        query.kind == QueryKind::within ? header_.tolerance : header_.distance.limit;
-    has_one_limit_ = has_one_limit_ && (is_first || before == query.limit);
-    if (query.kind == QueryKind::within) {
-        header_.tolerance = query.limit;
-        return;
-    }
-    header_.distance.limit = query.limit;
-    header_.distance.relative_error = query.relative_error;
+    const bool is_within = query.kind == QueryKind::within;
+    double& limit = is_within ? header_.tolerance : header_.distance.limit;
+    double& error = header_.distance.relative_error;
+    const bool is_same = limit == query.limit && (is_within || error == query.relative_error);
+    has_same_limits_ = has_same_limits_ && (is_first || is_same);
+    limit = query.limit;
+    if (!is_within) error = query.relative_error;
 }
 
 void RecordedTrace::take_stages(const RecordedQueries& queries) {

@@ -48,10 +48,11 @@ class RecordedTrace {
     const BodyAtFrame& body(std::size_t side, int frame) const;
     /// Whether the recording has pairs, or tests of items, anywhere.
     bool has_results() const { return recording_->file->summary.has_results(); }
-    /// Whether the queries of distances at the chosen frames have the same limit.
-    bool has_one_limit() const { return has_one_limit_; }
-    /// Whether no query at the chosen frames ended early on purpose.
-    bool has_whole_queries() const { return has_whole_queries_; }
+    /// Whether the queries of distances at the chosen frames have the same limit and relative
+    /// error.
+    bool has_same_limits() const { return has_same_limits_; }
+    /// The first chosen frame whose query ended early on purpose.
+    std::optional<int> ended_early() const { return ended_early_; }
     /// The number of tests of volumes in the query of a chosen frame.
     std::uint64_t test_count(int frame) const { return test_counts_.at(frame); }
     /// The first query of the two bodies at a chosen frame; valid until another frame is requested.
@@ -97,7 +98,8 @@ class RecordedTrace {
     std::map<std::uint8_t, Stage> stages_;
     std::map<int, std::array<BodyAtFrame, 2>> bodies_;
     std::map<int, std::uint64_t> test_counts_;
-    bool has_one_limit_ = true, has_whole_queries_ = true;
+    bool has_same_limits_ = true;
+    std::optional<int> ended_early_;
     std::unique_ptr<RecordedQueries> queries_;
     QueryTrace frame_;
     std::optional<int> latest_;   ///< the frame of the latest frame()

@@ -15,6 +15,7 @@
 #include "scenes/scene/load_scene.h"
 #include "scenes/scene/scene_group.h"
 #include "tests/peers/gnuplot.h"
+#include "tests/peers/output_folder.h"
 #include "tests/peers/peer_json.h"
 #include "tests/peers/peer_plot.h"
 #include "tests/peers/peer_tables.h"
@@ -77,14 +78,6 @@ void write_files(const Options& options, std::span<const PeerKind> kinds,
     const std::string missing =
         draw_plot(folder, "peers.gnuplot", plot_script(kinds, groups, options.query()));
     if (!missing.empty()) note(missing);
-}
-
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw OutputError("Cannot make the folder \"" + folder + "\": " + error.message() +
-                          "; choose another with -o.");
 }
 
 /// What the program ends with: whether the peers that must find the reference's pairs did.

@@ -159,7 +159,7 @@ A test is wasted where the pair whose division led to it has no triangles below 
         .def_property_readonly(
             "wasted_by_fit",
             [](const PassCounts& c) { return c.wasted_by(PassReason::loose_fit).volume_tests; },
-            "The rest of them: the volumes meet, but nothing in them does.")
+            "Of the wasted ones of volumes, those below volumes that meet though nothing in them does.")
         .def_readonly("wrongly_rejected", &PassCounts::wrongly_rejected,
                       "Tests that rejected volumes which overlap: errors.")
         .def_readonly("missed", &PassCounts::missed, "Pairs of triangles that were lost by them.")

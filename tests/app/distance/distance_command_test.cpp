@@ -152,8 +152,29 @@ TEST_F(DistanceCommand, ExpectsAClearance) {
         EXPECT_EQ(json::parse(found.out)["not_clear"], json::array({250}));
         EXPECT_EQ(json::parse(found.out)["clear"], false);
     }
+    EXPECT_NE(run_scb("distance spheres-l1 --expect-clear --within 0.0012345678 --frames 0,2 --csv")
+                  .err.find("Clearance 0.0012345678: kept."),
+              std::string::npos);
     // Without the option, near triangles are a result like any other.
     EXPECT_EQ(run_scb("distance spheres-l1 --within 0.06 --frames 2").status, 0);
+}
+
+TEST_F(DistanceCommand, DoesNotJudgeTheClearanceInsideAnOpenMesh) {
+    std::string open = tetrahedron(100, -10);
+    open.erase(open.rfind("f "));
+    write("open.obj", open);
+    write("small.obj", tetrahedron(1, 3));
+    const std::string meshes = "distance open.obj small.obj --within 0.01 --expect-clear ";
+    for (const char* first : {"", " --first"}) {
+        const ProgramRun run = run_scb(meshes + "--pose 1,0,0,0,0,1,0,5,0,0,1,7" + first, here_);
+        EXPECT_EQ(run.status, 4) << run.out;
+        EXPECT_NE(run.out.find("Whether small lies inside open is not judged"), std::string::npos)
+            << run.out;
+        EXPECT_NE(run.out.find("\nClearance 0.01: not judged."), std::string::npos) << run.out;
+    }
+    const ProgramRun far = run_scb(meshes + "--pose 1,0,0,900,0,1,0,0,0,0,1,0", here_);
+    EXPECT_EQ(far.status, 0) << far.out;
+    EXPECT_NE(far.out.find("Clearance 0.01: kept."), std::string::npos) << far.out;
 }
 
 TEST_F(DistanceCommand, LimitsAndErrorsAreKept) {

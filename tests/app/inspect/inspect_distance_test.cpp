@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -20,6 +21,17 @@ std::uint64_t sum_of(const json& by_reason) {
     for (const json& one : by_reason)
         sum += one.is_number() ? one.get<std::uint64_t>() : one["n_v"].get<std::uint64_t>();
     return sum;
+}
+
+/// Sums of the frames that a command of an advice counts.
+std::array<std::uint64_t, 2> counted_by(const std::string& command) {
+    std::array<std::uint64_t, 2> sums{};
+    const json found = json::parse(run_scb(command.substr(4) + " --json").out);
+    for (const json& frame : found["frames"]) {
+        sums[0] += frame["n_v"].get<std::uint64_t>();
+        sums[1] += frame["n_p"].get<std::uint64_t>();
+    }
+    return sums;
 }
 
 TEST(InspectDistance, AddsUpToWhatDistanceCounts) {
@@ -86,17 +98,13 @@ TEST(InspectDistance, SaysWhatWasWastedAndWhatWouldHelp) {
 }
 
 TEST(InspectDistance, ItsCommandCountsWhatTheReportSays) {
-    for (const char* options : {"", "--within 0.1"}) {
+    for (const char* options : {"", "--within 0.1", "--growth radius", "--descent volume"}) {
+        SCOPED_TRACE(options);
         const json settings = inspect("spheres-l1 --frames 0:20:10 --kind distance --volume ball " +
                                       std::string(options))["settings"];
         const json& best = settings["settings"][settings["best"].get<std::size_t>()];
         const std::string command = settings["command"];
-        const json counted = json::parse(run_scb(command.substr(4) + " --json").out);
-        std::uint64_t n_v = 0, n_p = 0;
-        for (const json& frame : counted["frames"]) {
-            n_v += frame["n_v"].get<std::uint64_t>();
-            n_p += frame["n_p"].get<std::uint64_t>();
-        }
+        const auto [n_v, n_p] = counted_by(command);
         EXPECT_EQ(best["n_v"], n_v) << command;
         EXPECT_EQ(best["n_p"], n_p) << command;
         EXPECT_LT(best["cost"], settings["settings"][0]["cost"]);
@@ -105,14 +113,19 @@ TEST(InspectDistance, ItsCommandCountsWhatTheReportSays) {
     }
 }
 
-/// A recording of a healthy engine, as text, with a change from one text to another in a line.
-std::string changed_recording(const TemporaryFolder& folder, std::string_view from,
-                              const std::string& to, int occurrence) {
+/// The recording of a healthy engine, as text.
+std::string recording_text(const TemporaryFolder& folder) {
     record_distance_engine(DistanceBug::none, folder / "q.scbrec");
     EXPECT_EQ(run_scb("convert " + folder / "q.scbrec" + " -o " + folder / "q.jsonl").status, 0);
     std::stringstream text;
     text << std::ifstream(folder / "q.jsonl").rdbuf();
-    std::string changed = text.str();
+    return text.str();
+}
+
+/// The same with a change from one text to another. Returns the file.
+std::string changed_recording(const TemporaryFolder& folder, std::string_view from,
+                              const std::string& to, int occurrence) {
+    std::string changed = recording_text(folder);
     std::size_t at = changed.find(from);
     while (--occurrence > 0) at = changed.find(from, at + 1);
     changed.replace(at, from.size(), to);
@@ -140,16 +153,40 @@ TEST(InspectDistance, ComparesARecordingWithThisProjectsHierarchies) {
     }
 }
 
+TEST(InspectDistance, CountsTheFramesThatHaveRecordedQueries) {
+    const TemporaryFolder folder;
+    // The queries of the first frame again in frame 3, with the same meshes. Frame 2 has none.
+    const std::string text = recording_text(folder);
+    const std::size_t queries = text.find("{\"query\""), second = text.find("{\"frame\":1"),
+                      end = text.rfind("\n{") + 1;
+    ASSERT_LT(queries, second);
+    const std::string file = folder / "again.jsonl";
+    std::ofstream(file) << text.substr(0, second) << "{\"frame\":2}\n{\"frame\":3}\n"
+                        << text.substr(queries, second - queries) << text.substr(end);
+    const json found = inspect("--query nearest " + file), &settings = found["settings"];
+    EXPECT_EQ(settings["frames"], json::array({0, 3}));
+    EXPECT_EQ(settings["settings"][0]["split"], "cost") << "the default of distances";
+    const json& best = settings["settings"][settings["best"].get<std::size_t>()];
+    const auto [n_v, n_p] = counted_by(settings["command"]);
+    EXPECT_EQ(best["n_v"], n_v) << settings["command"];
+    EXPECT_EQ(best["n_p"], n_p);
+    const std::string timing = settings["timing"];
+    EXPECT_EQ(run_scb(timing.substr(4) + " --repeat 1").status, 0) << timing;
+}
+
 TEST(InspectDistance, ComparesNoRecordingWhoseQueriesDiffer) {
     const struct {
         std::string_view from;
         const char *to, *reason;
-    } cases[] = {{"\"limit\":\"inf\"", "\"limit\":5", "the limits of its queries differ"},
-                 {"{\"complete\":true", "{\"complete\":false", "queries ended early on purpose"}};
+    } cases[] = {
+        {"\"limit\":\"inf\"", "\"limit\":5", "the limits of its queries differ"},
+        {"\"relative_error\":0.0", "\"relative_error\":0.5", "the limits of its queries differ"},
+        {"{\"complete\":true", "{\"complete\":false",
+         "the query of frame 1 ended early on purpose"}};
     for (const auto& [from, to, reason] : cases) {
         const TemporaryFolder folder;
         // The third query is the query "nearest" of the second frame.
-        const int occurrence = from.starts_with("{") ? 3 : 2;
+        const int occurrence = from.find("limit") == std::string_view::npos ? 3 : 2;
         const std::string file = changed_recording(folder, from, to, occurrence);
         const ProgramRun run = run_scb("inspect --query nearest " + file);
         EXPECT_EQ(run.status, 0) << run.err << run.out;

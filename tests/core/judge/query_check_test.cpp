@@ -247,6 +247,34 @@ TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
     EXPECT_EQ(judged.wasted.by(PassReason::weak_test), 2u);
 }
 
+TEST(QueryCheck, WasteBelowVolumesThatTouchTheToleranceIsNotJudged) {
+    auto nodes = nodes_of_row();
+    Obb elsewhere = box_of_row(2, 3);
+    elsewhere.center[2] = 5;
+    nodes[2].volume = elsewhere;
+    Rows rows(nodes);
+    rows.contacts = {};
+    rows.query.kind = QueryKind::within;
+    rows.query.events = {{Kind::volumes, 0, 0, 0},
+                         {Kind::volumes, 0, 2, 2},
+                         {Kind::volumes, 0, 5, 5},
+                         {Kind::items_apart, 0, 2, 2}};
+    const double gap =
+        exact_verdict(rows.trees[0][2].volume, rows.trees[1][2].volume, rows.query.b_to_a, 1e-9)
+            .margin;
+    ASSERT_GT(gap, 1);
+    for (const auto& [limit, reason] :
+         {std::pair(gap - 0.1, PassReason::weak_test), std::pair(gap, PassReason::unjudged),
+          std::pair(gap + 0.1, PassReason::loose_fit)}) {
+        rows.query.limit = limit;
+        const QueryJudgement judged = rows.judged();
+        EXPECT_EQ(judged.wasted.all(), 3u);
+        EXPECT_GE(judged.wasted.by(reason), 2u) << limit;
+        if (reason == PassReason::loose_fit) continue;
+        EXPECT_EQ(judged.wasted.by(PassReason::loose_fit), 1u) << "below the roots";
+    }
+}
+
 TEST(QueryCheck, PairsAloneTellWhatATestLedTo) {
     Rows rows;
     rows.query.has_item_tests = false;
