@@ -106,8 +106,7 @@ int run(DistanceCommandOptions& options, const Console& console) {
         write_distance_plot(options, report, query, console);
     print_result(report.text());
     // CSV has no place for the verdict.
-    if (options.csv && options.expects_clear)
-        console.note("scb: " + report.clearance_words().substr(1));
+    if (options.csv && options.expects_clear) console.note("scb: " + report.clearance_words());
     if (report.frames() == query.frames.size()) return exit_status(options, report);
     console.note("scb: interrupted; " + std::to_string(report.frames()) + " of " +
                  std::to_string(query.frames.size()) + " frames are finished.");

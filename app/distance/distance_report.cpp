@@ -313,17 +313,16 @@ std::optional<bool> DistanceReport::is_clear() const {
 }
 
 std::string DistanceReport::clearance_words() const {
-    if (!options_.expects_clear) return "";
-    const std::string text = "\nClearance " + exact_number(*asked().within) + ": ";
+    const std::string text = "Clearance " + exact_number(*asked().within) + ": ";
     const std::optional<bool> clear = is_clear();
-    if (clear && *clear) return text + "kept.\n";
+    if (clear && *clear) return text + "kept.";
     if (!clear)
         return text + "not judged. No triangles are that near, and " +
-               (open_ > 0 ? "a body may lie inside another that is not closed.\n"
-                          : "frames are missing.\n");
-    if (query_.frames.size() == 1) return text + "not kept.\n";
-    return text + format("not kept in %zu of %zu frames, the first is frame %d.\n",
-                         not_clear_.size(), frames_, not_clear_.front());
+               (open_ > 0 ? "a body may lie inside another that is not closed."
+                          : "frames are missing.");
+    if (query_.frames.size() == 1) return text + "not kept.";
+    return text + format("not kept in %zu of %zu frames, the first is frame %d.", not_clear_.size(),
+                         frames_, not_clear_.front());
 }
 
 render::DistancePlot DistanceReport::plot() {
@@ -391,7 +390,7 @@ std::string DistanceReport::text() {
     if (options_.csv) return table_.csv_header() + table_.csv_rows();
     if (frames_ > 1) table_.add(mean_cells());
     return title() + table_.text() + least_words() + proof_words() + inside_text() + near_words() +
-           clearance_words();
+           (options_.expects_clear ? "\n" + clearance_words() + "\n" : "");
 }
 
 }  // namespace scb::app

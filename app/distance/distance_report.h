@@ -47,7 +47,7 @@ class DistanceReport {
     /// Whether no frame has triangles within the tolerance, or a body inside the other. None if
     /// frames are missing, or a body may be inside another that is not closed.
     std::optional<bool> is_clear() const;
-    /// The verdict on the clearance, if one is expected.
+    /// The verdict on the clearance.
     std::string clearance_words() const;
     /// The pairs within the tolerance, as CSV.
     const std::string& pairs() const { return pairs_; }

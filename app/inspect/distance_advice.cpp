@@ -110,13 +110,15 @@ std::optional<DistanceAdvice> distance_advice(const InspectOptions& options,
     if (source.is_recording()) {
         const scenes::RecordedTrace& recorded = *source.recorded();
         if (!recorded.has_same_limits())
-            throw InputError(recorded.recording().file->path +
-                             ": the limits of its queries differ; select queries of one limit with "
-                             "--frames, --query or --tag.");
+            throw InputError(
+                recorded.recording().file->path +
+                ": its queries have several limits or relative errors; select queries that "
+                "have the same with --frames, --query or --tag.");
         ComparedRecording compared = compared_recording(source, findings);
         frames = compared.frames;
         advice.engine = render::volume_title(source.header());
         advice.recorded = compared.recorded;
+        advice.changes_meshes = recorded.recording().changes_meshes;
         parts = {options.of_meshes + " --frames " + list_text(frames),
                  limit_options(source.header())};
         trial = try_distances(query_of(std::move(compared), source.header(), options.hierarchy),
@@ -146,16 +148,17 @@ std::string advice_sentence(const DistanceAdvice& advice) {
                                            : " over " + std::to_string(counted) + " frames";
     const std::string setting = setting_words(best.setting, trial.is_within);
     const auto counts = [&best](const Work& base) {
-        std::string text = "N_v " + render::change_text(base.volume_tests, best.work.volume_tests);
-        // N_p of packed queries counts the pairs measured in doubles, and cannot be compared.
-        if (!best.setting.layout)
-            text += ", N_p " + render::change_text(base.triangle_tests, best.work.triangle_tests);
-        return text;
+        return "N_v " + render::count_text(best.work.volume_tests) + " in place of " +
+               render::count_text(base.volume_tests) + ", N_p " +
+               render::count_text(best.work.triangle_tests) +
+               (best.setting.layout ? " in doubles" : "") + " in place of " +
+               render::count_text(base.triangle_tests);
     };
     if (advice.recorded)
         return "This project's best of " + std::to_string(trial.tried) + " settings" + where +
-               ": " + setting + ". Its tests, compared with the tests of " + advice.engine + ": " +
-               counts(*advice.recorded) + ". Tests of two engines may take different times.";
+               ": " + setting + ". Compared with " + advice.engine + ": " +
+               counts(*advice.recorded) + ". Tests of two engines may take different times." +
+               (advice.changes_meshes ? " The meshes change, so one frame is compared." : "");
     if (&best == &present)
         return "None of " + std::to_string(trial.tried) + " settings costs less" + where +
                " than the present setting.";

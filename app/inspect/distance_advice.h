@@ -23,6 +23,7 @@ struct DistanceAdvice {
     /// Of a recording: the engine and its volumes, and its work in the frames of `trial`.
     std::string engine;
     std::optional<Work> recorded;
+    bool changes_meshes = false;  ///< of a recording: one frame is compared
 };
 
 /// Tries other settings at the poses of the queries, in the inspected frames, or in evenly spread

@@ -151,6 +151,7 @@ Json inspect_json(const InspectReport& report) {
     if (!report.recording) {
         add_waste_json(json, report);
     } else if (report.has_waste) {
+        json["waste"]["left_out"] = report.header.engine->left_out;
         json["waste"]["bodies"] = {report.header.bodies[0].name, report.header.bodies[1].name};
         add_waste_json(json["waste"], report);
     }

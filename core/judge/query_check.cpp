@@ -305,12 +305,11 @@ class Judge {
 
     void count_waste() {
         const auto own_reason = [this](const JudgedTest& test) {
-            if (test.early) return PassReason::early;
-            const bool is_proven = test.is_proven(query_.kind);
-            if (is_proven && test.verdict == TestVerdict::false_positive)
-                return PassReason::weak_test;
             if (test.meets) return PassReason::triangles_meet;
-            return is_proven ? PassReason::loose_fit : PassReason::unjudged;
+            if (test.early) return PassReason::early;
+            if (!test.is_proven(query_.kind)) return PassReason::unjudged;
+            return test.verdict == TestVerdict::false_positive ? PassReason::weak_test
+                                                               : PassReason::loose_fit;
         };
         std::vector<PassReason> within(result_.tests.size(), PassReason::triangles_meet);
         const auto below = [&](std::uint32_t led) {

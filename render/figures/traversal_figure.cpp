@@ -68,7 +68,8 @@ std::vector<Number> numbers_of(const TraceHeader& header, const QueryTrace& fram
         found.n_v - found.stages[static_cast<std::size_t>(Stage::overlapping)];
     std::vector<Number> numbers = {
         frame.nearest ? Number{"distance", distance_text(frame.nearest->distance)}
-                      : Number{"pairs", count_text(found.pairs.size())},
+        : header.kind == QueryKind::distance ? Number{"distance", "none"}
+                                             : Number{"pairs", count_text(found.pairs.size())},
         {"N_v", count_text(found.n_v)},
         {is_of_distance(header.kind) ? "left out" : "rejected",
          count_text(rejected) + " (" + share_text(rejected, found.n_v) + " of N_v)"},
@@ -144,7 +145,8 @@ BoundTests bound_tests(const TraceHeader& header, const QueryTrace& frame,
                        const DistanceSteps& steps, const Outcomes& outcomes,
                        const std::vector<EndingGroup>& groups, const Theme& theme) {
     BoundTests result;
-    const std::string answer = header.kind == QueryKind::within ? "limit" : "distance";
+    const bool is_limit = header.kind == QueryKind::within || !frame.nearest;
+    const std::string answer = is_limit ? "limit" : "distance";
     result.keys = {{"divided, and led to the answer", theme.text},
                    {"divided in vain, bound below the " + answer, body_b_color},
                    {"divided in vain, before it was known", mix(body_b_color, theme.text, 0.6)}};
@@ -174,8 +176,7 @@ BoundTests bound_tests(const TraceHeader& header, const QueryTrace& frame,
     for (const Key& key : result.keys) result.plot.colors.push_back(key.color);
     result.plot.answer = steps.answer;
     result.plot.answer_label =
-        std::string(header.kind == QueryKind::within ? "at most " : "distance ") +
-        distance_text(steps.answer);
+        (header.kind == QueryKind::within ? "at most" : answer) + " " + distance_text(steps.answer);
     return result;
 }
 

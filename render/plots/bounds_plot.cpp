@@ -132,15 +132,19 @@ void draw_bounds_plot(Overlay& overlay, const PixelRect& rect, const BoundsPlot&
     const double height = area.height - 1;
     const std::vector<BoundsCell> cells =
         bounds_cells(plot, frame.y, height / row_height, per_column);
-    const int answer = area.y + static_cast<int>(std::lround(answer_down(plot, frame.y) * height));
-    // The line hides no bar.
-    const int line = std::isfinite(plot.answer) ? answer_line(style) : 0;
+    // The line hides no bar, and leaves room for a row below it.
+    const int line = std::isfinite(plot.answer) ? answer_line(style) : 0,
+              bottom = area.y + area.height;
+    const int answer =
+        std::min(area.y + static_cast<int>(std::lround(answer_down(plot, frame.y) * height)),
+                 bottom - row_height - line);
     const auto top_of = [&](const BoundsCell& cell) {
-        return answer + cell.row * row_height + (cell.row < 0 ? 0 : line);
+        const int top = answer + cell.row * row_height + (cell.row < 0 ? 0 : line);
+        return std::clamp(top, area.y, bottom - row_height);
     };
     // Volumes that overlap share one row, and would make all other bars short.
     const auto is_lowest = [&](const BoundsCell& cell) {
-        return top_of(cell) + row_height >= area.y + area.height - 1;
+        return top_of(cell) + row_height >= bottom - 1;
     };
     std::uint32_t most = 1;
     for (const BoundsCell& cell : cells)
@@ -151,9 +155,7 @@ void draw_bounds_plot(Overlay& overlay, const PixelRect& rect, const BoundsPlot&
         const int room = std::max(2, static_cast<int>(pitch) - std::max(1, style.unit / 10));
         const double share = std::sqrt(static_cast<double>(tests_of(cell)) / most);
         const int length = std::clamp(static_cast<int>(std::lround(share * room)), 2, room);
-        const int top = std::max(area.y, top_of(cell)),
-                  bottom = std::min(top_of(cell) + row_height - 1, area.y + area.height);
-        draw_bar(overlay, {left, top, length, std::max(2, bottom - top)}, cell, plot.colors);
+        draw_bar(overlay, {left, top_of(cell), length, row_height - 1}, cell, plot.colors);
     }
     if (std::isfinite(plot.answer)) draw_answer(overlay, area, plot, answer, style);
 }

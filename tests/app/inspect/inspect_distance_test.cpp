@@ -179,8 +179,8 @@ TEST(InspectDistance, ComparesNoRecordingWhoseQueriesDiffer) {
         std::string_view from;
         const char *to, *reason;
     } cases[] = {
-        {"\"limit\":\"inf\"", "\"limit\":5", "the limits of its queries differ"},
-        {"\"relative_error\":0.0", "\"relative_error\":0.5", "the limits of its queries differ"},
+        {"\"limit\":\"inf\"", "\"limit\":5", "several limits or relative errors"},
+        {"\"relative_error\":0.0", "\"relative_error\":0.5", "several limits or relative errors"},
         {"{\"complete\":true", "{\"complete\":false",
          "the query of frame 1 ended early on purpose"}};
     for (const auto& [from, to, reason] : cases) {
