@@ -5,6 +5,7 @@
 #include "app/inspect/inspect_triangles.h"
 #include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
+#include "core/analysis/assumed_time.h"
 #include "core/base/statistics.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"

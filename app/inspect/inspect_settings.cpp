@@ -17,6 +17,7 @@
 #include "render/figures/figure_words.h"
 #include "render/overlay/figure_layout.h"
 #include "scb/error.h"
+#include "scenes/recordings/recording_input.h"
 #include "scenes/scene/pose_rows.h"
 
 namespace scb::app {
