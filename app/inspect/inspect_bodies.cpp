@@ -54,7 +54,7 @@ void mark_nearest(QueryTrace& frame, const Attribution& attribution) {
 
 std::string draw_bodies(PictureRun& pictures, const PictureOptions& options,
                         const QuerySources& sources, const InspectReport& report) {
-    if (report.sum.counts.wasted.volume_tests == 0) return "";
+    if (report.sum.counts.wasted().volume_tests == 0) return "";
     if (report.header.engine && report.header.engine->objects) return "";
     const int number = report.frames.front().frame;
     QueryTrace frame = sources.front().frame_again(number);

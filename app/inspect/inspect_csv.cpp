@@ -62,8 +62,8 @@ std::string distance_frames_csv(const InspectReport& report) {
         text += "," + row({c.all.volume_tests, c.all.triangle_tests, c.passed(),
                            c.passed(PassReason::triangles_meet)});
         for (const PassReason reason : reasons) text += "," + row({c.passed(reason)});
-        text += "," +
-                row({c.wrongly_rejected, c.missed, c.wasted.volume_tests, c.wasted.triangle_tests});
+        text += "," + row({c.wrongly_rejected, c.missed, c.wasted().volume_tests,
+                           c.wasted().triangle_tests});
         for (const PassReason reason : reasons) {
             const Work wasted = c.wasted_by(reason);
             text += "," + row({wasted.volume_tests, wasted.triangle_tests});
@@ -102,15 +102,16 @@ std::string frames_csv(const InspectReport& report) {
         "wasted_by_test_operations\n";
     for (const InspectedFrame* frame : ordered_frames(report)) {
         const PassCounts& c = frame->found.counts;
-        text += std::to_string(frame->frame) + "," +
-                row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
-                     c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
-                     c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
-                     operations(report, c.all), c.wasted.volume_tests, c.wasted.triangle_tests,
-                     operations(report, c.wasted), c.wasted_by(PassReason::weak_test).volume_tests,
-                     c.wasted_by(PassReason::weak_test).triangle_tests,
-                     operations(report, c.wasted_by(PassReason::weak_test))}) +
-                "\n";
+        text +=
+            std::to_string(frame->frame) + "," +
+            row({frame->found.pairs, c.all.volume_tests, c.all.triangle_tests, c.passed(),
+                 c.passed(PassReason::triangles_meet), c.passed(PassReason::loose_fit),
+                 c.passed(PassReason::weak_test), c.wrongly_rejected, c.missed,
+                 operations(report, c.all), c.wasted().volume_tests, c.wasted().triangle_tests,
+                 operations(report, c.wasted()), c.wasted_by(PassReason::weak_test).volume_tests,
+                 c.wasted_by(PassReason::weak_test).triangle_tests,
+                 operations(report, c.wasted_by(PassReason::weak_test))}) +
+            "\n";
     }
     return text;
 }

@@ -11,6 +11,7 @@
 #include "app/inspect/inspect_triangles.h"
 #include "app/inspect/recording_pictures.h"
 #include "app/report/scene_report.h"
+#include "core/platform/number_list.h"
 #include "scb/error.h"
 #include "scenes/recordings/recording_input.h"
 
@@ -63,9 +64,7 @@ std::string report_view(const InspectOptions& options, const InspectReport& repo
         view.level.scene.frames = std::to_string(report.frames.front().frame);
         return view_page(view, console);
     }
-    view.queries.clear();
-    for (const int frame : frames)
-        view.queries += (view.queries.empty() ? "" : ",") + std::to_string(frame);
+    view.queries = list_text({frames.begin(), frames.end()});
     if (!scenes::names_trace(options.scene.names[0]))
         view.level.scene.frames = std::to_string(*frames.begin());
     return view_page(view, console);

@@ -18,7 +18,7 @@ namespace scb::app {
 namespace {
 
 std::string triangles(const PassCounts& counts) {
-    const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted.triangle_tests;
+    const std::uint64_t all = counts.all.triangle_tests, wasted = counts.wasted().triangle_tests;
     if (wasted == 0) return "";
     return " Of " + render::counted(all, "triangle test", "triangle tests") + " " +
            share(wasted, all) + " were.";
@@ -26,7 +26,7 @@ std::string triangles(const PassCounts& counts) {
 
 std::string waste(const InspectReport& report) {
     const PassCounts& counts = report.sum.counts;
-    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted().volume_tests;
     const std::string tests = render::counted(all, "volume test", "volume tests");
     if (wasted == 0) return "Of " + tests + " none was wasted." + triangles(counts);
     std::string text = "Of " + tests + ", " + share(wasted, all) + " were wasted: ";
@@ -248,7 +248,7 @@ std::vector<std::string> waste_findings(const InspectReport& report) {
     for (std::string& sentence : best_other(report)) sentences.push_back(std::move(sentence));
     for (std::string& sentence : triangle_sentences(report))
         sentences.push_back(std::move(sentence));
-    if (counts.wasted.volume_tests > 0)
+    if (counts.wasted().volume_tests > 0)
         for (std::string& sentence : causes(report)) sentences.push_back(std::move(sentence));
     for (std::string& sentence : decisions(report)) sentences.push_back(std::move(sentence));
     return sentences;

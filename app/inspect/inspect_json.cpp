@@ -60,7 +60,7 @@ Json inspection_json(const InspectReport& report, const Inspection& i) {
     json.update(Json{{"wrongly_rejected", i.counts.wrongly_rejected},
                      {"missed_pairs", i.counts.missed},
                      {"work", work(i.counts.all)},
-                     {"wasted", work(i.counts.wasted)},
+                     {"wasted", work(i.counts.wasted())},
                      {"wasted_by", wasted_by_json(report, [&](PassReason reason) {
                           return work(i.counts.wasted_by(reason));
                       })}});

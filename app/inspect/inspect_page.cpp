@@ -1,5 +1,6 @@
 #include "app/inspect/inspect_page.h"
 
+#include <array>
 #include <cassert>
 #include <kainjow/mustache.hpp>
 
@@ -8,10 +9,10 @@
 #include "app/inspect/inspect_findings.h"
 #include "app/inspect/inspect_triangles.h"
 #include "app/inspect/recording_report.h"
+#include "app/inspect/settings_page.h"
 #include "app/query/recording_verdict.h"
 #include "app/report/scene_report.h"
 #include "app/report/table.h"
-#include "app/timing/tune_layout_report.h"
 #include "app/timing/tune_report.h"
 #include "core/base/text_format.h"
 #include "core/platform/utf8.h"
@@ -34,7 +35,12 @@ std::string percents(std::uint64_t part, std::uint64_t whole) {
                   whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-data flag(bool is_set) { return data(is_set ? data::type::bool_true : data::type::bool_false); }
+/// The name of the reason's color in the style sheet.
+std::string page_color(PassReason reason) {
+    constexpr std::array<const char*, pass_reason_count> colors = {"test", "fit", "neutral",
+                                                                   "early", "unjudged"};
+    return colors[static_cast<std::size_t>(reason)];
+}
 
 data text_rows(const char* key, const std::vector<std::string>& texts) {
     data rows(data::type::list);
@@ -49,7 +55,7 @@ data text_rows(const char* key, const std::vector<std::string>& texts) {
 data frame_data(const InspectReport& report, const std::string& name, const Inspection& found,
                 double distance) {
     const PassCounts& counts = found.counts;
-    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted.volume_tests;
+    const std::uint64_t all = counts.all.volume_tests, wasted = counts.wasted().volume_tests;
     data row;
     row["frame"] = name;
     row["pairs"] = report.header.kind != QueryKind::distance ? render::count_text(found.pairs)
@@ -63,7 +69,7 @@ data frame_data(const InspectReport& report, const std::string& name, const Insp
         data cell, bar;
         cell["count"] = render::count_text(counts.passed(words.reason));
         passed << cell;
-        bar["color"] = words.color;
+        bar["color"] = page_color(words.reason);
         bar["part"] = percents(words.reason == PassReason::triangles_meet
                                    ? all - wasted
                                    : counts.wasted_by(words.reason).volume_tests,
@@ -73,7 +79,7 @@ data frame_data(const InspectReport& report, const std::string& name, const Insp
     row.set("of_reasons", passed);
     row.set("bars", bars);
     row["wasted"] = render::count_text(wasted);
-    const std::uint64_t n_p = counts.wasted.triangle_tests;
+    const std::uint64_t n_p = counts.wasted().triangle_tests;
     row["wasted_n_p"] = render::count_text(n_p);
     row["share_n_p"] = share(n_p, counts.all.triangle_tests);
     row["wrong"] = render::count_text(counts.wrongly_rejected);
@@ -107,7 +113,7 @@ data reason_rows(const InspectReport& report) {
         const Work wasted = counts.wasted_by(words.reason);
         data row;
         row["because"] = words.title;
-        row["color"] = words.color;
+        row["color"] = page_color(words.reason);
         row["inner"] = render::count_text(counts.inner[r]);
         row["leaves"] = render::count_text(counts.leaves[r]);
         row["n_v"] = is_waste ? render::count_text(wasted.volume_tests) : "";
@@ -124,7 +130,7 @@ data reason_columns(const InspectReport& report) {
     for (const render::ReasonWords& words :
          render::reason_words(report.header.kind, report.sum.counts)) {
         data column;
-        column["color"] = words.color;
+        column["color"] = page_color(words.reason);
         column["column"] = words.column;
         columns << column;
     }
@@ -140,18 +146,6 @@ std::string bar_words(const InspectReport& report) {
     return words;
 }
 
-/// The work of a query, and its change.
-void set_changes(data& row, const Work& from, const Work& to) {
-    row["n_v"] = render::count_text(to.volume_tests);
-    row["n_v_change"] = render::change_text(from.volume_tests, to.volume_tests);
-    row["n_p"] = render::count_text(to.triangle_tests);
-    row["n_p_change"] = render::change_text(from.triangle_tests, to.triangle_tests);
-    row["operations"] = render::count_text(to.operations);
-    row["operations_change"] = render::change_text(from.operations, to.operations);
-    row["cost"] = render::count_text(to.picoseconds / 1000);
-    row["cost_change"] = render::change_text(from.picoseconds, to.picoseconds);
-}
-
 data other_rows(const InspectReport& report) {
     const Work& all = report.sum.counts.all;
     data rows(data::type::list);
@@ -162,54 +156,6 @@ data other_rows(const InspectReport& report) {
         set_changes(row, all, other.all);
         rows << row;
     }
-    return rows;
-}
-
-data setting_rows(const InspectSettings& settings) {
-    const SceneTuning& tuning = settings.tuning;
-    const Work& from = settings.recorded ? *settings.recorded : tuning.base().counts;
-    const TuneLayout* const cheapest = tuning.cheapest_layout();
-    data rows(data::type::list);
-    const auto add = [&](std::size_t r) {
-        const TuneRow& found = tuning.rows[r];
-        data row;
-        row["setting"] =
-            (r == 0 && !settings.recorded ? "present: " : "") + setting_text(found.setting);
-        row["best"] = flag(!cheapest && r == tuning.recommended());
-        set_changes(row, from, found.counts);
-        if (settings.recorded) {
-            row["operations_change"] = "";
-            row["cost_change"] = "";
-        }
-        row["bytes"] = format("%.0f", found.bytes_per_triangle);
-        row["ms"] = found.ms ? interval_text(tuning, *found.ms) : std::string();
-        rows << row;
-    };
-    if (settings.recorded) {
-        data row;
-        row["setting"] = "recorded: " + printable(settings.engine);
-        row["n_v"] = render::count_text(from.volume_tests);
-        row["n_p"] = render::count_text(from.triangle_tests);
-        row["operations"] = "–";
-        row["cost"] = "–";
-        row["best"] = flag(false);
-        rows << row;
-    } else {
-        add(0);
-    }
-    if (cheapest) {
-        data row;
-        row["setting"] = layout_text(tuning, *cheapest) + ", packed";
-        row["best"] = flag(true);
-        set_changes(row, from, {cheapest->n_v, cheapest->n_p, 0, cheapest->picoseconds});
-        // Operations of packed tests are not counted.
-        row["operations"] = "–";
-        row["operations_change"] = "";
-        if (settings.recorded) row["cost_change"] = "";
-        row["bytes"] = format("%.0f", cheapest->bytes_per_triangle);
-        rows << row;
-    }
-    for (const std::size_t r : listed_settings(settings)) add(r);
     return rows;
 }
 
@@ -349,7 +295,7 @@ data worst_rows(const InspectReport& report, const InspectPage& page) {
             const render::ReasonWords words = render::words_of(worst.reason, report.header.kind);
             data row;
             row["because"] = words.title;
-            row["color"] = words.color;
+            row["color"] = page_color(words.reason);
             row["frame"] = std::to_string(p.frame);
             row["nodes"] = format("%u, %u", p.test.nodes.a, p.test.nodes.b);
             row["depths"] = format("%d, %d", p.test.depth_a, p.test.depth_b);
@@ -436,23 +382,6 @@ void set_waste(data& values, const InspectReport& report, const InspectPage& pag
     if (!is_distance) values["groups"] = groups_of(report, page);
 }
 
-void set_settings(data& values, const InspectSettings& settings, std::size_t frames) {
-    const SceneTuning& tuning = settings.tuning;
-    values["settings"] = setting_rows(settings);
-    values["settings_words"] = settings_words(tuning, frames, "sums over");
-    values["cost_words"] = cost_words;
-    values["best_words"] = settings.recorded
-                               ? "Changes are relative to the recorded tests."
-                               : best_sentences(tuning, "the present setting").front();
-    const TuneLayout* const cheapest = tuning.cheapest_layout();
-    values["use"] = cheapest ? settings.layout_command : settings.command;
-    if (cheapest) values["code"] = layout_code(tuning, *cheapest);
-    const std::string packed = layout_sentence(tuning);
-    if (!packed.empty()) values["packed"] = packed;
-    if (!settings.layout_command.empty()) values["use_packed"] = settings.layout_command;
-    values["timed"] = flag(tuning.timed());
-}
-
 }  // namespace
 
 std::string inspect_html(const InspectReport& report, const InspectPage& page) {
@@ -466,15 +395,7 @@ std::string inspect_html(const InspectReport& report, const InspectPage& page) {
     if (report.recording) set_judgement(values, *report.recording, report.settings);
     values["has_waste"] = flag(report.has_waste);
     if (report.has_waste) set_waste(values, report, page);
-    values["has_settings"] = flag(report.settings.has_value());
-    values["has_distance_settings"] = flag(report.distance_advice.has_value());
-    if (report.distance_advice) {
-        values["distance_settings"] = trial_table(*report.distance_advice, most_trial_rows).html();
-        values["distance_words"] = trial_words(*report.distance_advice);
-        values["distance_command"] = report.distance_advice->command;
-        values["distance_timing"] = report.distance_advice->timing;
-    }
-    if (report.settings) set_settings(values, *report.settings, report.frames.size());
+    set_settings(values, report);
     if (!page.view.empty()) {
         values["view"] = page.view + "#show=verdicts";
         values["view_frames"] = report.recording

@@ -45,10 +45,11 @@ std::string frame_row(const std::string& name, const InspectReport& report, cons
     text += cell(9, counts.all.volume_tests) + cell(9, counts.passed());
     for (const render::ReasonWords& words : words_in(report))
         text += cell(8, counts.passed(words.reason));
-    return text + cell(10, counts.wasted.volume_tests) +
-           format(" %8s", share(counts.wasted.volume_tests, counts.all.volume_tests).c_str()) +
-           cell(9, counts.wasted.triangle_tests) +
-           format(" %8s", share(counts.wasted.triangle_tests, counts.all.triangle_tests).c_str()) +
+    return text + cell(10, counts.wasted().volume_tests) +
+           format(" %8s", share(counts.wasted().volume_tests, counts.all.volume_tests).c_str()) +
+           cell(9, counts.wasted().triangle_tests) +
+           format(" %8s",
+                  share(counts.wasted().triangle_tests, counts.all.triangle_tests).c_str()) +
            (counts.wrongly_rejected > 0
                 ? format("  REJECTED WRONGLY: %s, %s pairs missed",
                          render::count_text(counts.wrongly_rejected).c_str(),

@@ -10,7 +10,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(IndexPair, a, b)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Step, nodes, depth_a, depth_b, stage)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Work, volume_tests, triangle_tests, operations)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PassCounts, inner, leaves, touching, wrongly_rejected, missed,
-                                   all, wasted, wasted_for)
+                                   all, wasted_for)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WastedTests, by_reason)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DepthInspection, tests, wasted, passed)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Inspection, pairs, counts, depths)

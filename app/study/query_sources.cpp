@@ -142,9 +142,7 @@ QuerySources beside_recording(const SceneOptions& scene, const HierarchyOptions&
     QueryOptions of_both = query;
     sources.emplace_back(scene, own, of_both, limits, true);
     // The frames and bodies of the recording.
-    of_both.frames.clear();
-    for (const int frame : sources[0].frames())
-        of_both.frames += (of_both.frames.empty() ? "" : ",") + std::to_string(frame);
+    of_both.frames = list_text(sources[0].frames());
     of_both.bodies = sources[0].header().bodies[0].name + "," + sources[0].header().bodies[1].name;
     sources.emplace_back(scene, own, of_both, limits, false);
     if (names[1] == recorded_name) std::swap(sources[0], sources[1]);

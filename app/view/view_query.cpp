@@ -190,7 +190,7 @@ class PartMaker {
                       {"n_p", frame.found.n_p},
                       {"pairs", frame.found.pairs.size()},
                       {"judged", attribution.counts.all.volume_tests > 0},
-                      {"wasted", attribution.counts.wasted.volume_tests},
+                      {"wasted", attribution.counts.wasted().volume_tests},
                       {"overlaps", source_.level_overlaps(frame, most_overlaps)},
                       {"outcomes", blocks.outcomes},
                       {"pair_block", blocks.pairs}};

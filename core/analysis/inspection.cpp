@@ -43,8 +43,8 @@ Inspection inspection(const QueryTrace& frame, const Attribution& attribution) {
 
 void sort_by_waste(std::vector<InspectedFrame>& frames) {
     std::sort(frames.begin(), frames.end(), [](const InspectedFrame& x, const InspectedFrame& y) {
-        const std::uint64_t of_x = x.found.counts.wasted.volume_tests,
-                            of_y = y.found.counts.wasted.volume_tests;
+        const std::uint64_t of_x = x.found.counts.wasted().volume_tests,
+                            of_y = y.found.counts.wasted().volume_tests;
         return of_x != of_y ? of_x > of_y : x.frame < y.frame;
     });
 }

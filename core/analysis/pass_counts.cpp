@@ -36,6 +36,12 @@ Work& Work::operator+=(const Work& other) {
     return *this;
 }
 
+Work PassCounts::wasted() const {
+    Work sum;
+    for (const Work& of_reason : wasted_for) sum += of_reason;
+    return sum;
+}
+
 std::uint64_t PassCounts::passed() const {
     return std::accumulate(inner.begin(), inner.end(), std::uint64_t{0}) +
            std::accumulate(leaves.begin(), leaves.end(), std::uint64_t{0});
@@ -48,7 +54,6 @@ std::uint64_t PassCounts::passed(PassReason reason) const {
 
 void PassCounts::waste(PassReason reason, const Work& work) {
     if (reason == PassReason::triangles_meet) return;
-    wasted += work;
     wasted_for[static_cast<std::size_t>(reason)] += work;
 }
 
@@ -62,7 +67,6 @@ PassCounts& PassCounts::operator+=(const PassCounts& other) {
     wrongly_rejected += other.wrongly_rejected;
     missed += other.missed;
     all += other.all;
-    wasted += other.wasted;
     return *this;
 }
 

@@ -76,9 +76,11 @@ struct PassCounts {
     /// Tests that rejected volumes which overlap, or hold triangles that intersect.
     std::uint64_t wrongly_rejected = 0;
     std::uint64_t missed = 0;  ///< intersecting pairs of triangles below these tests
-    Work all, wasted;
+    Work all;
     std::array<Work, pass_reason_count> wasted_for{};  ///< the wasted work by its reason
 
+    /// The wasted work for all reasons.
+    Work wasted() const;
     std::uint64_t passed() const;
     std::uint64_t passed(PassReason reason) const;
     /// The wasted work for this reason; none for triangles_meet.

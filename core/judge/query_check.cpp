@@ -20,32 +20,6 @@ namespace {
 
 using Kind = EngineEvent::Kind;
 
-TestVerdict verdict_of(const std::optional<ContactCertificate>& certificate, bool passed) {
-    if (!certificate) return TestVerdict::unjudged;
-    if (certificate->contact == Contact::disjoint)
-        return passed ? TestVerdict::false_positive : TestVerdict::right;
-    if (certificate->contact == Contact::overlapping)
-        return passed ? TestVerdict::right : TestVerdict::wrong;
-    return TestVerdict::right;
-}
-
-/// The verdict on the volumes of two nodes that count as overlapping if they are nearer than
-/// `reach`.
-std::optional<ContactCertificate> certificate_of(const EngineQuery& query, const Pose& b_to_a,
-                                                 IndexPair nodes, double reach) {
-    if (nodes.a == no_index || nodes.b == no_index) return std::nullopt;
-    const NodeVolume &a = (*query.sides[0].tree)[nodes.a].volume,
-                     &b = (*query.sides[1].tree)[nodes.b].volume;
-    const double tolerance = tolerance_of(query, nodes);
-    const auto found = proven_verdict(a, b, b_to_a, tolerance, reach);
-    // For volumes smaller than the tolerance, touching means nothing.
-    if (found && found->contact == Contact::touching)
-        for (const NodeVolume* volume : {&a, &b})
-            if (const double size = diameter(convex_shape(*volume)); size > 0 && size <= tolerance)
-                return std::nullopt;
-    return found;
-}
-
 /// The number of unreported pairs to examine. Each takes microseconds, and a query that reports
 /// nothing misses millions.
 constexpr std::size_t most_looked_into = 100'000;
@@ -463,25 +437,6 @@ bool has_known_items(const EngineQuery& query) {
 QueryJudgement judge_query(const EngineQuery& query, const QueryTruth& truth,
                            const std::function<bool()>& go_on) {
     return Judge(query, truth, go_on).judged();
-}
-
-PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a) {
-    PoseFit fit;
-    for (const EngineEvent& event : query.events) {
-        if (event.kind == Kind::pair) continue;
-        if (event.kind != Kind::volumes) {
-            fit.wrong_items += error_of(query, b_to_a, event).has_value();
-            continue;
-        }
-        // The bounds of a distance query depend on its answer, which another pose changes.
-        if (query.kind == QueryKind::distance) continue;
-        const double reach = query.kind == QueryKind::within ? query.limit : 0;
-        const TestVerdict verdict = verdict_of(
-            certificate_of(query, b_to_a, nodes_of(query, event), reach), event.stage == 0);
-        fit.wrong += verdict == TestVerdict::wrong;
-        fit.false_positive += verdict == TestVerdict::false_positive;
-    }
-    return fit;
 }
 
 }  // namespace scb

@@ -8,16 +8,9 @@
 #include "core/explain/contact_certificate.h"
 #include "core/judge/answer_check.h"
 #include "core/judge/engine_query.h"
+#include "core/judge/node_contact.h"
 
 namespace scb {
-
-/// How a recorded test of two volumes compares with the exact verdict on the recorded volumes.
-enum class TestVerdict : std::uint8_t {
-    right,
-    false_positive,  ///< passed disjoint volumes
-    wrong,           ///< rejected overlapping volumes
-    unjudged,        ///< no proven verdict, for example because a node is unknown or has no volume
-};
 
 struct JudgedTest {
     std::uint32_t event = 0;          ///< index into EngineQuery::events
@@ -168,16 +161,5 @@ bool has_known_items(const EngineQuery& query);
 /// false, the judgement ends there, interrupted.
 QueryJudgement judge_query(const EngineQuery& query, const QueryTruth& truth,
                            const std::function<bool()>& go_on = {});
-
-/// The number of tests that contradict a pose: they rejected overlapping volumes, passed disjoint
-/// ones, or were wrong about two triangles.
-struct PoseFit {
-    std::uint64_t wrong = 0;           ///< tests of volumes
-    std::uint64_t wrong_items = 0;     ///< tests of triangles
-    std::uint64_t false_positive = 0;  ///< tests of volumes that passed
-
-    std::uint64_t all_wrong() const { return wrong + wrong_items; }
-};
-PoseFit fit_of_pose(const EngineQuery& query, const Pose& b_to_a);
 
 }  // namespace scb

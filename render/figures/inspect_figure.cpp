@@ -47,7 +47,7 @@ StackedBarsPlot frames_plot(const InspectFigure& figure) {
               [](const auto* x, const auto* y) { return x->frame < y->frame; });
     for (const InspectedFrame* frame : frames) {
         const PassCounts& counts = frame->found.counts;
-        add(plot, frame->frame, figure, counts.all.volume_tests - counts.wasted.volume_tests,
+        add(plot, frame->frame, figure, counts.all.volume_tests - counts.wasted().volume_tests,
             [&counts](PassReason reason) { return counts.wasted_by(reason).volume_tests; });
     }
     return plot;
@@ -116,7 +116,7 @@ std::vector<PanelItem> panel_of(const InspectFigure& figure) {
     for (const ReasonWords& part : parts_of(figure)) {
         const bool is_useful = part.reason == PassReason::triangles_meet;
         tests.push_back({part.reason, is_useful ? "not wasted" : part.title,
-                         is_useful ? counts.all.volume_tests - counts.wasted.volume_tests
+                         is_useful ? counts.all.volume_tests - counts.wasted().volume_tests
                                    : counts.wasted_by(part.reason).volume_tests});
         passed.push_back({part.reason, part.title, counts.passed(part.reason)});
     }

@@ -13,7 +13,6 @@ struct ReasonWords {
     const char* title = "";    ///< in lists: "fit too loose"
     const char* column = "";   ///< heading of a column: "fit"
     const char* because = "";  ///< "since volumes are too loose"; empty unless tests are wasted
-    const char* color = "";    ///< a color of the style sheet of pages
 };
 
 /// The reasons of these queries: first triangles_meet, then waste_reasons. Pairs that are not

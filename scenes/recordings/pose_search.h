@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/judge/query_check.h"
+#include "core/judge/pose_fit.h"
 #include "scenes/recordings/recorded_queries.h"
 
 namespace scb::scenes {

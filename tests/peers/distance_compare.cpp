@@ -158,9 +158,7 @@ int compare(const Options& options) {
             const auto [cold, warm] = measure(peers, poses, options.rounds, row, differs);
             times.rows.push_back({bodies, gap, cold});
             for (const auto& [ms, name_of_times] : {std::pair(&cold, "cold"), {&warm, "warm"}}) {
-                const DistanceTimes::Row of_row{bodies, gap, *ms};
-                const double quicker =
-                    times.ms(of_row, distance_baseline_title) / times.ms(of_row, packed_title);
+                const double quicker = times.speedup(*ms, packed_title);
                 logs[group + ", " + name_of_times].push_back(std::log(quicker));
                 row += format(" %.1f |", quicker);
             }

@@ -35,8 +35,7 @@ std::string data_block(const DistanceTimes& times) {
         if (i > 0 && row.bodies != times.rows[i - 1].bodies) text += "\n";
         text += std::to_string(i);
         for (const Drawn& peer : drawn_peers())
-            text +=
-                format(" %.4g", times.ms(row, distance_baseline_title) / times.ms(row, peer.title));
+            text += format(" %.4g", times.speedup(row.ms, peer.title));
         text += "\n";
     }
     return text;
@@ -67,9 +66,12 @@ std::string row_labels(const DistanceTimes& times) {
 
 }  // namespace
 
-double DistanceTimes::ms(const Row& row, std::string_view title) const {
-    const auto found = std::find(peers.begin(), peers.end(), title);
-    return row.ms.at(static_cast<std::size_t>(found - peers.begin()));
+double DistanceTimes::speedup(const std::vector<double>& ms, std::string_view title) const {
+    const auto of = [&](std::string_view name) {
+        const auto found = std::find(peers.begin(), peers.end(), name);
+        return ms.at(static_cast<std::size_t>(found - peers.begin()));
+    };
+    return of(distance_baseline_title) / of(title);
 }
 
 std::string distance_plot_script(const DistanceTimes& times) {

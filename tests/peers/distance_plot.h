@@ -20,8 +20,9 @@ struct DistanceTimes {
     std::vector<std::string> peers;  ///< titles
     std::vector<Row> rows;           ///< rows of the same bodies follow each other
 
-    /// The time of a peer in a row. Throws std::out_of_range for a title that is none.
-    double ms(const Row& row, std::string_view title) const;
+    /// How many times as long as a peer the baseline takes, by the times of all peers. Throws
+    /// std::out_of_range for a title that is none.
+    double speedup(const std::vector<double>& ms, std::string_view title) const;
 };
 
 /// A gnuplot script that draws `distances.png` where it runs: how many times as quick as FCL each

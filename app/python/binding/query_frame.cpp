@@ -147,10 +147,10 @@ A test is wasted where the pair whose division led to it has no triangles below 
             "triangle_tests", [](const PassCounts& c) { return c.all.triangle_tests; },
             "All tests of triangles.")
         .def_property_readonly(
-            "wasted_volume_tests", [](const PassCounts& c) { return c.wasted.volume_tests; },
+            "wasted_volume_tests", [](const PassCounts& c) { return c.wasted().volume_tests; },
             "Those of volumes that were wasted.")
         .def_property_readonly(
-            "wasted_triangle_tests", [](const PassCounts& c) { return c.wasted.triangle_tests; },
+            "wasted_triangle_tests", [](const PassCounts& c) { return c.wasted().triangle_tests; },
             "Those of triangles that were wasted.")
         .def_property_readonly(
             "wasted_by_tests",
@@ -159,12 +159,13 @@ A test is wasted where the pair whose division led to it has no triangles below 
         .def_property_readonly(
             "wasted_by_fit",
             [](const PassCounts& c) { return c.wasted_by(PassReason::loose_fit).volume_tests; },
-            "Of the wasted ones of volumes, those below volumes that meet though nothing in them does.")
+            "Of the wasted ones of volumes, those below volumes that meet though nothing in them "
+            "does.")
         .def_readonly("wrongly_rejected", &PassCounts::wrongly_rejected,
                       "Tests that rejected volumes which overlap: errors.")
         .def_readonly("missed", &PassCounts::missed, "Pairs of triangles that were lost by them.")
         .def("__repr__", [](const PassCounts& c) {
-            return "<scb.Waste: " + std::to_string(c.wasted.volume_tests) + " of " +
+            return "<scb.Waste: " + std::to_string(c.wasted().volume_tests) + " of " +
                    std::to_string(c.all.volume_tests) + " volume tests>";
         });
 }

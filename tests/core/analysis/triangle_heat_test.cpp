@@ -62,7 +62,7 @@ TEST(TriangleHeat, WastedTestsAreThoseOfTheAttribution) {
         const AnyHierarchy& hierarchy = mesh.hierarchies[static_cast<std::size_t>(VolumeKind::scb)];
         const Attribution attribution =
             attribute(hierarchy, hierarchy, header, frame, frame.found.pairs);
-        EXPECT_EQ(count, attribution.counts.wasted.volume_tests);
+        EXPECT_EQ(count, attribution.counts.wasted().volume_tests);
         EXPECT_EQ(wasted_tests(attribution), wasted);
     }
 }

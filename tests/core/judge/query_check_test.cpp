@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/judge/pose_fit.h"
 #include "scb/triangle_overlap.h"
 #include "tests/core/judge/judged_rows.h"
 
@@ -12,6 +13,15 @@ namespace scb {
 namespace {
 
 using Kind = EngineEvent::Kind;
+
+/// A row whose node 2 has a box that is apart from the other row.
+std::vector<ToldNode> nodes_with_a_box_elsewhere() {
+    std::vector<ToldNode> nodes = nodes_of_row();
+    Obb elsewhere = box_of_row(2, 3);
+    elsewhere.center[2] = 5;
+    nodes[2].volume = elsewhere;
+    return nodes;
+}
 
 TEST(QueryCheck, AValidQueryHasNoProblems) {
     const Rows rows;
@@ -231,11 +241,7 @@ TEST(QueryCheck, WasteIsWhatPairsWithoutAContactBelowThemLedTo) {
 }
 
 TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
-    auto nodes = nodes_of_row();
-    Obb elsewhere = box_of_row(2, 3);
-    elsewhere.center[2] = 5;
-    nodes[2].volume = elsewhere;
-    Rows rows(nodes);
+    Rows rows(nodes_with_a_box_elsewhere());
     rows.contacts = {};
     rows.query.events = {{Kind::volumes, 0, 0, 0},
                          {Kind::volumes, 0, 2, 2},  // passed although they are apart
@@ -248,11 +254,7 @@ TEST(QueryCheck, WasteBelowAWeakTestIsOfThatTestAllTheWayDown) {
 }
 
 TEST(QueryCheck, WasteBelowVolumesThatTouchTheToleranceIsNotJudged) {
-    auto nodes = nodes_of_row();
-    Obb elsewhere = box_of_row(2, 3);
-    elsewhere.center[2] = 5;
-    nodes[2].volume = elsewhere;
-    Rows rows(nodes);
+    Rows rows(nodes_with_a_box_elsewhere());
     rows.contacts = {};
     rows.query.kind = QueryKind::within;
     rows.query.events = {{Kind::volumes, 0, 0, 0},

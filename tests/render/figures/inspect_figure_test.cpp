@@ -14,7 +14,6 @@ Inspection example(std::uint64_t fit, std::uint64_t test, std::uint64_t wrong) {
     found.counts.inner = {test, fit, 50};
     found.counts.wrongly_rejected = found.counts.missed = wrong;
     found.counts.all = {100 + fit + test, 500, 90000};
-    found.counts.wasted = {fit + test, 300, 50000};
     found.counts.wasted_for = {Work{test, 100, 20000}, Work{fit, 200, 30000}};
     found.depths = {{100 + fit + test, {{test, fit}}, {}}};
     return found;

@@ -137,7 +137,7 @@ TEST(RecordedTrace, AttributesTestsAsThoseOfOwnQueriesAre) {
             const Attribution found = recorded.attribution();
             EXPECT_EQ(found.counts.inner, of_own.counts.inner);
             EXPECT_EQ(found.counts.leaves, of_own.counts.leaves);
-            EXPECT_EQ(found.counts.wasted.volume_tests, of_own.counts.wasted.volume_tests);
+            EXPECT_EQ(found.counts.wasted().volume_tests, of_own.counts.wasted().volume_tests);
             ASSERT_EQ(found.wrongly_rejected.size(), of_own.wrongly_rejected.size());
             for (std::size_t i = 0; i < found.wrongly_rejected.size(); ++i) {
                 EXPECT_EQ(found.wrongly_rejected[i].test, of_own.wrongly_rejected[i].test);

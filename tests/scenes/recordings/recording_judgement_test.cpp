@@ -104,7 +104,7 @@ TEST(RecordingJudgement, CountsWasteAsTheAttributionOfOwnQueriesDoes) {
                              frame, frame.found.pairs)
                        .counts;
         const RecordingJudgement judged = judge(recording_of(trace));
-        EXPECT_EQ(judged.wasted.all(), sum.wasted.volume_tests + sum.wasted.triangle_tests);
+        EXPECT_EQ(judged.wasted.all(), sum.wasted().volume_tests + sum.wasted().triangle_tests);
         EXPECT_GT(judged.wasted.by(PassReason::loose_fit), 0u);
         EXPECT_EQ(judged.stages[0].false_positives, sum.passed(PassReason::weak_test));
     }

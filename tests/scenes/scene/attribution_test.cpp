@@ -63,7 +63,7 @@ void check_counts(const AttributedQuery& q) {
     }
     for (const ItemStep& test : q.frame.steps.items)
         ++(is_false[test.step] ? wasted : useful).triangle_tests;
-    EXPECT_EQ(r.counts.wasted, wasted);
+    EXPECT_EQ(r.counts.wasted(), wasted);
     // An exact test saves all tests below a pair that passed a weak test, at any distance.
     std::vector<char> is_weak(tests.size());
     for (const PassedPair& pair : r.passed)
@@ -80,7 +80,7 @@ void check_counts(const AttributedQuery& q) {
     // What was not found was missed by a wrong rejection.
     EXPECT_EQ(q.frame.found.pairs.size() + r.counts.missed, q.contacts.size());
     Work sum = useful;
-    sum += r.counts.wasted;
+    sum += r.counts.wasted();
     // The time of parts is not known.
     sum.picoseconds = r.counts.all.picoseconds;
     EXPECT_EQ(sum, r.counts.all);
@@ -97,7 +97,7 @@ void check_depths(const AttributedQuery& q) {
         by_weak_tests += depth.wasted.by(PassReason::weak_test);
     }
     EXPECT_EQ(sum.tests, q.frame.found.n_v);
-    EXPECT_EQ(sum.wasted.all(), q.result.counts.wasted.volume_tests);
+    EXPECT_EQ(sum.wasted.all(), q.result.counts.wasted().volume_tests);
     EXPECT_EQ(by_weak_tests, q.result.counts.wasted_by(PassReason::weak_test).volume_tests);
 }
 
